@@ -1,3 +1,4 @@
+/* Bodies as values: checked when they are made, immutable and counted. */
 #include "base/plural.h"
 #include "body/measure/box.h"
 
@@ -14,7 +15,7 @@ struct batten_body {
 };
 
 /* Casts away the const under which the parts show what they own. */
-static void release(const void *memory)
+static void release_array(const void *memory)
 {
     bat_release((void *)(uintptr_t)memory);
 }
@@ -31,19 +32,19 @@ static void drop_geometry(const batten_body_parts *parts)
     for (int i = 0; i < parts->use_count; i++)
         drop_curve(parts->uses[i].parameters);
     for (int i = 0; i < parts->face_count; i++) {
-        release(parts->faces[i].name);
+        release_array(parts->faces[i].name);
         batten_surface_unref((batten_surface *)(uintptr_t)parts->faces[i].surface);
     }
 }
 
 static void drop_arrays(const batten_body_parts *parts)
 {
-    release(parts->vertices);
-    release(parts->edges);
-    release(parts->uses);
-    release(parts->loops);
-    release(parts->faces);
-    release(parts->shells);
+    release_array(parts->vertices);
+    release_array(parts->edges);
+    release_array(parts->uses);
+    release_array(parts->loops);
+    release_array(parts->faces);
+    release_array(parts->shells);
 }
 
 batten_body *batten_body_ref(const batten_body *body)
@@ -262,7 +263,7 @@ static batten_status copy_names(batten_body_parts *parts)
         char *copied = bat_array(strlen(name) + 1, 1);
         if (!copied) {
             while (i-- > 0)
-                release(faces[i].name);
+                release_array(faces[i].name);
             return BATTEN_OUT_OF_MEMORY;
         }
         strcpy(copied, name);

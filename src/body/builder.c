@@ -1,3 +1,4 @@
+/* A body as it grows, part after part. */
 #include "body/builder.h"
 
 #include <limits.h>
@@ -16,7 +17,7 @@ void bat_builder_begin(bat_builder *builder, double tolerance)
 }
 
 /* Room for one more of `count` items of `size` bytes in *array. */
-static batten_status grow(int count, int *room, size_t size, const void *array, void **out)
+static batten_status grow_list(int count, int *room, size_t size, const void *array, void **out)
 {
     *out = own(array);
     if (count < *room)
@@ -37,8 +38,8 @@ batten_status bat_builder_vertex(bat_builder *builder, const double point[3], in
 {
     batten_body_parts *p = &builder->parts;
     void *room = NULL;
-    batten_status status =
-        grow(p->vertex_count, &builder->vertex_room, 3 * sizeof(double), p->vertices, &room);
+    batten_status status = grow_list(p->vertex_count, &builder->vertex_room, 3 * sizeof(double),
+                                     p->vertices, &room);
     p->vertices = room;
     if (status != BATTEN_OK)
         return status;
@@ -52,8 +53,8 @@ batten_status bat_builder_edge(bat_builder *builder, const batten_curve *curve, 
 {
     batten_body_parts *p = &builder->parts;
     void *room = NULL;
-    batten_status status =
-        grow(p->edge_count, &builder->edge_room, sizeof(batten_body_edge), p->edges, &room);
+    batten_status status = grow_list(p->edge_count, &builder->edge_room,
+                                     sizeof(batten_body_edge), p->edges, &room);
     p->edges = room;
     if (status != BATTEN_OK)
         return status;
@@ -67,8 +68,8 @@ batten_status bat_builder_shell(bat_builder *builder, bool closed)
 {
     batten_body_parts *p = &builder->parts;
     void *room = NULL;
-    batten_status status =
-        grow(p->shell_count, &builder->shell_room, sizeof(batten_body_shell), p->shells, &room);
+    batten_status status = grow_list(p->shell_count, &builder->shell_room,
+                                     sizeof(batten_body_shell), p->shells, &room);
     p->shells = room;
     if (status != BATTEN_OK)
         return status;
@@ -83,8 +84,8 @@ batten_status bat_builder_face(bat_builder *builder, const batten_body_face *fac
     const char *name = face->name ? face->name : "";
     void *room = NULL;
     assert(p->shell_count > 0);
-    batten_status status =
-        grow(p->face_count, &builder->face_room, sizeof(batten_body_face), p->faces, &room);
+    batten_status status = grow_list(p->face_count, &builder->face_room,
+                                     sizeof(batten_body_face), p->faces, &room);
     p->faces = room;
     if (status != BATTEN_OK)
         return status;
@@ -107,8 +108,8 @@ batten_status bat_builder_loop(bat_builder *builder)
     batten_body_parts *p = &builder->parts;
     void *room = NULL;
     assert(p->face_count > 0);
-    batten_status status =
-        grow(p->loop_count, &builder->loop_room, sizeof(batten_body_loop), p->loops, &room);
+    batten_status status = grow_list(p->loop_count, &builder->loop_room,
+                                     sizeof(batten_body_loop), p->loops, &room);
     p->loops = room;
     if (status != BATTEN_OK)
         return status;
@@ -124,7 +125,7 @@ batten_status bat_builder_use(bat_builder *builder, int edge, bool reversed,
     void *room = NULL;
     assert(p->loop_count > 0);
     batten_status status =
-        grow(p->use_count, &builder->use_room, sizeof(batten_body_use), p->uses, &room);
+        grow_list(p->use_count, &builder->use_room, sizeof(batten_body_use), p->uses, &room);
     p->uses = room;
     if (status != BATTEN_OK)
         return status;

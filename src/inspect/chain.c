@@ -87,7 +87,7 @@ static bat_span_sums rule(int d, const batten_span *span, const bat_ruler *r, do
     return sums;
 }
 
-static bat_span_sums add(bat_span_sums a, bat_span_sums b)
+static bat_span_sums add_sums(bat_span_sums a, bat_span_sums b)
 {
     return (bat_span_sums){a.length + b.length, a.energy + b.energy, a.variation + b.variation};
 }
@@ -98,6 +98,8 @@ static bool agree(bat_span_sums whole, bat_span_sums both, bat_span_sums all)
     const double off[3] = {whole.length - both.length, whole.energy - both.energy,
                            whole.variation - both.variation};
     const double size[3] = {both.length, both.energy, both.variation};
+    /* 1e-13 of the sums is their rounding over some hundred nodes; 1e-15 of the whole does not
+     * show. */
     const double total[3] = {all.length, all.energy, all.variation};
     for (int k = 0; k < 3; k++)
         if (fabs(off[k]) > bat_max(1e-13 * size[k], 1e-15 * total[k]))
@@ -123,9 +125,9 @@ static void halve(int d, const batten_span *span, const bat_ruler *r, bat_span_s
         const double middle = whole.a + (whole.b - whole.a) / 2;
         const part low = {whole.a, middle, rule(d, span, r, whole.a, middle), whole.depth + 1};
         const part high = {middle, whole.b, rule(d, span, r, middle, whole.b), whole.depth + 1};
-        const bat_span_sums both = add(low.sums, high.sums);
+        const bat_span_sums both = add_sums(low.sums, high.sums);
         if (whole.depth == DEPTH || agree(whole.sums, both, all)) {
-            total = add(total, both);
+            total = add_sums(total, both);
         } else {
             stack[waiting++] = high;
             stack[waiting++] = low;
@@ -159,6 +161,7 @@ batten_status batten_chain_length(const batten_chain *chain, double *length, dou
         if (!goes_by_length(span))
             bat_span_integrate(chain->dimension, span, &r, &sums);
         sum += sums.length;
+        /* Halving stops at 1e-13 of each part; ten times that for all of them. */
         off += (goes_by_length(span) ? DBL_EPSILON : 1e-12) * sums.length;
     }
     if (!isfinite(sum))

@@ -1,3 +1,4 @@
+/* How smoothly curves join: gap, angle, curvature and its rate, and what rounding hides. */
 #include "inspect/affine/side.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
@@ -158,6 +159,7 @@ static int geometric_order(const bat_side *l, const bat_side *r,
 static void compare(int d, const bat_side *l, const bat_side *r, double size,
                     const batten_curve_continuity_options *o, batten_continuity *out)
 {
+    /* As the documentation of the options says: a millionth of the size. */
     const double gap = o->gap > 0 ? o->gap : 1e-6 * size;
     const batten_vec3 a = l->tangent, b = r->tangent;
     out->gap = difference(l->c[0], r->c[0]);
@@ -244,6 +246,7 @@ batten_status batten_curve_continuity(const batten_curve *curve,
         return status;
     const int breaks = batten_curve_spans(curve, NULL);
     const double extent = size_of(curve), size = bat_curve_size(curve);
+    /* The same default as that of a joint. */
     const bool closed = batten_curve_is_closed(curve, o.gap > 0 ? o.gap : 1e-6 * extent);
     double *knots = bat_array((size_t)breaks, sizeof *knots);
     batten_continuity *at = bat_array((size_t)breaks, sizeof *at);

@@ -1,3 +1,4 @@
+/* What is true at one parameter of a curve: tangent, curvature, torsion, and their rounding. */
 #include "inspect/local.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
@@ -16,6 +17,8 @@ double bat_curve_size(const batten_curve *curve)
 
 batten_status bat_curve_check_size(const batten_curve *curve)
 {
+    /* Curvature multiplies two derivatives and a third: cubes of these sizes are still
+     * numbers. */
     static const double least = 1e-120, most = 1e120;
     const double size = bat_curve_size(curve);
     if (size == 0 || (size >= least && size <= most))

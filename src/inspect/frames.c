@@ -177,6 +177,7 @@ static batten_status check_round(const batten_curve *spine)
         return status;
     const double gap = bat_vec3_norm(bat_vec3_subtract(a.point, b.point));
     const double bend = bat_vec3_norm(bat_vec3_subtract(a.tangent, b.tangent));
+    /* Ends that are one are so to rounding; a tangent loses half of the digits to a knot. */
     if (gap > 1e-9 * size || bend > 1e-6)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "the spine does not close smoothly: its ends are %g apart, their "
@@ -201,11 +202,13 @@ static batten_status closing(const batten_curve *spine, int count, const double 
     const double size =
         bat_largest(batten_curve_point_count(spine) * batten_curve_dimension(spine),
                     batten_curve_points(spine));
+    /* Lengths to twelve digits: the angle is shared out in proportion to them. */
+    const double fine = 1e-12 * size;
     if (status == BATTEN_OK)
-        status = batten_curve_length(spine, 1e-12 * size, &length, NULL);
+        status = batten_curve_length(spine, fine, &length, NULL);
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
-        status = batten_curve_length_between(spine, k ? at[k - 1] : domain.a, at[k],
-                                             1e-12 * size, &step, NULL);
+        status = batten_curve_length_between(spine, k ? at[k - 1] : domain.a, at[k], fine,
+                                             &step, NULL);
         so_far += step;
         turn_frame(&frames[k], -angle_between(&round[0], &round[1]) * (so_far / length));
     }

@@ -1,3 +1,4 @@
+/* Inflections of curves, and curvature that is zero along a stretch. */
 #include "inspect/inflections.h"
 #include "inspect/affine/forms.h"
 #include "inspect/singular.h"

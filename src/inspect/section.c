@@ -300,8 +300,8 @@ static batten_status take_chains(march *m, batten_polylines *out)
 
 /* ---- the section ---- */
 
-static batten_status check(const batten_surface *surface, batten_vec3 normal, double offset,
-                           int cells_u, int cells_v)
+static batten_status check_section(const batten_surface *surface, batten_vec3 normal,
+                                   double offset, int cells_u, int cells_v)
 {
     if (batten_surface_dimension(surface) != 3)
         return bat_fail(
@@ -314,6 +314,7 @@ static batten_status check(const batten_surface *surface, batten_vec3 normal, do
         return bat_fail(BATTEN_BAD_ARGUMENT, "the normal of the plane is zero");
     if (cells_u < 1 || cells_v < 1)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a grid of %d x %d cells", cells_u, cells_v);
+    /* A gigabyte of corner values. */
     if ((double)cells_u * cells_v > 1e8)
         return bat_fail(BATTEN_TOO_LARGE, "a grid of %d x %d cells, above 100,000,000", cells_u,
                         cells_v);
@@ -344,7 +345,7 @@ static void set_plane(march *m, batten_vec3 normal, double offset)
         m->closed[k] = batten_surface_is_closed(m->surface, (batten_direction)k, m->roundoff);
 }
 
-static batten_status begin(march *m)
+static batten_status begin_march(march *m)
 {
     const size_t nodes_u = (size_t)m->nu + 1, nodes_v = (size_t)m->nv + 1;
     m->u = lines_of(m->surface, BATTEN_U, m->nu);
@@ -361,7 +362,7 @@ static batten_status begin(march *m)
     return m->crossings ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void end(march *m)
+static void end_march(march *m)
 {
     bat_release(m->u);
     bat_release(m->v);
@@ -375,20 +376,20 @@ batten_status batten_surface_section(const batten_surface *surface, batten_vec3 
                                      double offset, int cells_u, int cells_v,
                                      batten_polylines *out)
 {
-    batten_status status = check(surface, normal, offset, cells_u, cells_v);
+    batten_status status = check_section(surface, normal, offset, cells_u, cells_v);
     if (status != BATTEN_OK)
         return status;
     march m = {.surface = surface, .nu = cells_u, .nv = cells_v};
     batten_polylines lines = {0};
     set_plane(&m, normal, offset);
-    status = begin(&m);
+    status = begin_march(&m);
     if (status == BATTEN_OK)
         status = cross_edges(&m);
     if (status == BATTEN_OK)
         status = join_cells(&m);
     if (status == BATTEN_OK)
         status = take_chains(&m, &lines);
-    end(&m);
+    end_march(&m);
     if (status == BATTEN_OK)
         *out = lines;
     else

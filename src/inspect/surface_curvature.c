@@ -1,3 +1,4 @@
+/* Principal, Gaussian and mean curvature of a surface at a point. */
 #include "base/plural.h"
 #include "base/work.h"
 #include "numeric/vector.h"

@@ -190,8 +190,8 @@ static batten_status measure_place(const batten_triangles *triangles,
     return BATTEN_OK;
 }
 
-static batten_status measure(const batten_triangles *triangles,
-                             const batten_triangle_join *join, measured *out)
+static batten_status measure_joins(const batten_triangles *triangles,
+                                   const batten_triangle_join *join, measured *out)
 {
     *out = (measured){.angle = -1};
     for (int i = 0; i < PLACES; i++) {
@@ -279,7 +279,7 @@ static batten_status describe(const batten_triangles *triangles, bat_forms *form
     if (triangles->dimension < 3)
         return BATTEN_OK;
     measured lengths;
-    const batten_status status = measure(triangles, join, &lengths);
+    const batten_status status = measure_joins(triangles, join, &lengths);
     if (status != BATTEN_OK)
         return status;
     const double n = triangles->degree;

@@ -1,3 +1,4 @@
+/* How often a closed curve turns, and how often it winds around a point. */
 #include "inspect/closed.h"
 #include "inspect/inflections.h"
 #include "inspect/singular.h"
@@ -83,6 +84,7 @@ batten_status batten_curve_winding(const batten_curve *curve, const double *poin
     batten_status status = bat_closed_check(curve, closed);
     if (status == BATTEN_OK)
         status = batten_curve_deviation(curve, 1, point, NULL, NULL, NULL, &near);
+    /* Within some thousand roundings the point is on it. */
     if (status == BATTEN_OK && near.max <= 1e-12 * bat_curve_size(curve))
         status =
             bat_fail(BATTEN_SINGULAR_HERE, "(%g, %g) lies on the curve", point[0], point[1]);
@@ -150,6 +152,8 @@ static batten_status quadrants(const batten_curve *curve, batten_parameters *out
 static batten_status sum_angles(const batten_curve *curve, const batten_parameters *at,
                                 bool closed, double *sum)
 {
+    /* A turn is measured between tangents, which keep seven digits at a cusp: within that a
+     * quarter turn or a half is told from a little less. */
     const double size = bat_curve_size(curve), right = BAT_PI / 2 + 1e-6, full = BAT_PI - 1e-7;
     batten_vec3 first = {0, 0, 0}, left, right_side = {0, 0, 0};
     batten_status status = BATTEN_OK;

@@ -172,7 +172,7 @@ static bool add_triangle(const batten_mesh_parts *parts, const int *corners, sum
     return area <= 8 * DBL_EPSILON * longest * longest;
 }
 
-static batten_status measure(const batten_mesh *mesh, checking *c)
+static batten_status measure_mesh(const batten_mesh *mesh, checking *c)
 {
     sums s = {.scale = 1};
     batten_mesh_facts *f = &c->facts;
@@ -210,7 +210,7 @@ batten_status batten_mesh_check(const batten_mesh *mesh, batten_mesh_facts *out)
         status = count_vertices(&c);
     }
     if (status == BATTEN_OK)
-        status = measure(mesh, &c);
+        status = measure_mesh(mesh, &c);
     if (status == BATTEN_OK)
         *out = c.facts;
     bat_release(c.parent);

@@ -1,3 +1,4 @@
+/* Meshes as values: checked when they are made, immutable and counted. */
 #include "base/base.h"
 #include "base/plural.h"
 
@@ -11,7 +12,7 @@ struct batten_mesh {
 };
 
 /* Casts away the const under which the parts show what they own. */
-static void release(const void *memory)
+static void release_array(const void *memory)
 {
     bat_release((void *)(uintptr_t)memory);
 }
@@ -19,17 +20,17 @@ static void release(const void *memory)
 static void free_mesh(batten_mesh *mesh)
 {
     const batten_mesh_parts *p = &mesh->parts;
-    release(p->points);
-    release(p->colours);
-    release(p->corners);
-    release(p->normals);
-    release(p->faces);
-    release(p->triangle_colours);
+    release_array(p->points);
+    release_array(p->colours);
+    release_array(p->corners);
+    release_array(p->normals);
+    release_array(p->faces);
+    release_array(p->triangle_colours);
     for (int k = 0; p->attributes && k < p->attribute_count; k++) {
-        release(p->attributes[k].name);
-        release(p->attributes[k].values);
+        release_array(p->attributes[k].name);
+        release_array(p->attributes[k].values);
     }
-    release(p->attributes);
+    release_array(p->attributes);
     bat_release(mesh);
 }
 
@@ -61,7 +62,7 @@ static batten_status check_numbers(const double *values, size_t count, const cha
                : bat_fail(BATTEN_NOT_FINITE, "number %zu of the %s is not finite", bad, what);
 }
 
-static batten_status check(const batten_mesh_parts *p)
+static batten_status check_parts(const batten_mesh_parts *p)
 {
     if (p->vertex_count < 0 || p->triangle_count < 0 || p->attribute_count < 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d %s, %d triangle%s, %d attributes",
@@ -155,7 +156,7 @@ static batten_status copy_vertices(const batten_mesh_parts *from, batten_mesh_pa
 
 batten_status batten_mesh_create(const batten_mesh_parts *parts, batten_mesh **out)
 {
-    batten_status status = check(parts);
+    batten_status status = check_parts(parts);
     if (status != BATTEN_OK)
         return status;
     batten_mesh *mesh = bat_array(1, sizeof *mesh);

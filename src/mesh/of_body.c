@@ -120,7 +120,7 @@ static void release_all(bat_meshing *m)
 /* ---- the whole ---- */
 
 /* Without the vertices that no triangle has. */
-static batten_status finish(bat_meshing *m, batten_mesh **out)
+static batten_status finish_mesh(bat_meshing *m, batten_mesh **out)
 {
     int *number = bat_array((size_t)m->point_count, sizeof *number);
     if (!number)
@@ -169,7 +169,7 @@ static batten_status mesh_traced(const bat_traced *traced, bat_meshing *m, batte
     if (status == BATTEN_OK)
         status = bat_meshing_faces(m);
     if (status == BATTEN_OK)
-        status = finish(m, out);
+        status = finish_mesh(m, out);
     release_all(m);
     return status;
 }

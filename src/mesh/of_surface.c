@@ -16,6 +16,7 @@ static batten_status whole(const batten_surface *surface, batten_body **out)
 {
     bat_builder builder;
     bat_border_count count = {0};
+    /* Borders are computed twice, from both of their ends: what is one differs by rounding. */
     const double tolerance = bat_max(1e-9 * size_of(surface), DBL_MIN);
     bat_builder_begin(&builder, tolerance);
     batten_status status = bat_builder_shell(&builder, false);

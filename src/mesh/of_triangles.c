@@ -95,7 +95,7 @@ static batten_status fill_node(dividing *d, int triangle, int j, int k, double *
     return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
 }
 
-static batten_status fill(dividing *d)
+static batten_status fill_division(dividing *d)
 {
     batten_status status = BATTEN_OK;
     for (int t = 0; status == BATTEN_OK && t < d->count; t++) {
@@ -153,7 +153,7 @@ static double angle_between(const double *a, const double *b)
 
 /* The largest distance of the patches from the parts, at the middles of these, and the largest
  * angle between normals. */
-static batten_status measure(const dividing *d, batten_mesh_report *report)
+static batten_status measure_division(const dividing *d, batten_mesh_report *report)
 {
     const double n = d->parts;
     double p[3];
@@ -232,9 +232,9 @@ static batten_status divide(dividing *d, int most, batten_mesh_report *report)
         bat_release(d->normals);
         d->points = bat_array3((size_t)d->count * d->nodes, 3, sizeof(double));
         d->normals = bat_array3((size_t)d->count * d->nodes, 3, sizeof(double));
-        status = d->points && d->normals ? fill(d) : BATTEN_OUT_OF_MEMORY;
+        status = d->points && d->normals ? fill_division(d) : BATTEN_OUT_OF_MEMORY;
         if (status == BATTEN_OK)
-            status = measure(d, report);
+            status = measure_division(d, report);
         const double excess = bat_max(sqrt(report->chord / d->chord), report->angle / d->angle);
         if (status != BATTEN_OK || excess <= 1 || round == ROUNDS)
             break; /* a crease stays one: the report says it */
@@ -245,7 +245,8 @@ static batten_status divide(dividing *d, int most, batten_mesh_report *report)
 
 /* ---- the mesh ---- */
 
-static void add(const dividing *d, size_t a, size_t b, size_t c, int *corners, double *normals)
+static void add_triangle(const dividing *d, size_t a, size_t b, size_t c, int *corners,
+                         double *normals)
 {
     const size_t nodes[3] = {a, b, c};
     for (int k = 0; k < 3; k++) {
@@ -254,7 +255,7 @@ static void add(const dividing *d, size_t a, size_t b, size_t c, int *corners, d
     }
 }
 
-static batten_status make(const dividing *d, batten_mesh **out)
+static batten_status make_mesh(const dividing *d, batten_mesh **out)
 {
     const size_t all = (size_t)d->count * (size_t)d->parts * (size_t)d->parts;
     int *corners = bat_array3(all, 3, sizeof *corners);
@@ -268,11 +269,11 @@ static batten_status make(const dividing *d, batten_mesh **out)
                 const size_t first = d->nodes * (size_t)t;
                 const size_t a = first + (size_t)BATTEN_TRIANGLE_POINT(row - k, k);
                 const size_t b = first + (size_t)BATTEN_TRIANGLE_POINT(row - k + 1, k);
-                add(d, a, b, b + 1, corners + 3 * made, normals + 9 * made);
+                add_triangle(d, a, b, b + 1, corners + 3 * made, normals + 9 * made);
                 made++;
                 if (k == row)
                     continue;
-                add(d, a, b + 1, a + 1, corners + 3 * made, normals + 9 * made);
+                add_triangle(d, a, b + 1, a + 1, corners + 3 * made, normals + 9 * made);
                 made++;
             }
     if (status == BATTEN_OK) {
@@ -314,7 +315,7 @@ batten_status batten_mesh_from_triangles(const batten_triangles *triangles,
         return status;
     status = divide(&d, chosen.most, &reached);
     if (status == BATTEN_OK)
-        status = make(&d, out);
+        status = make_mesh(&d, out);
     if (status == BATTEN_OK && report)
         *report = reached;
     bat_release(d.points);

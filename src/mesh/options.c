@@ -1,3 +1,4 @@
+/* The defaults of meshing. */
 #include <batten/mesh.h>
 
 batten_mesh_options batten_mesh_defaults(void)

@@ -69,7 +69,7 @@ static batten_status take_attributes(const welding *w, batten_mesh_attribute *ma
     return BATTEN_OK;
 }
 
-static batten_status make(const welding *w, batten_mesh **out)
+static batten_status make_welded(const welding *w, batten_mesh **out)
 {
     batten_mesh_parts parts = *w->parts;
     const size_t corner_count = 3 * (size_t)parts.triangle_count;
@@ -116,7 +116,7 @@ batten_status batten_mesh_weld(const batten_mesh *mesh, batten_mesh **out)
     batten_status status = w.table && w.number && w.first ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         number_vertices(&w);
-        status = make(&w, out);
+        status = make_welded(&w, out);
     }
     bat_release(w.table);
     bat_release(w.number);

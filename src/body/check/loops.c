@@ -25,7 +25,7 @@ typedef struct {
  * curves. */
 static const double NEAR = 1e-7;
 
-static void release(passages *all)
+static void release_passages(passages *all)
 {
     for (int i = 0; i < all->count; i++)
         batten_curve_unref(all->at[i].curve);
@@ -247,7 +247,7 @@ batten_status bat_check_loops(bat_check *check, int face)
         status = report_crossings(check, face, &all);
     if (status == BATTEN_OK)
         status = find_touches(check, face, &all);
-    release(&all);
+    release_passages(&all);
     return status;
 }
 
@@ -316,6 +316,6 @@ batten_status bat_loops_doubt(const batten_body_parts *parts, int face, double *
         *area += length * length / acos(-1);
     }
     bat_release(found.at);
-    release(&all);
+    release_passages(&all);
     return status;
 }

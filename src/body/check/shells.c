@@ -78,8 +78,9 @@ static void judge(bat_check *check, int shell, const bat_face_sums *sums, double
                      volume * unit, error * unit);
 }
 
-static batten_status measure(bat_check *check, const batten_body *body,
-                             const bat_traced_all *traced, int *shell_of, shell_sums *shells)
+static batten_status measure_shells(bat_check *check, const batten_body *body,
+                                    const bat_traced_all *traced, int *shell_of,
+                                    shell_sums *shells)
 {
     const batten_body_parts *p = check->parts;
     bat_face_rules rules = bat_face_rules_of(body);
@@ -110,7 +111,7 @@ batten_status bat_check_shells(bat_check *check, const batten_body *body,
     for (int s = 0; s < p->shell_count && status == BATTEN_OK; s++)
         shells[s].is_sound = is_balanced(p, &p->shells[s], ways);
     if (status == BATTEN_OK)
-        status = measure(check, body, traced, shell_of, shells);
+        status = measure_shells(check, body, traced, shell_of, shells);
     bat_release(shell_of);
     bat_release(shells);
     return status;

@@ -123,7 +123,7 @@ double bat_conic_parameter(const bat_conic *conic, const double point[3])
 
 /* ---- parts ---- */
 
-static batten_status check(const bat_conic *conic, double t0, double t1)
+static batten_status check_conic(const bat_conic *conic, double t0, double t1)
 {
     if (!isfinite(t0) || !isfinite(t1))
         return bat_fail(BATTEN_NOT_FINITE, "the parameters of the conic are %g and %g", t0, t1);
@@ -226,7 +226,7 @@ batten_status bat_conic_between(const bat_conic *conic, double t0, double t1,
 {
     assert(conic && out);
     batten_curve *plane = NULL;
-    batten_status status = check(conic, t0, t1);
+    batten_status status = check_conic(conic, t0, t1);
     if (status != BATTEN_OK)
         return status;
     switch (conic->kind) {

@@ -12,7 +12,7 @@ typedef struct {
     double tolerance;
 } whole;
 
-static batten_status look(const batten_curve *curve, double tolerance, whole *out)
+static batten_status look_at_whole(const batten_curve *curve, double tolerance, whole *out)
 {
     *out = (whole){.curve = curve, .tolerance = tolerance};
     out->domain = batten_curve_domain(curve);
@@ -100,7 +100,7 @@ static batten_status part(const batten_curve *curve, const double p[3], const do
 {
     whole of;
     double a = 0, b = 0, miss_p = 0, miss_q = 0;
-    batten_status status = look(curve, tolerance, &of);
+    batten_status status = look_at_whole(curve, tolerance, &of);
     if (status == BATTEN_OK)
         status = locate(&of, p, true, &a, &miss_p);
     if (status == BATTEN_OK)

@@ -90,6 +90,8 @@ static batten_status take_part(const cut_profile *profile, int index, batten_cur
     if (status == BATTEN_OK)
         status = batten_curve_subrange(profile->curve, of.a, of.b, &second);
     if (status == BATTEN_OK)
+        /* Both are parts of one closed curve: they meet to rounding, which 1e-6 leaves ample
+         * room. */
         status = batten_curve_join(first, second, 1e-6 * size, out);
     batten_curve_unref(first);
     batten_curve_unref(second);
@@ -140,6 +142,7 @@ batten_status bat_stand_cut(const bat_stand *stand, batten_curve **out)
 {
     const batten_curve *curve = stand->of->curve;
     const batten_box box = batten_curve_box(curve);
+    /* What closes does so to rounding, some 1e-16 of the size for each operation. */
     const double near = 1e-9 * bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
     batten_parameters found = {0, NULL};
     cut_profile profile = {.curve = curve,
@@ -148,6 +151,7 @@ batten_status bat_stand_cut(const bat_stand *stand, batten_curve **out)
     batten_curve *made = NULL;
     int best = 0;
     batten_status status = find_cuts(stand, curve, &found);
+    /* A crossing at an end of the profile is found to some thousand roundings of its domain. */
     const double little = 1e-12 * (profile.domain.b - profile.domain.a);
     for (int i = 0; i < found.count && status == BATTEN_OK; i++)
         if (found.at[i] > profile.domain.a + little && found.at[i] < profile.domain.b - little)

@@ -134,7 +134,8 @@ static batten_status offset(const bat_elementary *elementary, int count, const d
 
 /* ---- all ---- */
 
-static batten_status check(const bat_elementary *elementary, int count, const double *points)
+static batten_status check_elementary(const bat_elementary *elementary, int count,
+                                      const double *points)
 {
     static const char *const names[] = {"plane", "cylinder",  "cone",       "sphere",
                                         "torus", "extrusion", "revolution", "offset"};
@@ -163,7 +164,7 @@ static batten_status check(const bat_elementary *elementary, int count, const do
     return BATTEN_OK;
 }
 
-static batten_status make(const bat_stand *stand, batten_surface **out)
+static batten_status make_surface(const bat_stand *stand, batten_surface **out)
 {
     switch (stand->of->kind) {
     case BAT_PLANE:
@@ -191,7 +192,7 @@ batten_status bat_elementary_surface(const bat_elementary *elementary, int count
                                      batten_surface **out, double *error)
 {
     assert(elementary && (points || count == 0) && out && error);
-    batten_status status = check(elementary, count, points);
+    batten_status status = check_elementary(elementary, count, points);
     if (status != BATTEN_OK)
         return status;
     double reached = 0;
@@ -204,7 +205,7 @@ batten_status bat_elementary_surface(const bat_elementary *elementary, int count
                            .tolerance = bat_max(0, tolerance)};
         status = bat_elementary_frame(elementary, &stand.frame, &stand.y);
         if (status == BATTEN_OK)
-            status = make(&stand, out);
+            status = make_surface(&stand, out);
     }
     if (status == BATTEN_OK)
         *error = reached;

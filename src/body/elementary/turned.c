@@ -138,6 +138,7 @@ static bool is_lemon(const bat_stand *stand)
         apple += fabs(hypot(r - stand->of->a, z) - stand->of->b);
         lemon += fabs(hypot(r + stand->of->a, z) - stand->of->b);
     }
+    /* Points on the circle where both sheets meet fit either, to the tolerance or rounding. */
     const double near = bat_max(stand->tolerance, 1e-9 * stand->of->b) * stand->count;
     return fabs(lemon - apple) <= near ? stand->of->is_inner : lemon < apple;
 }

@@ -1,3 +1,5 @@
+/* Area, volume and centroid of one face by the theorem of Green, with two rules for the error.
+ */
 #include "body/measure/face_integral.h"
 #include "body/measure/box.h"
 
@@ -293,8 +295,9 @@ static batten_status cut_use(work *w, const batten_body_use *use, pieces *list)
 
 /* ---- the face ---- */
 
-static batten_status begin(const batten_body_parts *parts, const batten_body_face *face,
-                           const bat_face_rules *rules, work *w)
+static batten_status begin_integral(const batten_body_parts *parts,
+                                    const batten_body_face *face, const bat_face_rules *rules,
+                                    work *w)
 {
     *w = (work){.parts = parts, .rules = rules, .surface = face->surface};
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -465,7 +468,7 @@ batten_status bat_face_integrate(const batten_body_parts *parts, int face,
     pieces list = {0};
     work w;
     bat_face_sums sums = {.is_met = false};
-    batten_status status = begin(parts, of, rules, &w);
+    batten_status status = begin_integral(parts, of, rules, &w);
     if (status == BATTEN_OK)
         status = first_pieces(&w, of, &list, &sums);
     if (status == BATTEN_OK)

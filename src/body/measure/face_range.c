@@ -107,6 +107,7 @@ static batten_status follow_loop(finder *f, int index, loop_range *loop)
     for (int i = 0; status == BATTEN_OK && i < of->count; i++)
         status = follow_edge(f, loop, &f->parts->uses[of->first + i]);
     for (int k = 0; status == BATTEN_OK && f->samples && k < 2; k++)
+        /* No loop goes around a million times; what is damaged may, and must fit an int. */
         if (f->chart.closed[k])
             loop->turns[k] = (int)bat_max(
                 -1e6, bat_min(1e6, nearbyint((f->last[k] - f->first[k]) / f->chart.period[k])));
@@ -245,6 +246,8 @@ batten_status bat_face_range_find(const batten_body_parts *parts, int face, doub
                                   bat_face_range *out)
 {
     const batten_body_face *of = &parts->faces[face];
+    /* A range within a ten-thousandth of the body serves a box that is widened by a hundredth.
+     */
     const double tolerance = bat_max(parts->tolerance, 1e-4 * size);
     finder f = {.parts = parts, .off = 1e-2 * size};
     batten_interval over[2];

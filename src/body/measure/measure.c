@@ -188,7 +188,8 @@ static int first_failed(const bat_traced_all *traced)
     return f;
 }
 
-static batten_status finish(const total *t, double precision, const batten_body_measures *out)
+static batten_status finish_measures(const total *t, double precision,
+                                     const batten_body_measures *out)
 {
     const double volume = fabs(bat_face_volume(&t->sums));
     if (!isfinite(out->area) || !isfinite(out->volume))
@@ -263,7 +264,7 @@ batten_status batten_body_measure(const batten_body *body, double precision,
     if (status == BATTEN_OK)
         status = find_box(body, &t, precision, &made);
     if (status == BATTEN_OK)
-        status = finish(&t, precision, &made);
+        status = finish_measures(&t, precision, &made);
     if (status == BATTEN_OK || status == BATTEN_TOLERANCE_NOT_MET)
         *out = made;
     bat_trace_all_end(&traced);

@@ -1,3 +1,4 @@
+/* A surface as the plane that covers it: feet of points, found and followed. */
 #include "body/trace/chart.h"
 #include "body/border.h"
 #include "inspect/nearest/foot.h"

@@ -30,6 +30,7 @@ static bool leaves(const bat_chart *chart, const double low[2], const double hig
 {
     bool any = false;
     for (int k = 0; k < 2; k++) {
+        /* Some thousand roundings of a parameter. */
         const double little = 1e-12 * chart->period[k];
         any = any || low[k] < chart->domain[k].a - little ||
               high[k] > chart->domain[k].b + little;

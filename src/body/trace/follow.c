@@ -131,12 +131,14 @@ static batten_status make_node(path *p, double t, double length, const double *g
         return status;
     const int pole = bat_chart_pole(p->chart, q);
     if (pole >= 0)
+        /* So near to the pole that the path is straight, and so far that feet keep twelve
+         * digits. */
         return set_pole(p, pole, 1e-4 * length, guess, n);
     status = foot_at(p, t, guess, n->uv);
     return status == BATTEN_OK ? set_velocity(p, n) : status;
 }
 
-static batten_status begin(path *p, const double *guess)
+static batten_status begin_path(path *p, const double *guess)
 {
     const int spans = batten_curve_spans(p->curve, NULL) - 1;
     const int each = bat_max_int(1, bat_min_int(4, 8 / spans));
@@ -232,6 +234,7 @@ static batten_status refine(path *p, bool *more)
         double miss = 0, off = 0, guess[2];
         if (!a->good) {
             status = piece_miss(p, a, b, &miss, &off);
+            /* A piece of some thousand roundings of the range is not halved any more. */
             a->good = status == BATTEN_OK &&
                       (miss <= off + 0.1 * p->chart->tolerance || b->t - a->t < 1e-12 * range);
         }
@@ -293,7 +296,7 @@ static batten_status to_curve(const path *p, batten_curve **out)
 }
 
 /* Control points beyond a border of the surface are brought back to it. */
-static batten_status finish(const path *p, batten_curve **out, double *miss)
+static batten_status finish_path(const path *p, batten_curve **out, double *miss)
 {
     batten_curve *made = NULL, *inside = NULL;
     double low[2], high[2];
@@ -323,11 +326,11 @@ batten_status bat_parameters_follow(bat_chart *chart, const batten_curve *curve,
 {
     path p = {.chart = chart, .curve = curve};
     bool more = true;
-    batten_status status = begin(&p, guess);
+    batten_status status = begin_path(&p, guess);
     while (status == BATTEN_OK && more)
         status = refine(&p, &more);
     if (status == BATTEN_OK)
-        status = finish(&p, out, miss);
+        status = finish_path(&p, out, miss);
     bat_release(p.nodes);
     bat_release(p.other);
     return status;

@@ -1,3 +1,4 @@
+/* Parameter curves lifted onto their surface: curves in space within a tolerance. */
 #include "body/trace/lift.h"
 
 #include <string.h>

@@ -91,7 +91,7 @@ static batten_status add_pole(bat_trace *trace, bat_trace_face *face, int side, 
 /* ---- one after the other ---- */
 
 /* Move a parameter curve by whole periods. */
-static batten_status shift(batten_curve **curve, const double by[2])
+static batten_status shift_curve(batten_curve **curve, const double by[2])
 {
     batten_curve *moved = NULL;
     if (by[0] == 0 && by[1] == 0)
@@ -117,7 +117,7 @@ static batten_status follow_on(bat_trace *trace, bat_trace_face *face, bat_trace
         status = add_pole(trace, face, side, bat_trace_vertex(trace, use, false), at, to);
     for (int k = 0; k < 2; k++)
         by[k] = to[k] - start[k];
-    return status == BATTEN_OK ? shift(&use->curve, by) : status;
+    return status == BATTEN_OK ? shift_curve(&use->curve, by) : status;
 }
 
 static batten_status trace_use(bat_trace *trace, bat_trace_face *face, bat_trace_use *use,

@@ -18,6 +18,7 @@ void bat_trace_winding(const bat_trace_face *face, const bat_trace_loops *loops,
     bat_trace_end_of(&uses[loops->loops[loop].count - 1], true, b);
     for (int k = 0; k < 2; k++) {
         const double around = nearbyint((b[k] - a[k]) / face->chart.period[k]);
+        /* No loop goes around a million times; what is damaged may, and must fit an int. */
         turns[k] = face->chart.closed[k] ? (int)bat_max(-1e6, bat_min(1e6, around)) : 0;
     }
 }

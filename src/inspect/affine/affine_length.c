@@ -1,3 +1,4 @@
+/* The affine length and curvature of plane curves, which area-preserving maps leave alone. */
 #include "inspect/affine/exact_span.h"
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
@@ -77,7 +78,7 @@ typedef struct {
     double error;
 } measured;
 
-static void release(measured *m)
+static void release_measured(measured *m)
 {
     bat_release(m->at);
     bat_release(m->sums);
@@ -139,7 +140,7 @@ static batten_status list_ends(const batten_curve *curve, measured *m)
     return status;
 }
 
-static batten_status measure(const batten_curve *curve, double tolerance, measured *out)
+static batten_status measure_curve(const batten_curve *curve, double tolerance, measured *out)
 {
     measured m = {0};
     if (curve->dimension < 2)
@@ -157,7 +158,7 @@ static batten_status measure(const batten_curve *curve, double tolerance, measur
     if (status == BATTEN_OK)
         *out = m;
     else
-        release(&m);
+        release_measured(&m);
     return status;
 }
 
@@ -165,13 +166,13 @@ batten_status batten_curve_affine_length(const batten_curve *curve, double toler
                                          double *length, double *error)
 {
     measured m;
-    const batten_status status = measure(curve, tolerance, &m);
+    const batten_status status = measure_curve(curve, tolerance, &m);
     if (status != BATTEN_OK)
         return status;
     *length = m.sums[m.count];
     if (error)
         *error = m.error;
-    release(&m);
+    release_measured(&m);
     return BATTEN_OK;
 }
 
@@ -232,19 +233,19 @@ batten_status batten_curve_divide_affine(const batten_curve *curve, int count, d
     const double size = bat_largest(curve->count * curve->dimension, curve->points);
     /* A first measure, for the unit. */
     const double unit = size > 0 ? cbrt(size * size) : 1;
-    batten_status status = measure(curve, 0.01 * unit, &m);
+    batten_status status = measure_curve(curve, 0.01 * unit, &m);
     if (status != BATTEN_OK)
         return status;
     const double rough = m.sums[m.count];
-    release(&m);
+    release_measured(&m);
     if (m.is_straight || !(rough > 0))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the curve is straight, so it has no affine length");
     double *found = bat_array((size_t)count + 1, sizeof *found);
-    status = found ? measure(curve, tolerance / 4 * rough, &m) : BATTEN_OUT_OF_MEMORY;
+    status = found ? measure_curve(curve, tolerance / 4 * rough, &m) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         status = divide(curve, &m, count, tolerance / 2 * rough, found);
-        release(&m);
+        release_measured(&m);
     }
     if (status == BATTEN_OK) {
         found[0] = batten_curve_domain(curve).a;
@@ -268,6 +269,7 @@ batten_status batten_curve_affine_curvature(const batten_curve *curve, double u,
         return status;
     const double *first = v + 2, *second = v + 4, *third = v + 6, *fourth = v + 8;
     const double w = cross(first, second), size = bat_norm(2, first) * bat_norm(2, second);
+    /* The product of two vectors that are parallel rounds to a few dozen eps of their sizes. */
     if (fabs(w) <= 1e-14 * size)
         return bat_fail(BATTEN_SINGULAR_HERE, "the curve is straight or stops at u = %g", u);
     /* [23] w^(-5/3) - (w^(-2/3))'' / 2, with w' = [13] and w'' = [14] + [23] */

@@ -1,3 +1,4 @@
+/* The canonical form of a polynomial span under affine maps and changes of its parameter. */
 #include "inspect/affine/exact_span.h"
 #include "numeric/dense.h"
 #include "numeric/vector.h"

@@ -1,3 +1,5 @@
+/* All special points of the spans of a curve, counted exactly: inflections, cusps, crossings.
+ */
 #include "inspect/affine/double_points.h"
 #include "inspect/affine/exact_span.h"
 #include "numeric/bernstein.h"
@@ -48,7 +50,7 @@ static batten_vec3 point_at(const finding *f, double t, double s)
     return bat_vec3_of(3, real);
 }
 
-static batten_status add(finding *f, batten_special special)
+static batten_status add_special(finding *f, batten_special special)
 {
     batten_census *c = &f->census;
     if (c->count == f->room) {
@@ -107,7 +109,7 @@ static batten_status add_roots(bat_wholes *pool, bat_whole_poly p, batten_specia
                                         .t = bat_whole_root_value(pool, &roots[i]),
                                         .s = NAN};
         const batten_status status =
-            pool->effort->status == BATTEN_OK ? add(f, special) : BATTEN_OK;
+            pool->effort->status == BATTEN_OK ? add_special(f, special) : BATTEN_OK;
         if (status != BATTEN_OK)
             return status;
     }
@@ -183,7 +185,7 @@ static batten_status add_double_point(const bat_double_point *point, finding *f)
         const double out = bat_max(-special.t, special.s - 1);
         f->census.margin = bat_min(f->census.margin, fabs(out));
     }
-    return add(f, special);
+    return add_special(f, special);
 }
 
 /* The coordinates with the degree of the second below that of the first. */
@@ -220,11 +222,11 @@ static batten_status search_crossings(finding *f, const double *plane)
     if (status == BATTEN_OK)
         status = batten_curve_self_crossings(curve, &found);
     for (int i = 0; i + 1 < found.count && status == BATTEN_OK; i += 2)
-        status = add(f, (batten_special){.kind = BATTEN_SPECIAL_CROSSING,
-                                         .inside = true,
-                                         .multiplicity = 1,
-                                         .t = found.at[i],
-                                         .s = found.at[i + 1]});
+        status = add_special(f, (batten_special){.kind = BATTEN_SPECIAL_CROSSING,
+                                                 .inside = true,
+                                                 .multiplicity = 1,
+                                                 .t = found.at[i],
+                                                 .s = found.at[i + 1]});
     batten_release(found.at);
     batten_curve_unref(curve);
     return status;

@@ -1,3 +1,4 @@
+/* Which kind of cubic a span is, by the signs of exact invariants. */
 #include "inspect/affine/cubic.h"
 #include "base/work.h"
 #include "numeric/vector.h"
@@ -111,7 +112,7 @@ static void find_parameters(const bat_cubic *c, batten_cubic *out)
     }
 }
 
-static void measure(const bat_cubic *c, batten_cubic *out)
+static void measure_cubic(const bat_cubic *c, batten_cubic *out)
 {
     const double *abc = c->abc, area = c->scale * c->scale;
     out->flatness = bat_largest(3, abc) / (c->longest * c->longest);
@@ -167,7 +168,7 @@ static void look_at_plane(bat_cubic *c, double tolerance, batten_cubic *out)
     out->whole = bat_cubic_whole_class(signs);
     out->margin = bat_cubic_margin(signs, relative, bat_cubic_segment_class);
     out->whole_margin = bat_cubic_margin(signs, relative, bat_cubic_whole_class);
-    measure(c, out);
+    measure_cubic(c, out);
     find_parameters(c, out);
 }
 

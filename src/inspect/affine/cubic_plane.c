@@ -1,3 +1,4 @@
+/* The plane of canonical cubics: its regions hold loops, cusps, inflections or none of them. */
 #include "numeric/exact.h"
 #include "numeric/vector.h"
 #include <batten/invariants.h>

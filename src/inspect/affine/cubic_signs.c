@@ -1,3 +1,4 @@
+/* Signs of the invariants of a cubic, decided exactly where floating point cannot. */
 #include "inspect/affine/cubic.h"
 #include "numeric/vector.h"
 

@@ -1,3 +1,4 @@
+/* Whether one curve is the image of another under an affine map, and which map. */
 #include "inspect/affine/exact_span.h"
 #include "numeric/dense.h"
 #include "numeric/eigen.h"

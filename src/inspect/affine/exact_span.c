@@ -1,3 +1,4 @@
+/* A span in exact numbers, and the dimension that it spans. */
 #include "inspect/affine/exact_span.h"
 #include "numeric/vector.h"
 

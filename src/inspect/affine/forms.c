@@ -1,3 +1,4 @@
+/* Polynomials in Bernstein form with bounds on their rounding, and a walk over their signs. */
 #include "inspect/affine/forms.h"
 
 #include <float.h>
@@ -161,7 +162,7 @@ static batten_status note(bat_walk *walk, double at, int sign)
 
 /* de Casteljau at t: `left` becomes the coefficients before t, `right` (if any) those behind.
  */
-static double split(int n, double *left, double *right, double t)
+static double split_form(int n, double *left, double *right, double t)
 {
     if (right)
         right[n] = left[n];
@@ -177,7 +178,7 @@ static double split(int n, double *left, double *right, double t)
 static double value_at(int n, const double *c, double *work, double t)
 {
     memcpy(work, c, ((size_t)n + 1) * sizeof *c);
-    return split(n, work, NULL, t);
+    return split_form(n, work, NULL, t);
 }
 
 /* The one root in [0, 1] of a polynomial with the sign `first` after 0 and the other before 1:
@@ -263,7 +264,7 @@ static batten_status walk_halves(bat_walk *walk, int n, double zero, double a, d
         if (s.variations >= 2 && depth[waiting] < DEPTH) {
             double *left = c + width;
             memcpy(left, c, width * sizeof *c);
-            split(n, left, c, 0.5);
+            split_form(n, left, c, 0.5);
             depth[waiting + 1] = ++depth[waiting];
             low[waiting + 1] = at;
             low[waiting] = at + size / 2;

@@ -1,3 +1,5 @@
+/* What a closed plane curve encloses: area, centroid and moments, by halving until parts
+ * agree. */
 #include "inspect/closed.h"
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"

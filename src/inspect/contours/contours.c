@@ -41,8 +41,10 @@ static batten_status hand_over_lines(bat_lines *lines, batten_contours *out)
     return BATTEN_OK;
 }
 
-static batten_status check(int level_count, const double *levels, double tolerance, double size)
+static batten_status check_levels(int level_count, const double *levels, double tolerance,
+                                  double size)
 {
+    /* Below some ten thousand roundings of a coordinate, chords are noise. */
     const double least = 1e-11 * size;
     if (!(tolerance > 0) || !isfinite(tolerance))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance of contours is %g, not above 0",
@@ -67,7 +69,7 @@ batten_status bat_contours(const bat_pieces *pieces, const batten_surface_field 
                            const batten_job *job, batten_contours *out)
 {
     batten_surface_field prepared;
-    batten_status status = check(level_count, levels, tolerance, pieces->size);
+    batten_status status = check_levels(level_count, levels, tolerance, pieces->size);
     if (status == BATTEN_OK)
         status = bat_field_prepare(field, &prepared);
     if (status != BATTEN_OK)
@@ -78,6 +80,8 @@ batten_status bat_contours(const bat_pieces *pieces, const batten_surface_field 
                    .level_count = level_count,
                    .levels = levels,
                    .work = {job, 0}};
+    /* Ends of lines that differ by some million roundings are the same: they are computed in two
+     * pieces, with parameters of their own. */
     bat_lines lines = {.work = &net.work,
                        .smooth = smooth,
                        .tolerance = tolerance,

@@ -96,6 +96,8 @@ static bool is_regular(const range *r, const double hessian[3], double *determin
     const double uu = hessian[0] * a * a, uv = hessian[1] * a * b, vv = hessian[2] * b * b;
     const double largest = bat_max(fabs(uu), bat_max(fabs(uv), fabs(vv)));
     *determinant = uu * vv - uv * uv;
+    /* Difference quotients keep ten digits of the Hessian: six of them must say it is regular.
+     */
     return fabs(*determinant) > 1e-6 * largest * largest;
 }
 
@@ -141,6 +143,7 @@ static batten_status newton(const bat_net *net, const bat_triangle *t, search *s
             return BATTEN_OK;
         s->uv[0] += du;
         s->uv[1] += dv;
+        /* Steps of Newton square: after 1e-9 of the triangle nothing is left to gain. */
         if (fabs(du) <= 1e-9 * wide && fabs(dv) <= 1e-9 * high) {
             s->found = is_inside(net, t, &r, s->uv);
             return BATTEN_OK;
@@ -155,6 +158,7 @@ static bool is_known(const bat_net *net, const double *point)
 {
     for (int i = 0; i < net->critical_count; i++) {
         const batten_vec3 known = net->criticals[i].point;
+        /* Found from two triangles, a point differs by what Newton leaves: less than 1e-8. */
         if (bat_distance(3, (const double[3]){known.x, known.y, known.z}, point) <=
             1e-7 * net->pieces->size)
             return true;
@@ -162,7 +166,7 @@ static bool is_known(const bat_net *net, const double *point)
     return false;
 }
 
-static batten_status keep(bat_net *net, const search *s, const double *point)
+static batten_status keep_critical(bat_net *net, const search *s, const double *point)
 {
     if (net->critical_count == net->critical_capacity) {
         const int capacity = 2 * net->critical_capacity + 16;
@@ -182,10 +186,12 @@ static batten_status keep(bat_net *net, const search *s, const double *point)
 }
 
 /* A triangle becomes three around a new node; one that is a corner already is only marked. */
-static batten_status insert(bat_net *net, size_t index, const search *s, const double w[3])
+static batten_status insert_critical(bat_net *net, size_t index, const search *s,
+                                     const double w[3])
 {
     const bat_triangle t = net->triangles[index];
     for (int k = 0; k < 3; k++)
+        /* Nearer to a corner a triangle would be a sliver of no area. */
         if (w[k] > 1 - 1e-7) {
             net->critical[t.node[k]] = true;
             net->values[t.node[k]] = s->value;
@@ -214,15 +220,16 @@ static batten_status insert_where_it_lies(bat_net *net, int piece, size_t begin,
     const size_t count = net->triangle_count;
     for (size_t k = 0; k < count; k++) {
         const size_t i = (begin + k) % count;
+        /* Within rounding of an edge either triangle will do. */
         double w[3];
         if (net->triangles[i].piece == piece && weights_of(&net->triangles[i], s->uv, w) &&
             least_weight(w) >= -1e-9)
-            return insert(net, i, s, w);
+            return insert_critical(net, i, s, w);
     }
     return BATTEN_OK;
 }
 
-static batten_status look(bat_net *net, size_t index)
+static batten_status look_in_triangle(bat_net *net, size_t index)
 {
     const bat_triangle t = net->triangles[index];
     double gradients[3][2], value;
@@ -242,7 +249,7 @@ static batten_status look(bat_net *net, size_t index)
     if (status != BATTEN_OK || !s.found || is_known(net, derivatives) ||
         net->critical_count >= MOST_CRITICALS)
         return status;
-    status = keep(net, &s, derivatives);
+    status = keep_critical(net, &s, derivatives);
     return status == BATTEN_OK ? insert_where_it_lies(net, t.piece, index, &s) : status;
 }
 
@@ -251,7 +258,7 @@ batten_status bat_net_find_criticals(bat_net *net)
     const size_t count = net->triangle_count;
     batten_status status = BATTEN_OK;
     for (size_t i = 0; i < count && status == BATTEN_OK; i++) {
-        status = look(net, i);
+        status = look_in_triangle(net, i);
         if (status == BATTEN_OK && i % 1024 == 0)
             status = bat_work_step(&net->work, 1024, (double)i / (double)count, "contours");
     }

@@ -180,26 +180,30 @@ int bat_field_order(const batten_surface_field *field)
     return field->kind == BATTEN_FIELD_HEIGHT ? 1 : is_curvature(field->kind) ? 3 : 2;
 }
 
+/* Heights round like coordinates; what is made from normals or curvatures loses two
+ * more digits. */
+static const double HEIGHT_ROUNDOFF = 1e-14, ROUNDOFF = 1e-12;
+
 double bat_field_roundoff(const batten_surface_field *field, double size)
 {
     switch (field->kind) {
     case BATTEN_FIELD_HEIGHT:
-        return 1e-14 * size;
+        return HEIGHT_ROUNDOFF * size;
     case BATTEN_FIELD_HIGHLIGHT:
     case BATTEN_FIELD_REFLECTION:
-        return 1e-12 * size;
+        return ROUNDOFF * size;
     case BATTEN_FIELD_GAUSSIAN:
-        return 1e-12 / size / size;
+        return ROUNDOFF / size / size;
     case BATTEN_FIELD_MEAN:
     case BATTEN_FIELD_KAPPA1:
     case BATTEN_FIELD_KAPPA2:
-        return 1e-12 / size;
+        return ROUNDOFF / size;
     case BATTEN_FIELD_ISOPHOTE:
     case BATTEN_FIELD_DRAFT:
     case BATTEN_FIELD_SILHOUETTE:
         break;
     }
-    return 1e-12;
+    return ROUNDOFF;
 }
 
 double bat_field_value(const batten_surface_field *field, const double *derivatives,

@@ -1,3 +1,4 @@
+/* The implicit equation of a plane curve as the determinant of Bezout, and its inversion. */
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include <batten/contours.h>
@@ -43,7 +44,7 @@ static void set_entry(batten_implicit *f, int i, int j, double left, double righ
 }
 
 /* Bezout's matrix of p and q in the Bernstein basis of degree n - 1. */
-static void fill(batten_implicit *f)
+static void fill_bezout(batten_implicit *f)
 {
     const int n = f->degree;
     for (int i = 1; i <= n; i++)
@@ -180,6 +181,7 @@ static batten_status substitute(const batten_curve *curve, batten_implicit *f,
     double entries = 0;
     for (int k = 0; k < f->degree * f->degree; k++)
         entries = bat_max(entries, fabs(f->c[k]) + fabs(f->a[k]) + fabs(f->b[k]));
+    /* A determinant of entries that large is 0 when it is below their rounding. */
     if (!(most > 1e-12 * pow(entries, f->degree)))
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "the equation of the curve vanishes everywhere: the curve is run over "
@@ -187,13 +189,15 @@ static batten_status substitute(const batten_curve *curve, batten_implicit *f,
                         f->degree);
     f->factor = 1 / most;
     *report = (batten_implicit_from_curve_report){f->degree, residual / most, least / most};
+    /* Half of the digits: an equation that keeps fewer does not tell points on from points
+     * off. */
     if (report->error > 1e-6 * f->size)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the equation misses its curve by %g",
                         report->error);
     return BATTEN_OK;
 }
 
-static batten_status check(const batten_curve *curve)
+static batten_status check_curve(const batten_curve *curve)
 {
     const int spans = batten_curve_spans(curve, NULL) - 1;
     if (curve->dimension != 2)
@@ -212,7 +216,7 @@ batten_status batten_implicit_from_curve(const batten_curve *curve,
 {
     batten_curve *low = NULL;
     batten_implicit_from_curve_report made;
-    batten_status status = check(curve);
+    batten_status status = check_curve(curve);
     if (status == BATTEN_OK)
         status = lowest(curve, &low);
     if (status != BATTEN_OK)
@@ -231,7 +235,7 @@ batten_status batten_implicit_from_curve(const batten_curve *curve,
             status = bat_fail(BATTEN_COINCIDENT, "the curve is a point");
     }
     if (status == BATTEN_OK) {
-        fill(f);
+        fill_bezout(f);
         status = substitute(low, f, &made);
     }
     batten_curve_unref(low);
@@ -276,6 +280,8 @@ static bool null_vector(int n, double *m, double *v)
         order[k] = order[column];
         order[column] = kept;
         first = bat_max(first, fabs(m[k * n + k]));
+        /* The null space has more than one vector when a pivot before the last vanishes: six
+         * digits are left for rounding. */
         if (!(fabs(m[k * n + k]) > 1e-9 * first))
             return false;
         for (int i = k + 1; i < n; i++)
@@ -335,6 +341,7 @@ batten_status batten_implicit_invert(const batten_implicit *f, double x, double 
         }
         t = first / sum;
     }
+    /* Half of the digits, as for the equation. */
     if (!found || !isfinite(t) || !(miss_at(f, t, xi, eta) <= 1e-6))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "(%g, %g) has no one parameter: it is not on the curve, or the curve "

@@ -58,7 +58,7 @@ static batten_status value_at(const tracer *t, double x, double y, double *value
     return BATTEN_OK;
 }
 
-static batten_status fill(tracer *t)
+static batten_status fill_samples(tracer *t)
 {
     batten_status status = BATTEN_OK;
     for (int j = 0; j <= t->cells; j++)
@@ -344,6 +344,8 @@ static bool find_singular(const tracer *t, double x, double y, batten_singular_p
     }
     value = t->field(t->context, p[0], p[1], g);
     const double reach = bat_norm(2, t->step), most = bat_largest(3, h);
+    /* In units of the Hessian over a cell: Newton leaves its square in the value and itself in
+     * the gradient, and differences keep about five digits of the latter. */
     if (!(fabs(value) <= 1e-9 * most * reach * reach && bat_norm(2, g) <= 1e-5 * most * reach))
         return false;
     const double det = h[0] * h[2] - h[1] * h[1], lost = 1e-4 * most * most;
@@ -413,7 +415,7 @@ static batten_status tracer_begin(tracer *t)
                : BATTEN_OUT_OF_MEMORY;
 }
 
-static batten_status check(batten_box w, int cells, double tolerance)
+static batten_status check_window(batten_box w, int cells, double tolerance)
 {
     const bool window = w.low.x < w.high.x && w.low.y < w.high.y &&
                         isfinite(w.high.x - w.low.x) && isfinite(w.high.y - w.low.y);
@@ -432,7 +434,7 @@ batten_status batten_trace_field(batten_field field, const void *context, batten
                                  int cells, double tolerance, batten_trace *out)
 {
     batten_trace made = {{0, NULL}, 0, NULL};
-    batten_status status = check(w, cells, tolerance);
+    batten_status status = check_window(w, cells, tolerance);
     if (status != BATTEN_OK)
         return status;
     tracer t = {.field = field,
@@ -443,7 +445,7 @@ batten_status batten_trace_field(batten_field field, const void *context, batten
                 .tolerance = tolerance};
     status = tracer_begin(&t);
     if (status == BATTEN_OK)
-        status = fill(&t);
+        status = fill_samples(&t);
     if (status == BATTEN_OK)
         status = link_all(&t);
     if (status == BATTEN_OK)

@@ -11,7 +11,7 @@ typedef struct {
     double point[3], away[3]; /* the unit direction from the end into the line */
 } tip;
 
-static void turn(const bat_line *line, int end, tip *t)
+static void turn_tip(const bat_line *line, int end, tip *t)
 {
     const size_t last = line->count - 1;
     const double *p = line->points + 3 * (end ? last : 0);
@@ -144,7 +144,7 @@ batten_status bat_lines_join(bat_lines *lines)
     for (size_t i = 0; status == BATTEN_OK && i < count; i++) {
         tips[i] = (tip){
             .level = lines->lines[i / 2].level, .line = (int)(i / 2), .end = (int)(i % 2)};
-        turn(&lines->lines[i / 2], tips[i].end, &tips[i]);
+        turn_tip(&lines->lines[i / 2], tips[i].end, &tips[i]);
         mates[i] = -1;
     }
     if (status == BATTEN_OK) {

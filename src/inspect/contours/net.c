@@ -11,14 +11,14 @@ enum { ROUNDS = 6 };
 
 /* ---- the field ---- */
 
-/* The field at a corner of a triangle, or a little inside where the surface is singular: a
- * millionth of the way to the middle, and for curvature, which loses digits there, a tenth. */
+/* The field at a corner of a triangle, or a little inside where the surface is singular. */
 static batten_status corner_value(const bat_net *net, const bat_triangle *t, int corner,
                                   double *value)
 {
     batten_status status = bat_net_field(net, t->piece, t->uv[corner], value, NULL, NULL);
     if (status != BATTEN_OK || !isnan(*value))
         return status;
+    /* Of the way to the middle a millionth; a tenth for curvature, which loses digits there. */
     const double step = net->order == 3 ? 0.1 : 1e-6;
     double inside[2];
     for (int k = 0; k < 2; k++) {
@@ -31,7 +31,7 @@ static batten_status corner_value(const bat_net *net, const bat_triangle *t, int
 /* ---- nodes and triangles ---- */
 
 /* The value of node `corner` of a triangle, measured when it has none yet. */
-static batten_status measure(bat_net *net, const bat_triangle *t, int corner)
+static batten_status measure_node(bat_net *net, const bat_triangle *t, int corner)
 {
     const int node = t->node[corner];
     if (net->owner[node] >= 0 || !isnan(net->values[node]))
@@ -44,7 +44,7 @@ static batten_status add_measured(bat_net *net, const bat_triangle *t)
 {
     batten_status status = BATTEN_OK;
     for (int k = 0; k < 3 && status == BATTEN_OK; k++)
-        status = measure(net, t, k);
+        status = measure_node(net, t, k);
     return status == BATTEN_OK ? bat_net_add_triangle(net, t) : status;
 }
 
@@ -211,7 +211,7 @@ static batten_status add_part(bat_net *net, const bat_triangle *whole, const int
     return add_measured(net, &part);
 }
 
-static batten_status split(bat_net *net, const bat_triangle *t, const int middle[3])
+static batten_status split_triangle(bat_net *net, const bat_triangle *t, const int middle[3])
 {
     /* The parts for each set of halved edges; rows end at the first (0, 0, 0). */
     static const unsigned char parts[8][4][3] = {{{0, 1, 2}},
@@ -282,7 +282,7 @@ static batten_status refine(bat_net *net, bool always, bool *changed)
         for (int k = 0; k < 3 && status == BATTEN_OK; k++)
             status = middle_of(net, &edges, t, k, always, &middle[k]);
         if (status == BATTEN_OK)
-            status = split(net, t, middle);
+            status = split_triangle(net, t, middle);
         if (status == BATTEN_OK && i % 1024 == 0)
             status = bat_work_step(&net->work, 1024, 0, "contours");
     }

@@ -24,7 +24,7 @@ static size_t find_slot(const bat_pairs *pairs, uint64_t key)
     return slot;
 }
 
-static batten_status grow(bat_pairs *pairs)
+static batten_status grow_pairs(bat_pairs *pairs)
 {
     bat_pairs larger = {.capacity = pairs->capacity ? 2 * pairs->capacity : 1024};
     larger.keys = bat_array(larger.capacity, sizeof *larger.keys);
@@ -49,7 +49,7 @@ static batten_status grow(bat_pairs *pairs)
 int *bat_pairs_at(bat_pairs *pairs, int a, int b, int otherwise)
 {
     const uint64_t key = ((uint64_t)(uint32_t)a << 32 | (uint32_t)b) + 1;
-    if (2 * (pairs->count + 1) > pairs->capacity && grow(pairs) != BATTEN_OK)
+    if (2 * (pairs->count + 1) > pairs->capacity && grow_pairs(pairs) != BATTEN_OK)
         return NULL;
     const size_t slot = find_slot(pairs, key);
     if (pairs->keys[slot] == 0) {

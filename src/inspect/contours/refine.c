@@ -156,9 +156,9 @@ static double distance_from(double b[4][3], const double *point, double s)
 
 /* How far the chord or the cubic between two spots is from the contour; the spot in its middle.
  * The cubic of a circular arc is exact in its middle, and farthest off near the quarters. */
-static batten_status measure(const bat_net *net, const bat_triangle *t, int level,
-                             const spot *a, const spot *b, bool smooth, double arms[2][3],
-                             spot *middle, bool *found, double *off)
+static batten_status measure_chord(const bat_net *net, const bat_triangle *t, int level,
+                                   const spot *a, const spot *b, bool smooth, double arms[2][3],
+                                   spot *middle, bool *found, double *off)
 {
     batten_status status = find_between(net, t, level, a, b, 0.5, middle, found);
     if (status != BATTEN_OK || !*found)
@@ -196,7 +196,7 @@ batten_status bat_line_predict(const bat_net *net, const bat_triangle *t, int le
     if (status == BATTEN_OK)
         status = spot_at(net, t->piece, to, false, &b);
     if (status == BATTEN_OK)
-        status = measure(net, t, level, &a, &b, false, NULL, &middle, &found, &off);
+        status = measure_chord(net, t, level, &a, &b, false, NULL, &middle, &found, &off);
     *chords = 1 + (found ? sqrt(off / (0.7 * lines->tolerance)) : 0);
     return status;
 }
@@ -247,8 +247,8 @@ batten_status bat_line_refine(const bat_net *net, const bat_triangle *t, int lev
         spot middle;
         bool found = false;
         double off = 0, arms[2][3];
-        status =
-            measure(net, t, level, &here, next, lines->smooth, arms, &middle, &found, &off);
+        status = measure_chord(net, t, level, &here, next, lines->smooth, arms, &middle, &found,
+                               &off);
         if (status == BATTEN_OK)
             status = count_point(lines);
         if (status != BATTEN_OK)

@@ -29,7 +29,7 @@ static int corner_of(const bat_triangle *t, int node)
     return t->node[0] == node ? 0 : t->node[1] == node ? 1 : 2;
 }
 
-static void place(const bat_triangle *t, const crossing *c, double uv[2])
+static void place_crossing(const bat_triangle *t, const crossing *c, double uv[2])
 {
     const double *a = t->uv[corner_of(t, c->node[0])], *b = t->uv[corner_of(t, c->node[1])];
     for (int k = 0; k < 2; k++)
@@ -47,11 +47,12 @@ static batten_status locate(const bat_net *net, const bat_triangle *t, crossing 
     if (fa == 0 || fb == 0)
         return BATTEN_OK;
     int side = 0;
+    /* On an edge from 0 to 1: secants, then halves, down to rounding. */
     for (int i = 0; i < 80 && b - a > 1e-15; i++) {
         double uv[2], value;
         const double secant = (fb * a - fa * b) / (fb - fa);
         c->at = i < 40 && secant > a && secant < b ? secant : 0.5 * (a + b);
-        place(t, c, uv);
+        place_crossing(t, c, uv);
         const batten_status status = bat_net_field(net, t->piece, uv, &value, NULL, NULL);
         if (status != BATTEN_OK)
             return status;
@@ -166,7 +167,7 @@ static batten_status add_point(tracer *tr, const crossing *c, int triangle, bat_
 {
     const bat_triangle *t = &tr->net->triangles[triangle];
     double uv[2], derivatives[9], value;
-    place(t, c, uv);
+    place_crossing(t, c, uv);
     const batten_status status =
         bat_net_field(tr->net, t->piece, uv, &value, NULL, derivatives);
     if (status != BATTEN_OK)
@@ -183,7 +184,7 @@ static batten_status add_point(tracer *tr, const crossing *c, int triangle, bat_
 }
 
 /* Keep a line unless it is a point. */
-static batten_status keep(bat_lines *lines, bat_line *line)
+static batten_status keep_line(bat_lines *lines, bat_line *line)
 {
     if (line->count < 2) {
         bat_line_free(line);
@@ -217,8 +218,8 @@ static batten_status follow(tracer *tr, int begin, int way, bat_lines *lines, ba
         crossing *d = &tr->crossings[next];
         const bat_triangle *t = &tr->net->triangles[triangle];
         double from[2], to[2];
-        place(t, c, from);
-        place(t, d, to);
+        place_crossing(t, c, from);
+        place_crossing(t, d, to);
         if (line->count == 0)
             status = add_point(tr, c, triangle, lines, line);
         if (status == BATTEN_OK)
@@ -226,7 +227,7 @@ static batten_status follow(tracer *tr, int begin, int way, bat_lines *lines, ba
         if (status == BATTEN_OK)
             status = add_point(tr, d, triangle, lines, line);
         if (status == BATTEN_OK && is_cut(tr, d))
-            status = keep(lines, line);
+            status = keep_line(lines, line);
         /* Away from where it came; through the same triangle twice goes no line. */
         way = d->triangle[0] == triangle ? 1 : 0;
         if (next == begin || d->done)
@@ -241,7 +242,7 @@ static batten_status trace_from(tracer *tr, int begin, int way, bat_lines *lines
     bat_line line = {.level = tr->crossings[begin].level, .smooth = lines->smooth};
     batten_status status = follow(tr, begin, way, lines, &line);
     if (status == BATTEN_OK)
-        status = keep(lines, &line);
+        status = keep_line(lines, &line);
     bat_line_free(&line);
     return status;
 }
@@ -282,8 +283,8 @@ static batten_status check_count(tracer *tr, const bat_lines *lines)
             if (c->link[k] <= i)
                 continue;
             const bat_triangle *t = &tr->net->triangles[c->triangle[k]];
-            place(t, c, from);
-            place(t, &tr->crossings[c->link[k]], to);
+            place_crossing(t, c, from);
+            place_crossing(t, &tr->crossings[c->link[k]], to);
             status = bat_line_predict(tr->net, t, c->level, from, to, lines, &chords);
             total += chords;
         }

@@ -88,14 +88,15 @@ static batten_status triangles_contours(const batten_triangles *triangles,
     if (status == BATTEN_OK)
         status = find_corners(triangles, corners, uv);
     if (status == BATTEN_OK) {
+        /* Corners of neighbours are the same point up to rounding. */
+        const int node_count = number_nodes(3 * count, corners, 1e-9 * size, nodes);
         const bat_pieces pieces = {.shape = triangles,
                                    .evaluate = evaluate,
                                    .piece_count = (int)count,
                                    .corner_count = 3,
                                    .nodes = nodes,
                                    .uv = uv,
-                                   .node_count =
-                                       number_nodes(3 * count, corners, 1e-9 * size, nodes),
+                                   .node_count = node_count,
                                    .size = size};
         status = bat_contours(&pieces, field, level_count, levels, tolerance, smooth, job, out);
     }

@@ -1,3 +1,4 @@
+/* Boxes around points: along the axes of inertia, and turned until they are small. */
 #include "inspect/extent/surface_extent.h"
 #include "inspect/singular.h"
 #include "numeric/box.h"
@@ -84,7 +85,7 @@ static int by_place(const void *a, const void *b)
 }
 
 /* Twice the area of a triangle, positive when it turns left. */
-static double turn(point a, point b, point c)
+static double twice_area(point a, point b, point c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -99,12 +100,12 @@ static int convex_hull(int count, point *points, point *hull)
         if (count == 0 || by_place(&points[i], &points[count - 1]) != 0)
             points[count++] = points[i];
     for (int i = 0; i < count; i++) {
-        while (n >= 2 && turn(hull[n - 2], hull[n - 1], points[i]) <= 0)
+        while (n >= 2 && twice_area(hull[n - 2], hull[n - 1], points[i]) <= 0)
             n--;
         hull[n++] = points[i];
     }
     for (int i = count - 2, lower = n + 1; i >= 0; i--) {
-        while (n >= lower && turn(hull[n - 2], hull[n - 1], points[i]) <= 0)
+        while (n >= lower && twice_area(hull[n - 2], hull[n - 1], points[i]) <= 0)
             n--;
         hull[n++] = points[i];
     }
@@ -231,6 +232,7 @@ static double box_along(cloud *c, batten_vec3 w, batten_vec3 axes[3])
     axes[0] = unit(bat_vec3_along(bat_vec3_scale(u, r.direction.x), r.direction.y, v));
     axes[1] = bat_vec3_cross(w, axes[0]);
     axes[2] = w;
+    /* Of flat boxes, all of volume 0, the one with the smallest faces. */
     return a * b * h + 1e-9 * c->size * (a * b + b * h + h * a);
 }
 
@@ -269,6 +271,7 @@ static void descend(cloud *c, batten_vec3 axes[3])
     }
     for (int round = 0, idle = 0; round < ROUNDS && idle < 3; round++) {
         const double size = box_along(c, axes[round % 3], tried);
+        /* By more than rounding: else rounds would go on for ever. */
         const bool better = size < best * (1 - 1e-12);
         if (better)
             memcpy(axes, tried, sizeof tried);

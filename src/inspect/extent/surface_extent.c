@@ -135,7 +135,7 @@ static double *slot_of(const climb *c, size_t i)
 }
 
 /* Take cell `i`, whose slot is filled, when it may lead; it is the last one then. */
-static void keep(climb *c, size_t i)
+static void keep_cell(climb *c, size_t i)
 {
     cell *of = &c->cells[i];
     of->upper = highest(c, slot_of(c, i));
@@ -212,8 +212,8 @@ static batten_status halve_last(climb *c)
         of->crease[k][1 - half] = false;
     }
     c->count--;
-    keep(c, top);
-    keep(c, top + 1);
+    keep_cell(c, top);
+    keep_cell(c, top + 1);
     c->halved++;
     return BATTEN_OK;
 }
@@ -221,7 +221,7 @@ static batten_status halve_last(climb *c)
 /* ---- the climb ---- */
 
 /* Look at the cell on top: it leads, or waits in halves, or goes. */
-static batten_status look(climb *c)
+static batten_status look_at_cell(climb *c)
 {
     const size_t top = c->count - 1;
     cell *of = &c->cells[top];
@@ -247,7 +247,7 @@ static batten_status climb_all(climb *c)
 {
     batten_status status = BATTEN_OK;
     while (status == BATTEN_OK && c->count > 0 && c->halved < MOST_HALVED)
-        status = look(c);
+        status = look_at_cell(c);
     for (size_t i = 0; i < c->count; i++)
         c->within = bat_max(c->within, c->cells[i].upper);
     c->within = bat_max(c->within, c->reached);
@@ -309,8 +309,8 @@ static batten_status patches_begin(const batten_surface *surface, patches *p)
 }
 
 /* The heights of patch (i, j) along an axis, `sign` times the coordinate, into a slot. */
-static void fill(const climb *c, const patches *p, int i, int j, int axis, double sign,
-                 double *slot)
+static void fill_heights(const climb *c, const patches *p, int i, int j, int axis, double sign,
+                         double *slot)
 {
     const int d = batten_surface_dimension(p->bezier);
     const size_t row = (size_t)batten_surface_point_count(p->bezier, BATTEN_V);
@@ -336,7 +336,7 @@ static batten_status add_patches(climb *c, const patches *p, int axis, double si
                 if (make_room(c, c->count + 1) != BATTEN_OK)
                     return BATTEN_OUT_OF_MEMORY;
                 double *slot = slot_of(c, c->count);
-                fill(c, p, i, j, axis, sign, slot);
+                fill_heights(c, p, i, j, axis, sign, slot);
                 c->cells[c->count] = (cell){
                     .uv = {{p->breaks[0][i], p->breaks[0][i + 1]},
                            {p->breaks[1][j], p->breaks[1][j + 1]}},
@@ -347,7 +347,7 @@ static batten_status add_patches(climb *c, const patches *p, int axis, double si
                 if (pass == 0)
                     c->reached = bat_max(c->reached, highest_corner(c, slot));
                 else
-                    keep(c, c->count);
+                    keep_cell(c, c->count);
             }
     return BATTEN_OK;
 }

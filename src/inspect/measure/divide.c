@@ -1,3 +1,4 @@
+/* Parameters that divide a curve: into parts near their chords, that turn little, or both. */
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include <batten/measure.h>

@@ -1,3 +1,4 @@
+/* Parameters where a curve falls into pieces: at corners, breaks of curvature and turns. */
 #include "base/plural.h"
 #include "inspect/inflections.h"
 #include "inspect/singular.h"
@@ -17,7 +18,7 @@ typedef struct {
 } division;
 
 /* Take more cuts over; their memory too. */
-static batten_status add(division *d, batten_status status, batten_parameters *more)
+static batten_status add_parameters(division *d, batten_status status, batten_parameters *more)
 {
     batten_parameters all = {0, NULL};
     if (status == BATTEN_OK)
@@ -37,7 +38,7 @@ static batten_status add_one(division *d, double u)
     if (!one.at)
         return BATTEN_OUT_OF_MEMORY;
     one.at[0] = u;
-    return add(d, BATTEN_OK, &one);
+    return add_parameters(d, BATTEN_OK, &one);
 }
 
 static batten_status add_knots(division *d)
@@ -47,7 +48,7 @@ static batten_status add_knots(division *d)
     if (!knots.at)
         return BATTEN_OUT_OF_MEMORY;
     batten_curve_spans(d->curve, knots.at);
-    return add(d, BATTEN_OK, &knots);
+    return add_parameters(d, BATTEN_OK, &knots);
 }
 
 static batten_status add_turns(division *d, const batten_vec3 *direction)
@@ -55,11 +56,11 @@ static batten_status add_turns(division *d, const batten_vec3 *direction)
     batten_parameters more = {0, NULL};
     batten_status status = BATTEN_OK;
     if (direction)
-        return add(d, batten_curve_turns(d->curve, *direction, &more), &more);
+        return add_parameters(d, batten_curve_turns(d->curve, *direction, &more), &more);
     for (int k = 0; status == BATTEN_OK && k < d->curve->dimension; k++)
-        status =
-            add(d, batten_curve_turns(d->curve, (batten_vec3){k == 0, k == 1, k == 2}, &more),
-                &more);
+        status = add_parameters(
+            d, batten_curve_turns(d->curve, (batten_vec3){k == 0, k == 1, k == 2}, &more),
+            &more);
     return status;
 }
 
@@ -92,6 +93,7 @@ static batten_status is_broken(const division *d, double u, bool curvature, bool
     const double second = bat_derivative_roundoff(d->curve, 2, d->size, h);
     const double jump = fabs(a.curvature - b.curvature);
     const double most = bat_max(fabs(a.curvature), fabs(b.curvature));
+    /* Unit tangents and curvatures that agree in nine digits are the same but for rounding. */
     *broken = bat_vec3_norm(bat_vec3_subtract(a.tangent, b.tangent)) > 1e-9 ||
               (curvature &&
                (!(speed > 0) || jump > bat_max(1e-9 * most, 8 * second / (speed * speed))));
@@ -113,7 +115,7 @@ static batten_status add_breaks(division *d, bool curvature)
             knots.at[kept++] = knots.at[i];
     }
     knots.count = kept;
-    return add(d, status, &knots);
+    return add_parameters(d, status, &knots);
 }
 
 /* ---- kinds ---- */
@@ -126,9 +128,9 @@ static batten_status add_spirals(division *d)
     batten_parameters more = {0, NULL};
     batten_status status = add_breaks(d, true);
     if (status == BATTEN_OK && d->curve->dimension == 2)
-        status = add(d, batten_curve_inflections(d->curve, &more), &more);
+        status = add_parameters(d, batten_curve_inflections(d->curve, &more), &more);
     if (status == BATTEN_OK)
-        status = add(d, batten_curve_curvature_extrema(d->curve, &more), &more);
+        status = add_parameters(d, batten_curve_curvature_extrema(d->curve, &more), &more);
     return status;
 }
 
@@ -141,6 +143,7 @@ static batten_status add_half_turns(division *d, double a, double b)
         batten_curve *part = NULL;
         batten_curve_local local;
         batten_parameters turns = {0, NULL};
+        /* Ends are not cuts; a zero at one is found to some million roundings. */
         const double apart = 1e-9 * (b - a);
         found = false;
         status = side_at(d, a, BATTEN_FROM_RIGHT, &local);
@@ -171,7 +174,7 @@ static batten_status add_convex(division *d)
                         d->curve->dimension, bat_plural(d->curve->dimension));
     batten_status status = add_breaks(d, false);
     if (status == BATTEN_OK)
-        status = add(d, batten_curve_inflections(d->curve, &more), &more);
+        status = add_parameters(d, batten_curve_inflections(d->curve, &more), &more);
     const int count = d->cuts.count;
     double *at = status == BATTEN_OK ? bat_array((size_t)count, sizeof *at) : NULL;
     if (status == BATTEN_OK && !at)

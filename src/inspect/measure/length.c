@@ -1,3 +1,4 @@
+/* The length of a curve, and of its parts, with a bound on the error. */
 #include "inspect/singular.h"
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"

@@ -1,3 +1,4 @@
+/* The area of a surface by two rules of integration over its patches. */
 #include "base/work.h"
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
@@ -193,7 +194,7 @@ static batten_status refine(const ruler *r, double precision, bat_work *work, he
 
 /* ---- the surface ---- */
 
-static batten_status check(const batten_surface *surface, double precision, double *size)
+static batten_status check_area(const batten_surface *surface, double precision, double *size)
 {
     const batten_box b = batten_surface_box(surface);
     *size = bat_vec3_norm(bat_vec3_subtract(b.high, b.low));
@@ -213,7 +214,7 @@ batten_status batten_surface_area(const batten_surface *surface, double precisio
     ruler r = {.surface = surface, .dimension = batten_surface_dimension(surface)};
     heap h = {0, 0, NULL};
     bat_work work = {.job = job};
-    batten_status status = check(surface, precision, &r.size);
+    batten_status status = check_area(surface, precision, &r.size);
     if (status != BATTEN_OK)
         return status;
     if (r.size == 0) /* one point */

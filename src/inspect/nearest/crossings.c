@@ -1,3 +1,4 @@
+/* Where a coordinate of a curve takes a value, and where the curve crosses a plane. */
 #include "base/plural.h"
 #include "inspect/affine/forms.h"
 #include "numeric/vector.h"

@@ -79,8 +79,8 @@ void bat_foot_step(const bat_foot_place *here, const bool free[2], double trust,
 /* ---- downhill ---- */
 
 /* Where 2^-half of the step leads, inside the limits. */
-static void move(const bat_foot_descent *d, const double from[2], const double step[2],
-                 int half, double to[2])
+static void move_inside(const bat_foot_descent *d, const double from[2], const double step[2],
+                        int half, double to[2])
 {
     for (int k = 0; k < 2; k++) {
         const double by =
@@ -96,7 +96,7 @@ static batten_status take_step(const bat_foot_descent *d, const double step[2],
     *better = false;
     for (int half = 0; half < d->halvings; half++) {
         bat_foot_place there;
-        move(d, foot->at, step, half, there.at);
+        move_inside(d, foot->at, step, half, there.at);
         if (there.at[0] == foot->at[0] && there.at[1] == foot->at[1])
             return BATTEN_OK;
         const double to[2] = {there.at[0], there.at[1]};

@@ -84,6 +84,8 @@ static void find_step(const bat_foot_place *here, const bool free[2], double ste
 {
     const double *g = here->gradient, pq = here->normal[1];
     double a = here->second[0], b = here->second[2];
+    /* Half of the digits of the determinant must be left for Newton; without them a billionth
+     * more of the diagonal keeps the other matrix regular and moves its step as little. */
     if (!(a > 0 && b > 0 && a * b - pq * pq > 1e-8 * a * b)) {
         a = here->normal[0] * (1 + 1e-9);
         b = here->normal[2] * (1 + 1e-9);
@@ -211,11 +213,12 @@ static bool is_near(const search *s, int a, int b)
 {
     const double distance =
         box_distance(s->trace[0]->boxes + 6 * a, s->trace[1]->boxes + 6 * b);
+    /* A pair that is no nearer than rounding tells is not worth a descent. */
     return distance <= (s->nearest ? s->out->nearest.distance * (1 - 1e-6) : s->tolerance);
 }
 
 /* Put both halves of the larger node upon the stack, the nearer one last. */
-static int split(const search *s, int a, int b, int (*stack)[2], int waiting)
+static int push_halves(const search *s, int a, int b, int (*stack)[2], int waiting)
 {
     const bool leaf_a = a >= s->trace[0]->width, leaf_b = b >= s->trace[1]->width;
     const double *A = s->trace[0]->boxes + 6 * a, *B = s->trace[1]->boxes + 6 * b;
@@ -252,7 +255,7 @@ static batten_status descend_pairs(search *s)
         if (a >= s->trace[0]->width && b >= s->trace[1]->width)
             status = try_chords(s, a - s->trace[0]->width, b - s->trace[1]->width);
         else
-            waiting = split(s, a, b, stack, waiting);
+            waiting = push_halves(s, a, b, stack, waiting);
     }
     return status;
 }

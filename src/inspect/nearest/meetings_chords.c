@@ -73,8 +73,8 @@ static void make_boxes(bat_trace *t)
     }
 }
 
-static batten_status fill(bat_trace *t, const batten_curve *bezier, const double *knots,
-                          int pieces)
+static batten_status fill_chords(bat_trace *t, const batten_curve *bezier, const double *knots,
+                                 int pieces)
 {
     t->count = divide(bezier, knots, pieces, NULL, NULL);
     for (t->width = 1; t->width < t->count;)
@@ -105,7 +105,7 @@ batten_status bat_trace_make(const batten_curve *curve, bat_trace *out)
         status = batten_curve_to_bezier(curve, &bezier);
     if (status == BATTEN_OK) {
         batten_curve_spans(curve, knots);
-        status = fill(&t, bezier, knots, count - 1);
+        status = fill_chords(&t, bezier, knots, count - 1);
     }
     if (status == BATTEN_OK)
         *out = t;

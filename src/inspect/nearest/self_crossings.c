@@ -1,3 +1,4 @@
+/* Where plane curves cross each other and themselves: pieces halved until chords decide. */
 #include "inspect/nearest/self_crossings.h"
 #include "base/plural.h"
 #include "numeric/vector.h"
@@ -48,7 +49,7 @@ static double cosine_of(const double *a, double a_length, const double *b, doubl
     return a[0] / a_length * (b[0] / b_length) + a[1] / a_length * (b[1] / b_length);
 }
 
-static void measure(piece *p)
+static void measure_piece(piece *p)
 {
     double first[2], last[2], before[2], here[2];
     point_of(p, 0, first);
@@ -88,8 +89,8 @@ static void halve(const piece *p, piece *left, piece *right)
         memcpy(left->rows + 3 * (size_t)r, b, 3 * sizeof *b);
     }
     left->b = right->a = middle;
-    measure(left);
-    measure(right);
+    measure_piece(left);
+    measure_piece(right);
 }
 
 /* ---- pieces that run one way ---- */
@@ -148,7 +149,7 @@ static batten_status add_curve(search *s, int index)
             one.rows[3 * i + 1] = w * bezier->points[2 * at + 1];
             one.rows[3 * i + 2] = w;
         }
-        measure(&one);
+        measure_piece(&one);
         status = add_one_way(s, &one);
     }
     batten_curve_unref(bezier);
@@ -239,6 +240,8 @@ static bool crosses_once(const piece *p, const piece *q, double *s, double *t)
         return false;
     const double sine = sqrt(bat_max(0, 1 - p->cosine * p->cosine)) +
                         sqrt(bat_max(0, 1 - q->cosine * q->cosine));
+    /* Chords turn within the cones of both pieces; five hundredths and some thousand roundings
+     * are the margin. */
     if (!(fabs(cross) > 1.05 * sine * scale + 1e-12 * scale))
         return false;
     const double d[2] = {b[0] - a[0], b[1] - a[1]};
@@ -300,8 +303,8 @@ static batten_status note(bat_crossings *out, const piece *p, const piece *q, do
 
 /* The place where two pieces cross once, unless it is the point in which they follow each
  * other. */
-static batten_status solve(const search *s, const piece *p, const piece *q, double at_p,
-                           double at_q, bat_crossings *out)
+static batten_status solve_crossing(const search *s, const piece *p, const piece *q,
+                                    double at_p, double at_q, bat_crossings *out)
 {
     if (at_p < -1 || at_p > 2 || at_q < -1 || at_q > 2)
         return BATTEN_OK;
@@ -311,6 +314,8 @@ static batten_status solve(const search *s, const piece *p, const piece *q, doub
     const batten_status status = refine(s, p, q, &u, &v, &found);
     if (status != BATTEN_OK || !found)
         return status;
+    /* Neighbours meet in the parameter they share, which Newton finds to nine digits at least.
+     */
     const double near_u = 1e-9 * (p->b - p->a), near_v = 1e-9 * (q->b - q->a);
     const bool shared = (follows(s, p, q) && p->b - u <= near_u && v - q->a <= near_v) ||
                         (follows(s, q, p) && q->b - v <= near_v && u - p->a <= near_u);
@@ -339,7 +344,7 @@ static batten_status search_pair(search *s, const piece *first, const piece *sec
             (follows(s, q, p) && runs_on(q, p)))
             continue;
         if (crosses_once(p, q, &at_p, &at_q)) {
-            status = solve(s, p, q, at_p, at_q, out);
+            status = solve_crossing(s, p, q, at_p, at_q, out);
             continue;
         }
         if (depth[top] == 2 * DEPTH)
@@ -382,6 +387,7 @@ static void merge(const search *s, bat_crossings *out)
         for (int j = kept; j-- > 0 && !twice && out->at[j].curve[0] == c->curve[0];) {
             const batten_interval a = batten_curve_domain(s->curves[c->curve[0]]);
             const batten_interval b = batten_curve_domain(s->curves[c->curve[1]]);
+            /* Found from two pairs of pieces, a crossing differs by what Newton leaves. */
             if (c->u[0] - out->at[j].u[0] > 1e-9 * (a.b - a.a))
                 break;
             twice = out->at[j].curve[1] == c->curve[1] &&

@@ -298,6 +298,7 @@ batten_status batten_surface_project(const batten_surface *surface, int count,
         bat_deviation_check(batten_surface_dimension(surface), count, points, start, 2);
     const batten_box box = batten_surface_box(surface);
     const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+    /* What is not NURBS is made so to twelve digits: distances are asked for as exactly. */
     if (status == BATTEN_OK)
         status = batten_surface_to_nurbs(surface, 1e-12 * size + DBL_MIN, &nurbs, NULL);
     if (status == BATTEN_OK)

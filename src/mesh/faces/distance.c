@@ -1,3 +1,4 @@
+/* The distance of a point from a segment and from a triangle. */
 #include "mesh/faces/meshing.h"
 
 static double dot(const double *a, const double *b)
@@ -18,6 +19,7 @@ static double scale_all(int count, double (*vectors)[3])
     double largest = 0;
     for (int i = 0; i < 3 * count; i++)
         largest = bat_max(largest, fabs(vectors[i / 3][i % 3]));
+    /* Products of six numbers of these sizes neither overflow nor vanish. */
     if (largest > 1e-50 && largest < 1e50)
         return 1;
     const double scale = largest > 0 ? ldexp(1, ilogb(largest)) : 1;

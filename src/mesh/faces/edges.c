@@ -190,6 +190,7 @@ static double roundoff(const piece *p)
 
 static bool is_short(const bat_meshing *m, const piece *p, batten_interval domain)
 {
+    /* Halved more than twenty times, an edge turns about where no chord will follow it. */
     return p->b - p->a < 1e-7 * (domain.b - domain.a) ||
            (distance(p->ends[0], p->ends[1]) < bat_max(0.25 * m->chord, roundoff(p)) &&
             p->b - p->a < 0.05 * (domain.b - domain.a));
@@ -298,6 +299,7 @@ static batten_status make_middles(bat_meshing *m, int count, const int (*splits)
         const double a = line->t[segment], b = line->t[segment + 1];
         middle *next = &middles[*made];
         double point[3];
+        /* Thirty halvings: a border that still crosses itself lies on itself. */
         if (!(b - a > 1e-9 * (line->t[line->count - 1] - line->t[0])))
             continue;
         *next = (middle){.segment = segment, .t = a + (b - a) / 2};

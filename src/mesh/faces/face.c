@@ -27,6 +27,7 @@ static void complete_normals(const bat_face_mesh *f, const bat_side_triangle *t,
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             mean[k] += found[i] ? normals[i][k] : 0;
+    /* Unit vectors whose sum is below a millionth cancel. */
     if (!(bat_dot(3, mean, mean) > 1e-12)) {
         for (int k = 0; k < 3; k++) {
             a[k] = f->vertices[t->corner[1]].point[k] - f->vertices[t->corner[0]].point[k];
@@ -77,7 +78,7 @@ static batten_status emit_triangle(bat_face_mesh *f, const bat_side_triangle *t)
     return bat_meshing_triangle(f->m, corners, turned, f->face);
 }
 
-static batten_status emit(bat_face_mesh *f, const bat_pairs *own)
+static batten_status emit_triangles(bat_face_mesh *f, const bat_pairs *own)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < own->count; i++)
@@ -91,7 +92,7 @@ static batten_status emit(bat_face_mesh *f, const bat_pairs *own)
 }
 
 /* The triangles of the border are there: points inside, then out into the mesh. */
-static batten_status fill(bat_face_mesh *f, const bat_rim *rim, bat_lattice *lattice)
+static batten_status fill_face(bat_face_mesh *f, const bat_rim *rim, bat_lattice *lattice)
 {
     bat_pairs own;
     batten_status status = bat_pairs_begin(&own, 64);
@@ -109,7 +110,7 @@ static batten_status fill(bat_face_mesh *f, const bat_rim *rim, bat_lattice *lat
     if (status == BATTEN_OK)
         status = bat_face_refine(f);
     if (status == BATTEN_OK)
-        status = emit(f, &own);
+        status = emit_triangles(f, &own);
     bat_pairs_end(&own);
     return status;
 }
@@ -136,7 +137,7 @@ batten_status bat_mesh_face(bat_meshing *m, int face, bat_pairs *splits, bool *s
     if (status == BATTEN_OK && *simple)
         status = bat_pairs_begin(&f.tight, 16);
     if (status == BATTEN_OK && *simple)
-        status = fill(&f, &rim, &lattice);
+        status = fill_face(&f, &rim, &lattice);
     if (status == BATTEN_OK && *simple)
         status = bat_rim_refine(&rim, &f.tight, splits);
     bat_pairs_end(&f.tight);

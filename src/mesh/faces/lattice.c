@@ -1,3 +1,4 @@
+/* Where a face needs points: cells of (u, v) in a plane in which they are about square. */
 #include "mesh/faces/lattice.h"
 
 #include <float.h>
@@ -226,6 +227,7 @@ static batten_status find_breaks(const bat_sheet *sheet, int d, batten_interval 
                                  bat_lattice_axis *axis)
 {
     const batten_interval domain = sheet->domain[d];
+    /* A line so near to an end of the box is that end but for rounding. */
     const double period = domain.b - domain.a, close = 1e-9 * (box.b - box.a);
     int found = 0;
     const int spans = batten_surface_spans(sheet->surface, (batten_direction)d, NULL);
@@ -322,7 +324,8 @@ typedef struct {
     double *weight[2]; /* [intervals] of samples so far */
 } needs;
 
-static batten_status measure(bat_lattice *l, const bat_meshing *m, const samples s[2], needs *n)
+static batten_status measure_needs(bat_lattice *l, const bat_meshing *m, const samples s[2],
+                                   needs *n)
 {
     double d[18], uv[2], step[2], interval[2];
     for (int i = 0; i < s[0].count; i++)
@@ -420,12 +423,14 @@ static batten_status choose_cells(bat_lattice *l, const bat_meshing *m, needs *n
             status = BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK)
-        status = measure(l, m, s, n);
+        status = measure_needs(l, m, s, n);
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
         for (int i = 0; i + 1 < l->axis[k].count; i++)
             total += n->weight[k][i] > 0 ? n->length[k][i] / n->weight[k][i] : 0;
     if (status == BATTEN_OK && !(isfinite(total) && total > 0))
         status = bat_fail(BATTEN_SINGULAR_HERE, "the surface has no size: %g", total);
+    /* A direction without extent gets a millionth of the other, so that the plane has an area.
+     */
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
         lay_out(l, k, n, any_needed(l, n), 1e-6 * total);
     if (status == BATTEN_OK)

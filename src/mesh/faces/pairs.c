@@ -1,3 +1,4 @@
+/* A table of pairs of numbers, with open addresses. */
 #include "mesh/faces/pairs.h"
 
 #include <limits.h>
@@ -25,7 +26,7 @@ static size_t seek(const bat_pairs *pairs, int a, int b)
 }
 
 /* Room for twice as many, the table at most half full. */
-static batten_status grow(bat_pairs *pairs, size_t room)
+static batten_status grow_table(bat_pairs *pairs, size_t room)
 {
     size_t size = 16;
     while (size < 2 * room)
@@ -51,7 +52,7 @@ static batten_status grow(bat_pairs *pairs, size_t room)
 batten_status bat_pairs_begin(bat_pairs *pairs, size_t expected)
 {
     *pairs = (bat_pairs){0};
-    const batten_status status = grow(pairs, expected);
+    const batten_status status = grow_table(pairs, expected);
     if (status != BATTEN_OK)
         bat_pairs_end(pairs);
     return status;
@@ -80,7 +81,7 @@ batten_status bat_pairs_add(bat_pairs *pairs, int a, int b, int *index)
     size_t at = seek(pairs, a, b);
     if (pairs->table[at] == 0) {
         if (pairs->count == pairs->room) {
-            const batten_status status = grow(pairs, 2 * (size_t)pairs->room);
+            const batten_status status = grow_table(pairs, 2 * (size_t)pairs->room);
             if (status != BATTEN_OK)
                 return status;
             at = seek(pairs, a, b);

@@ -90,7 +90,8 @@ static bool cross_crease(const bat_face_mesh *f, const bat_side_triangle *t, dou
 
 /* How far the surface is from the triangle at the samples; the worst one where a point can be
  * put in, else -1. */
-static int measure(const bat_face_mesh *f, bat_side_triangle *t, const double (*points)[3])
+static int measure_triangle(const bat_face_mesh *f, bat_side_triangle *t,
+                            const double (*points)[3])
 {
     const double *c[3];
     double worst = bat_meshing_limit(f->m, f->m->fine, bat_face_off(f, t));
@@ -202,7 +203,7 @@ static batten_status mend(bat_face_mesh *f, const batch *b, int index)
     if (t->born != task->born || t->done)
         return BATTEN_OK; /* gone with another one */
     t->done = true;
-    int place = measure(f, t, &b->points[SAMPLES * index]);
+    int place = measure_triangle(f, t, &b->points[SAMPLES * index]);
     const int other = turn_and_length(f, t);
     if (place < 0)
         place = other;
@@ -229,7 +230,7 @@ static batten_status mend(bat_face_mesh *f, const batch *b, int index)
     return status;
 }
 
-static batten_status run(bat_face_mesh *f, batch *b, int count)
+static batten_status run_batch(bat_face_mesh *f, batch *b, int count)
 {
     const int first = f->count;
     batten_status status = batten_surface_evaluate_many(
@@ -278,13 +279,13 @@ batten_status bat_face_refine(bat_face_mesh *f)
             if (t->inside && !t->done && !bat_face_vanishes(f, t))
                 choose_samples(f, i, b, count++);
             if (count == BATCH || (count && i + 1 == f->sides.count)) {
-                status = run(f, b, count);
+                status = run_batch(f, b, count);
                 count = 0;
                 found = true;
             }
         }
         if (status == BATTEN_OK && count) { /* triangles were added behind the last */
-            status = run(f, b, count);
+            status = run_batch(f, b, count);
             found = true;
         }
     }

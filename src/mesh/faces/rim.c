@@ -77,6 +77,7 @@ static batten_status seeds_between(const bat_lattice *l, int d, const double end
     const double line = bat_lattice_to_plane(across, ends[0][1 - d]);
     const double from = bat_lattice_to_plane(along, ends[0][d]);
     const double to = bat_lattice_to_plane(along, ends[1][d]);
+    /* In the plane cells are of size 1 or powers of two of it: this is their rounding. */
     const double close = 1e-9;
     *count = 0;
     *found = bat_array((size_t)l->seed_count, sizeof **found);
@@ -154,6 +155,7 @@ static void join_touching(bat_rim *rim, const bat_meshing *m, int face)
         for (int k = 0; k < count; k++) {
             const bat_rim_corner *known = &rim->corners[list[k]];
             bool close = known->vertex == c->vertex;
+            /* As in touches.c. */
             for (int d = 0; d < 2; d++) {
                 const batten_interval domain = m->sheets[face].domain[d];
                 close = close && fabs(known->uv[d] - c->uv[d]) <= 1e-6 * (domain.b - domain.a);

@@ -1,3 +1,4 @@
+/* Triangles between sides: the triangulation of a border in the plane. */
 #include "mesh/faces/sides_triangles.h"
 
 #include <batten/scattered.h>
@@ -107,8 +108,8 @@ batten_status bat_sides_begin(bat_sides *s, int count, const double (*points)[2]
 /* ---- flips ---- */
 
 /* Edge `k` of `to` becomes what edge `j` of `from` was. */
-static void hand_over(bat_sides *s, const bat_side_triangle *from, int from_index, int j,
-                      int to, int k)
+static void hand_over_side(bat_sides *s, const bat_side_triangle *from, int from_index, int j,
+                           int to, int k)
 {
     bat_side_triangle *t = &s->triangles[to];
     t->beside[k] = from->beside[j];
@@ -140,10 +141,10 @@ static void flip(bat_sides *s, int t, int k)
     second.stamp = two.stamp;
     s->triangles[t] = first;
     s->triangles[n] = second;
-    hand_over(s, &two, n, after(j), t, 0);  /* a - q: opposite b in n */
-    hand_over(s, &one, t, before(k), t, 2); /* p - a: opposite b in t */
-    hand_over(s, &one, t, after(k), n, 0);  /* b - p: opposite a in t */
-    hand_over(s, &two, n, before(j), n, 2); /* q - b: opposite a in n */
+    hand_over_side(s, &two, n, after(j), t, 0);  /* a - q: opposite b in n */
+    hand_over_side(s, &one, t, before(k), t, 2); /* p - a: opposite b in t */
+    hand_over_side(s, &one, t, after(k), n, 0);  /* b - p: opposite a in t */
+    hand_over_side(s, &two, n, before(j), n, 2); /* q - b: opposite a in n */
     s->of[p] = s->of[a] = t;
     s->of[q] = s->of[b] = n;
 }

@@ -130,7 +130,7 @@ static bool find_rim(bat_sides *s, const double *p, int cavity, double widest, d
 }
 
 /* A triangle from the point to each edge of the rim, in the places of the cavity and behind. */
-static void fill(bat_sides *s, int vertex, int cavity, int rim, bat_side_triangle *made)
+static void fill_cavity(bat_sides *s, int vertex, int cavity, int rim, bat_side_triangle *made)
 {
     int *places = s->list, *edges = s->list + cavity;
     for (int i = 0; i < rim; i++) {
@@ -199,7 +199,7 @@ batten_status bat_sides_insert(bat_sides *s, const double point[2], double wides
     }
     s->at[s->vertex_count][0] = point[0];
     s->at[s->vertex_count][1] = point[1];
-    fill(s, s->vertex_count, cavity, rim, made);
+    fill_cavity(s, s->vertex_count, cavity, rim, made);
     if (made != few)
         bat_release(made);
     *vertex = s->vertex_count++;

@@ -60,6 +60,7 @@ static batten_status list_passings(const bat_meshing *m, int face, passing *list
 static bool touch(const bat_meshing *m, int face, const passing *a, const passing *b)
 {
     for (int k = 0; k < 2; k++) {
+        /* Parameter curves of files often keep six digits; the distance in space decides. */
         const batten_interval domain = m->sheets[face].domain[k];
         if (!(fabs(a->uv[k] - b->uv[k]) <= 1e-6 * (domain.b - domain.a)))
             return false;
