@@ -1,5 +1,6 @@
 /* A table of offsets as battens that share their ducks: along its lines, and along its stations. */
 #include "fair/batten_net.h"
+#include "base/list.h"
 
 #include <float.h>
 #include <string.h>
@@ -89,17 +90,12 @@ static batten_status add_strand(bat_net *net, bool is_line, int width, int count
 {
     if (count < 4)
         return BATTEN_OK;
-    if (net->strand_count == net->strand_room) {
-        const int more = bat_max_int(32, 2 * net->strand_room);
-        bat_strand *grown = bat_resize(net->strands, (size_t)more, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        net->strands = grown;
-        net->strand_room = more;
-    }
+    batten_status status = BAT_LIST_GROW(net->strands, net->strand_count, net->strand_room, 1);
+    if (status != BATTEN_OK)
+        return status;
     bat_strand *strand = &net->strands[net->strand_count];
     strand->count = 0;
-    batten_status status = make_strand(net, is_line, width, count, nodes, strand);
+    status = make_strand(net, is_line, width, count, nodes, strand);
     if (status != BATTEN_OK || strand->count == 0)
         return status;
     for (int i = 0; i < count; i++) {
@@ -177,7 +173,7 @@ static batten_status add_line(bat_net *net, const batten_offset_table *offsets, 
 /* ---- stations ---- */
 
 /* How far a polygon turns at its point i; 0 at its ends. */
-static double turn(const batten_table_station *station, int i)
+static double turn_at(const batten_table_station *station, int i)
 {
     if (i < 1 || i >= station->point_count - 1)
         return 0;
@@ -194,8 +190,8 @@ static batten_status add_station(bat_net *net, const batten_table_station *stati
     if (!is_corner)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < station->point_count; i++) {
-        const double neighbours = bat_max(turn(station, i - 1), turn(station, i + 1));
-        is_corner[i] = turn(station, i) - neighbours > corner_angle;
+        const double neighbours = bat_max(turn_at(station, i - 1), turn_at(station, i + 1));
+        is_corner[i] = turn_at(station, i) - neighbours > corner_angle;
         nodes[i] = begin + i;
     }
     batten_status status = add_runs(net, false, 2, station->point_count, nodes, is_corner);

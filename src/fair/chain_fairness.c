@@ -1,4 +1,5 @@
 /* The numbers behind the word "fair", of a chain. */
+#include "base/list.h"
 #include "base/plural.h"
 #include "fair/fairness.h"
 #include "inspect/local.h"
@@ -28,7 +29,7 @@ static int places(const batten_span *span, double at[3 * SAMPLES])
 }
 
 /* Where the rate changes its sign between a and b, by halving. */
-static double refine(int d, const batten_span *span, double a, double b, double rate_a)
+static double refine_extreme(int d, const batten_span *span, double a, double b, double rate_a)
 {
     for (int k = 0; k < 60; k++) {
         const double middle = a + (b - a) / 2;
@@ -49,17 +50,11 @@ typedef struct {
     double largest;
 } profile;
 
-static batten_status note(profile *p, double curvature)
+static batten_status append_curvature(profile *p, double curvature)
 {
-    if (p->count == p->capacity) {
-        const int capacity = bat_max_int(64, 2 * p->capacity);
-        double *grown = bat_resize(p->curvature, (size_t)capacity, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        p->curvature = grown;
-        p->capacity = capacity;
-    }
-    p->curvature[p->count++] = curvature;
+    const batten_status status = BAT_LIST_ADD(p->curvature, p->count, p->capacity, curvature);
+    if (status != BATTEN_OK)
+        return status;
     p->largest = bat_max(p->largest, fabs(curvature));
     return BATTEN_OK;
 }
@@ -68,7 +63,7 @@ static batten_status note_at(profile *p, int d, const batten_span *span, double 
 {
     bat_bend at;
     bat_span_bend(d, span, t, &at);
-    return note(p, scale * at.curvature);
+    return append_curvature(p, scale * at.curvature);
 }
 
 static batten_status note_turns(profile *p, int d, const batten_span *span, double scale)
@@ -91,7 +86,7 @@ static batten_status note_turns(profile *p, int d, const batten_span *span, doub
         bat_bend here;
         bat_span_bend(d, span, t, &here);
         if (rate * here.rate < 0)
-            status = note_at(p, d, span, refine(d, span, last, t, rate), scale);
+            status = note_at(p, d, span, refine_extreme(d, span, last, t, rate), scale);
         if (here.rate != 0) {
             rate = here.rate;
             last = t;
@@ -158,8 +153,8 @@ static batten_status add_spans(const batten_chain *chain, profile *p, double *le
 
 /* ---- counting ---- */
 
-static void count(const batten_chain *chain, const profile *p, double length,
-                  batten_fairness *out)
+static void count_inflections(const batten_chain *chain, const profile *p, double length,
+                              batten_fairness *out)
 {
     const double small = BAT_MEANT_SAME * p->largest;
     /* A turn of 1e-14 over the whole length is rounding. */
@@ -231,7 +226,7 @@ batten_status batten_chain_fairness(const batten_chain *chain, int n, const doub
     if (status == BATTEN_OK)
         status = add_joints(chain, p.largest, length, &found);
     if (status == BATTEN_OK) {
-        count(chain, &p, length, &found);
+        count_inflections(chain, &p, length, &found);
         found.excess_inflections = bat_max_int(0, found.inflections - required);
         found.fair = found.excess_inflections == 0;
         *out = found;

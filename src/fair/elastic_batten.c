@@ -134,8 +134,8 @@ double bat_batten_bend(const bat_batten *batten, int width, const double *z, dou
 }
 
 /* s'(t_i+) = d_i - h_i (2 M_i + M_i+1) / 6, and mirrored at the last duck. */
-static double slope(const bat_batten *batten, int width, const double *z, const double *moments,
-                    int i)
+static double slope_at(const bat_batten *batten, int width, const double *z,
+                       const double *moments, int i)
 {
     const bool last = i == batten->count - 1;
     const int from = last ? -width : 0, to = from + width;
@@ -157,7 +157,8 @@ batten_status bat_batten_curve(const bat_batten *batten, int width, const double
             for (int k = 0; k < width; k++) {
                 const int at = i * width + k;
                 values[2 * i * width + k] = z[at];
-                values[(2 * i + 1) * width + k] = slope(batten, width, z + at, moments + at, i);
+                values[(2 * i + 1) * width + k] =
+                    slope_at(batten, width, z + at, moments + at, i);
             }
         status = batten_curve_from_hermite(width, n, 2, batten->t, values, out);
     }

@@ -66,8 +66,8 @@ batten_status bat_fair_check_options(int count, const batten_fair_options *optio
     return check_bounds(count, options);
 }
 
-static batten_status check(int dimension, int count, const double *points,
-                           const double *parameters, const batten_fair_options *options)
+static batten_status check_points(int dimension, int count, const double *points,
+                                  const double *parameters, const batten_fair_options *options)
 {
     if (dimension < 1 || dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "points have %d coordinates, not 1 to 3",
@@ -289,8 +289,8 @@ static batten_status alternate(const springback *s, const bat_batten *batten, in
     return status;
 }
 
-static batten_status release(const springback *s, const bat_batten *batten, int first,
-                             double *z)
+static batten_status release_ducks(const springback *s, const bat_batten *batten, int first,
+                                   double *z)
 {
     const bat_ducks ducks = ducks_of(s, first);
     double residual;
@@ -302,7 +302,7 @@ static batten_status release(const springback *s, const bat_batten *batten, int 
 }
 
 /* Moves in the last places are roundoff, not fairing: those ducks keep their bits. */
-static void settle(const springback *s, int first, int count)
+static void settle_bounds(const springback *s, int first, int count)
 {
     const int w = s->width;
     double size = 0;
@@ -322,8 +322,8 @@ static batten_status fair_piece(springback *s, int first, int last)
         return status;
     double *z = s->z + first * s->width;
     if (count >= 4) {
-        status = release(s, &batten, first, z);
-        settle(s, first, count);
+        status = release_ducks(s, &batten, first, z);
+        settle_bounds(s, first, count);
     }
     const bat_ducks ducks = ducks_of(s, first);
     if (status == BATTEN_OK && s->tally)
@@ -334,7 +334,7 @@ static batten_status fair_piece(springback *s, int first, int last)
 
 /* ---- the curve ---- */
 
-static batten_status begin(springback *s)
+static batten_status begin_fairing(springback *s)
 {
     const size_t n = (size_t)s->count, w = (size_t)s->width;
     s->within = bat_array(n, sizeof *s->within);
@@ -353,7 +353,7 @@ static batten_status begin(springback *s)
     return batten_parametrize(s->width, s->count, s->points, BATTEN_CHORD, false, s->own_t);
 }
 
-static void end(springback *s)
+static void end_fairing(springback *s)
 {
     bat_release(s->within);
     bat_release(s->freedom);
@@ -374,7 +374,7 @@ batten_status batten_fair_points(int dimension, int count, const double *points,
     if (status != BATTEN_OK)
         return status;
     options = &chosen;
-    status = check(dimension, count, points, parameters, options);
+    status = check_points(dimension, count, points, parameters, options);
     if (status != BATTEN_OK)
         return status;
     bat_fair_tally tally = {0};
@@ -385,7 +385,7 @@ batten_status batten_fair_points(int dimension, int count, const double *points,
                     .options = options,
                     .job = job,
                     .tally = report ? &tally : NULL};
-    status = begin(&s);
+    status = begin_fairing(&s);
     for (int i = 0, next; status == BATTEN_OK && i < count - 1; i = next) {
         for (next = i + 1; !s.is_corner[next];)
             next++;
@@ -400,6 +400,6 @@ batten_status batten_fair_points(int dimension, int count, const double *points,
             bat_tally_finish(&tally, report);
     }
     bat_tally_end(&tally);
-    end(&s);
+    end_fairing(&s);
     return status;
 }

@@ -1,25 +1,11 @@
 /* The report of fairing: points that moved, by how much, fairness before and after, suspects. */
+#include "base/list.h"
 #include "fair/fair_points.h"
 #include "fair/fairness.h"
 #include "numeric/select.h"
 
 #include <float.h>
 #include <string.h>
-
-static batten_status append(batten_fair_move **moves, int *count, int *room,
-                            const batten_fair_move *move)
-{
-    if (*count == *room) {
-        const int more = bat_max_int(16, 2 * *room);
-        batten_fair_move *grown = bat_resize(*moves, (size_t)more, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        *moves = grown;
-        *room = more;
-    }
-    (*moves)[(*count)++] = *move;
-    return BATTEN_OK;
-}
 
 static batten_fair_move move_of(int width, int set, int index, const double *from,
                                 const double *to)
@@ -41,7 +27,7 @@ batten_status bat_tally_point(bat_fair_tally *tally, int width, int set, int ind
     }
     const batten_fair_move move = move_of(width, set, index, from, to);
     batten_status status =
-        append(&report->moves, &report->move_count, &tally->move_room, &move);
+        BAT_LIST_ADD(report->moves, report->move_count, tally->move_room, move);
     if (status != BATTEN_OK)
         return status;
     tally->point_count++;
@@ -80,8 +66,8 @@ static batten_status suspect(bat_fair_tally *tally, const bat_batten *batten, in
     for (int k = 0; k < width; k++)
         to[k] = points[i * width + k] - force[k] / batten->diagonal[i];
     const batten_fair_move move = move_of(width, set, first + i, points + i * width, to);
-    return append(&tally->report.suspects, &tally->report.suspect_count, &tally->suspect_room,
-                  &move);
+    return BAT_LIST_ADD(tally->report.suspects, tally->report.suspect_count,
+                        tally->suspect_room, move);
 }
 
 /* `work` [count][2 width + 2]. Forces of roundoff are no sign of anything. */
@@ -109,8 +95,8 @@ static batten_status find_suspects(bat_fair_tally *tally, const bat_batten *batt
 
 /* ---- pieces ---- */
 
-static batten_status judge(bat_fair_tally *tally, const bat_batten *batten, int width,
-                           const double *points, const double *within, const double *z)
+static batten_status judge_batten(bat_fair_tally *tally, const bat_batten *batten, int width,
+                                  const double *points, const double *within, const double *z)
 {
     batten_fairness before, after;
     batten_status status = bat_batten_fairness(batten, width, points, within, points, &before);
@@ -137,7 +123,7 @@ static batten_status judge_functions(bat_fair_tally *tally, const bat_batten *ba
             columns[i] = ducks->centre[i * width + k];
             columns[n + i] = z[i * width + k];
         }
-        status = judge(tally, batten, 1, columns, ducks->within, columns + n);
+        status = judge_batten(tally, batten, 1, columns, ducks->within, columns + n);
     }
     bat_release(columns);
     return status;
@@ -148,9 +134,9 @@ batten_status bat_tally_piece(bat_fair_tally *tally, const bat_batten *batten,
                               const double *z)
 {
     const int width = ducks->width;
-    batten_status status = functions
-                               ? judge_functions(tally, batten, ducks, z)
-                               : judge(tally, batten, width, ducks->centre, ducks->within, z);
+    batten_status status =
+        functions ? judge_functions(tally, batten, ducks, z)
+                  : judge_batten(tally, batten, width, ducks->centre, ducks->within, z);
     if (status != BATTEN_OK || batten->count < 5) /* too few for a median to mean something */
         return status;
     double *work = bat_array3((size_t)batten->count, 2 * (size_t)width + 2, sizeof *work);

@@ -51,7 +51,7 @@ static double gap(const interior *p, int i)
 
 /* ---- where the ducks are ---- */
 
-static void place(interior *p)
+static void place_ducks(interior *p)
 {
     const int width = p->width;
     for (int i = 0; i < p->batten->count; i++)
@@ -85,7 +85,7 @@ static void differentiate(interior *p)
 
 /* ---- the system ---- */
 
-static void add(interior *p, int row, int column, double value)
+static void add_entry(interior *p, int row, int column, double value)
 {
     const int high = bat_max_int(row, column), low = bat_min_int(row, column);
     p->matrix[(size_t)high * (size_t)(p->lower + 1) + (size_t)(low - high + p->lower)] += value;
@@ -98,22 +98,23 @@ static void add_beam(interior *p, int i)
     const int width = p->width;
     for (int k = 0; k < width; k++) {
         const int slope = i * p->block + width + k, next = slope + p->block;
-        add(p, slope, slope, 4 / h);
-        add(p, next, next, 4 / h);
-        add(p, next, slope, 2 / h);
+        add_entry(p, slope, slope, 4 / h);
+        add_entry(p, next, next, 4 / h);
+        add_entry(p, next, slope, 2 / h);
     }
     for (int end = 0; end < 2; end++)
         for (int row = 0; row < p->ducks->freedom[i + end]; row++) {
             const double *axis = frame_row(p, i + end, row), sign = end == 0 ? 1 : -1;
             const int move = (i + end) * p->block + row;
-            add(p, move, move, 12 / (h * h * h));
+            add_entry(p, move, move, 12 / (h * h * h));
             for (int k = 0; k < width; k++) {
-                add(p, i * p->block + width + k, move, sign * 6 / (h * h) * axis[k]);
-                add(p, (i + 1) * p->block + width + k, move, sign * 6 / (h * h) * axis[k]);
+                add_entry(p, i * p->block + width + k, move, sign * 6 / (h * h) * axis[k]);
+                add_entry(p, (i + 1) * p->block + width + k, move,
+                          sign * 6 / (h * h) * axis[k]);
             }
             for (int other = 0; end == 1 && other < p->ducks->freedom[i]; other++)
-                add(p, move, i * p->block + other,
-                    -12 / (h * h * h) * bat_dot(width, axis, frame_row(p, i, other)));
+                add_entry(p, move, i * p->block + other,
+                          -12 / (h * h * h) * bat_dot(width, axis, frame_row(p, i, other)));
         }
 }
 
@@ -125,15 +126,15 @@ static void add_duck(interior *p, int i, double mu)
     double *right = p->step + first;
     memset(right, 0, (size_t)p->block * sizeof *right);
     for (int row = free; row < p->width; row++)
-        add(p, first + row, first + row, 1);
+        add_entry(p, first + row, first + row, 1);
     if (free == 0)
         return;
     const double g = gap(p, i), l = p->multiplier[i];
     const double pull = p->ducks->pull ? p->ducks->pull[i] : 0;
     for (int row = 0; row < free; row++) {
-        add(p, first + row, first + row, pull + l);
+        add_entry(p, first + row, first + row, pull + l);
         for (int other = 0; other <= row; other++)
-            add(p, first + row, first + other, l / g * s[row] * s[other]);
+            add_entry(p, first + row, first + other, l / g * s[row] * s[other]);
         right[row] = -(p->gradient[i * p->width + row] + mu / g * s[row]);
     }
 }
@@ -189,7 +190,7 @@ static double longest_step(const interior *p, double mu)
                    0.99 * longest); /* stay inside: the usual part of the way to the boundary */
 }
 
-static void advance(interior *p, double mu, double part)
+static void advance_step(interior *p, double mu, double part)
 {
     for (int i = 0; i < p->batten->count; i++) {
         const int free = p->ducks->freedom[i];
@@ -234,10 +235,10 @@ static double unrest(interior *p)
 }
 
 /* All in the middle of their bounds, under multipliers as large as the forces there need. */
-static void start(interior *p)
+static void start_in_middle(interior *p)
 {
     double mu = 0;
-    place(p);
+    place_ducks(p);
     differentiate(p);
     for (int i = 0; i < p->batten->count; i++)
         mu = bat_max(mu, sqrt(move_dot(p, i, p->gradient, p->gradient)) * p->ducks->within[i]);
@@ -248,7 +249,7 @@ static void start(interior *p)
 
 #define MAX_STEPS 100
 
-static batten_status follow(interior *p, const batten_job *job)
+static batten_status follow_path(interior *p, const batten_job *job)
 {
     bat_work work = {job, 0};
     int count;
@@ -267,15 +268,16 @@ static batten_status follow(interior *p, const batten_job *job)
         if (solve_step(p, mu) != BATTEN_OK)
             return BATTEN_OK; /* no digits are left: the residual tells how good it is */
         part = longest_step(p, mu);
-        advance(p, mu, part);
-        place(p);
+        advance_step(p, mu, part);
+        place_ducks(p);
         differentiate(p);
         left = complementarity(p, &count);
     }
     return BATTEN_OK;
 }
 
-static batten_status begin(const bat_batten *batten, const bat_ducks *ducks, interior *p)
+static batten_status begin_interior(const bat_batten *batten, const bat_ducks *ducks,
+                                    interior *p)
 {
     const size_t n = (size_t)batten->count, w = (size_t)ducks->width;
     *p = (interior){.batten = batten, .ducks = ducks, .width = ducks->width};
@@ -294,7 +296,7 @@ static batten_status begin(const bat_batten *batten, const bat_ducks *ducks, int
     return all ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void end(interior *p)
+static void end_interior(interior *p)
 {
     bat_release(p->z);
     bat_release(p->moments);
@@ -310,10 +312,10 @@ batten_status bat_batten_least(const bat_batten *batten, const bat_ducks *ducks,
                                const batten_job *job, double *z, double *residual)
 {
     interior p;
-    batten_status status = begin(batten, ducks, &p);
+    batten_status status = begin_interior(batten, ducks, &p);
     if (status == BATTEN_OK) {
-        start(&p);
-        status = follow(&p, job);
+        start_in_middle(&p);
+        status = follow_path(&p, job);
     }
     if (status == BATTEN_OK) {
         const double rest = unrest(&p);
@@ -327,6 +329,6 @@ batten_status bat_batten_least(const bat_batten *batten, const bat_ducks *ducks,
                          rest, BAT_DUCK_AT_REST);
         }
     }
-    end(&p);
+    end_interior(&p);
     return status;
 }

@@ -176,8 +176,8 @@ static void note_suspects(const bat_net *net, const bat_strand *strand, int firs
 /* A wrong number pulls at the station and at the line that it stands in alike, a tight bilge at
  * its station alone: drop a suspect that another batten would move by less than half as much.
  */
-static void question(const bat_net *net, const bat_strand *strand, workspace *w,
-                     const batten_fair_report *report, int *suspect_of)
+static void question_offset(const bat_net *net, const bat_strand *strand, workspace *w,
+                            const batten_fair_report *report, int *suspect_of)
 {
     const int width = strand->width;
     gather(net, strand, w, w->z);
@@ -226,7 +226,7 @@ static batten_status tally_strands(const bat_net *net, workspace *w, bat_fair_ta
         note_suspects(net, strand, first, &tally->report, suspect_of);
     }
     for (int s = 0; status == BATTEN_OK && s < net->strand_count; s++)
-        question(net, &net->strands[s], w, &tally->report, suspect_of);
+        question_offset(net, &net->strands[s], w, &tally->report, suspect_of);
     if (status == BATTEN_OK)
         keep_agreed(net, suspect_of, &tally->report);
     bat_release(suspect_of);
@@ -275,8 +275,9 @@ static batten_status rebuild(const batten_offset_table *offsets, const bat_net *
     return status;
 }
 
-static batten_status check(const batten_offset_table *offsets, batten_fair_families families,
-                           const batten_fair_options *options)
+static batten_status check_table(const batten_offset_table *offsets,
+                                 batten_fair_families families,
+                                 const batten_fair_options *options)
 {
     int count = 0;
     for (int s = 0; s < batten_offset_table_station_count(offsets); s++)
@@ -306,7 +307,7 @@ batten_status batten_fair_offset_table(const batten_offset_table *offsets,
     if (status != BATTEN_OK)
         return status;
     options = &chosen;
-    status = check(offsets, families, options);
+    status = check_table(offsets, families, options);
     if (status != BATTEN_OK)
         return status;
     bat_net net = {0};

@@ -13,7 +13,7 @@ static size_t place_of(const bat_addresses *a, const void *address)
     return at;
 }
 
-static batten_status grow(bat_addresses *a)
+static batten_status grow_table(bat_addresses *a)
 {
     const bat_addresses before = *a;
     const size_t capacity = a->capacity ? 2 * a->capacity : 16;
@@ -37,7 +37,7 @@ int bat_addresses_find(const bat_addresses *a, const void *address)
 
 batten_status bat_addresses_add(bat_addresses *a, const void *address, int number)
 {
-    const batten_status status = 2 * (a->count + 1) > a->capacity ? grow(a) : BATTEN_OK;
+    const batten_status status = 2 * (a->count + 1) > a->capacity ? grow_table(a) : BATTEN_OK;
     if (status != BATTEN_OK)
         return status;
     a->table[place_of(a, address)] = (bat_address){address, number};

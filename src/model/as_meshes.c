@@ -1,8 +1,9 @@
 /* Surfaces, Bezier triangles and bodies as meshes, for formats that hold nothing else. */
 #include "model/as_meshes.h"
+#include "base/list.h"
 #include "model/addresses.h"
-#include "model/rebuild.h"
 #include "model/object_notes.h"
+#include "model/rebuild.h"
 
 #include <float.h>
 #include <limits.h>
@@ -107,15 +108,9 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
 
 static batten_status keep_shape(meshing *m, const void *address, const meshed_shape *shape)
 {
-    if (m->count == m->capacity) {
-        const size_t capacity = m->capacity ? 2 * m->capacity : 16;
-        meshed_shape *done = bat_resize(m->done, capacity, sizeof *done);
-        if (!done)
-            return BATTEN_OUT_OF_MEMORY;
-        m->done = done;
-        m->capacity = capacity;
-    }
-    const batten_status status = bat_addresses_add(&m->addresses, address, (int)m->count);
+    batten_status status = BAT_LIST_GROW(m->done, m->count, m->capacity, 1);
+    if (status == BATTEN_OK)
+        status = bat_addresses_add(&m->addresses, address, (int)m->count);
     if (status == BATTEN_OK)
         m->done[m->count++] = *shape;
     return status;

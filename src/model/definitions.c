@@ -1,23 +1,18 @@
 /* The models that instances place, each once, listed in the order of what they place. */
 #include "model/definitions.h"
+#include "base/list.h"
 
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
-static batten_status add(bat_definitions *d, const batten_model *model)
+static batten_status add_definition(bat_definitions *d, const batten_model *model)
 {
     if (bat_addresses_find(&d->addresses, model) >= 0)
         return BATTEN_OK;
-    if ((size_t)d->count == d->capacity) {
-        const size_t capacity = d->capacity ? 2 * d->capacity : 16;
-        const batten_model **models = bat_resize(d->models, capacity, sizeof *models);
-        if (!models)
-            return BATTEN_OUT_OF_MEMORY;
-        d->models = models;
-        d->capacity = capacity;
-    }
-    const batten_status status = bat_addresses_add(&d->addresses, model, d->count);
+    batten_status status = BAT_LIST_GROW(d->models, d->count, d->capacity, 1);
+    if (status == BATTEN_OK)
+        status = bat_addresses_add(&d->addresses, model, d->count);
     if (status == BATTEN_OK)
         d->models[d->count++] = model;
     return status;
@@ -25,7 +20,7 @@ static batten_status add(bat_definitions *d, const batten_model *model)
 
 batten_status bat_definitions_find(const batten_model *model, bat_definitions *d)
 {
-    batten_status status = add(d, model);
+    batten_status status = add_definition(d, model);
     double objects = 0;
     for (int i = 0; status == BATTEN_OK && i < d->count; i++) {
         const int count = batten_model_count(d->models[i]);
@@ -33,7 +28,7 @@ batten_status bat_definitions_find(const batten_model *model, bat_definitions *d
         for (int k = 0; status == BATTEN_OK && k < count; k++) {
             const batten_object *object = batten_model_object(d->models[i], k);
             if (object->definition)
-                status = add(d, object->definition);
+                status = add_definition(d, object->definition);
         }
     }
     if (status == BATTEN_OK && objects > INT_MAX / 4)

@@ -8,7 +8,7 @@ typedef struct {
     int count;
     const batten_model **models; /* [count], borrowed; the model itself first */
     int *first;                  /* [count + 1] the number of the first object of each */
-    size_t capacity;
+    int capacity;
     bat_addresses addresses; /* the index by the model's address */
 } bat_definitions;
 

@@ -1,5 +1,6 @@
 /* Objects in groups within groups, visited one group after another. */
 #include "model/groups.h"
+#include "base/list.h"
 
 #include <batten/text.h>
 #include <stdlib.h>
@@ -7,16 +8,7 @@
 
 batten_status bat_members_add(bat_members *list, const char *path, int item)
 {
-    if (list->count == list->capacity) {
-        const int capacity = bat_max_int(16, 2 * list->capacity);
-        bat_member *members = bat_resize(list->members, (size_t)capacity, sizeof *members);
-        if (!members)
-            return BATTEN_OUT_OF_MEMORY;
-        list->members = members;
-        list->capacity = capacity;
-    }
-    list->members[list->count++] = (bat_member){path, item};
-    return BATTEN_OK;
+    return BAT_LIST_ADD(list->members, list->count, list->capacity, (bat_member){path, item});
 }
 
 void bat_members_end(bat_members *list)

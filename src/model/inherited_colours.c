@@ -1,5 +1,6 @@
 /* A model in which what instances place has the colour of the instance. */
 #include "model/inherited_colours.h"
+#include "base/list.h"
 #include "model/definitions.h"
 
 #include <string.h>
@@ -86,17 +87,12 @@ static const double *colour_of(const painting *p, const variant *in,
 
 static batten_status add_variant(painting *p, int definition, const double *colour)
 {
-    if (p->count == p->capacity) {
-        const int capacity = bat_max_int(16, 2 * p->capacity);
-        variant *variants = bat_resize(p->variants, (size_t)capacity, sizeof *variants);
-        if (!variants)
-            return BATTEN_OUT_OF_MEMORY;
-        p->variants = variants;
-        p->capacity = capacity;
-    }
-    p->variants[p->count] = (variant){definition, colour, p->first[definition], NULL};
-    p->first[definition] = p->count++;
-    return BATTEN_OK;
+    const batten_status status =
+        BAT_LIST_ADD(p->variants, p->count, p->capacity,
+                     (variant){definition, colour, p->first[definition], NULL});
+    if (status == BATTEN_OK)
+        p->first[definition] = p->count - 1;
+    return status;
 }
 
 static batten_status need_variant(painting *p, const batten_object *instance,
@@ -176,7 +172,7 @@ static batten_status make_variants(painting *p, batten_model **out)
     return status;
 }
 
-static batten_status begin(painting *p, const batten_model *model)
+static batten_status begin_painting(painting *p, const batten_model *model)
 {
     batten_status status = bat_definitions_find(model, &p->definitions);
     if (status != BATTEN_OK)
@@ -193,7 +189,7 @@ static batten_status begin(painting *p, const batten_model *model)
     return BATTEN_OK;
 }
 
-static void end(painting *p)
+static void end_painting(painting *p)
 {
     for (int i = 0; i < p->count; i++)
         batten_model_unref(p->variants[i].made);
@@ -209,7 +205,7 @@ batten_status bat_model_painted(const batten_model *model, batten_notes *notes,
                                 batten_model **out)
 {
     painting p = {.count = 0};
-    batten_status status = begin(&p, model);
+    batten_status status = begin_painting(&p, model);
     if (status == BATTEN_OK) {
         find_bare(&p);
         status = find_variants(&p);
@@ -223,6 +219,6 @@ batten_status bat_model_painted(const batten_model *model, batten_notes *notes,
                          "instances without their colour: %d; what they place is shown in too "
                          "many others",
                          p.lost);
-    end(&p);
+    end_painting(&p);
     return status;
 }

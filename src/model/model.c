@@ -44,18 +44,18 @@ batten_status batten_model_create(double unit_metres, batten_model **out)
 }
 
 /* Casts away the const under which an object shows what it owns. */
-static void release(const void *memory)
+static void release_objects(const void *memory)
 {
     bat_release((void *)(uintptr_t)memory);
 }
 
 static void object_free(const batten_object *object)
 {
-    release(object->name);
-    release(object->layer);
-    release(object->group);
-    release(object->points);
-    release(object->parameters);
+    release_objects(object->name);
+    release_objects(object->layer);
+    release_objects(object->group);
+    release_objects(object->points);
+    release_objects(object->parameters);
     batten_curve_unref((batten_curve *)(uintptr_t)object->curve);
     batten_chain_unref((batten_chain *)(uintptr_t)object->chain);
     batten_surface_unref((batten_surface *)(uintptr_t)object->surface);
@@ -122,7 +122,7 @@ int batten_model_find(const batten_model *model, const char *name)
 
 /* ---- adding ---- */
 
-static batten_status check(const batten_object *object)
+static batten_status check_object(const batten_object *object)
 {
     assert((object->kind == BATTEN_OBJECT_CURVE) == (object->curve != NULL));
     assert(object->kind == BATTEN_OBJECT_CURVE || !object->chain);
@@ -190,7 +190,7 @@ static batten_status reserve(batten_model *model)
 }
 
 /* A copy of `count` items; also of none. NULL when memory is exhausted. */
-static void *copy(const void *items, size_t count, size_t size)
+static void *copy_items(const void *items, size_t count, size_t size)
 {
     void *copied = bat_array(count, size);
     if (copied && count)
@@ -200,7 +200,7 @@ static void *copy(const void *items, size_t count, size_t size)
 
 static void *copy_text(const char *text)
 {
-    return text ? copy(text, strlen(text) + 1, 1) : bat_array(1, 1);
+    return text ? copy_items(text, strlen(text) + 1, 1) : bat_array(1, 1);
 }
 
 batten_status batten_model_set_name(batten_model *model, const char *name)
@@ -218,7 +218,7 @@ batten_status batten_model_set_name(batten_model *model, const char *name)
 
 batten_status batten_model_add(batten_model *model, const batten_object *object)
 {
-    batten_status status = check(object);
+    batten_status status = check_object(object);
     if (status == BATTEN_OK)
         status = check_instance(model, object);
     if (status == BATTEN_OK)
@@ -231,9 +231,10 @@ batten_status batten_model_add(batten_model *model, const batten_object *object)
     copied.name = copy_text(object->name);
     copied.layer = copy_text(object->layer);
     copied.group = copy_text(object->group);
-    copied.points = count ? copy(object->points, 3 * count, sizeof *object->points) : NULL;
+    copied.points =
+        count ? copy_items(object->points, 3 * count, sizeof *object->points) : NULL;
     copied.parameters = object->parameters && count
-                            ? copy(object->parameters, count, sizeof *object->parameters)
+                            ? copy_items(object->parameters, count, sizeof *object->parameters)
                             : NULL;
     copied.curve = object->curve ? batten_curve_ref(object->curve) : NULL;
     copied.chain = object->chain ? batten_chain_ref(object->chain) : NULL;

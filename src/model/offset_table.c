@@ -134,8 +134,8 @@ static const char *keep_name(char **place, const char *name)
     return kept;
 }
 
-static void copy(const batten_table_line *lines, const batten_table_station *stations,
-                 batten_offset_table *offsets)
+static void copy_points(const batten_table_line *lines, const batten_table_station *stations,
+                        batten_offset_table *offsets)
 {
     char *name = offsets->names;
     batten_table_point *point = offsets->points;
@@ -170,7 +170,7 @@ batten_status batten_offset_table_create(double unit_metres, int line_count,
         destroy(offsets);
         return status;
     }
-    copy(lines, stations, offsets);
+    copy_points(lines, stations, offsets);
     *out = offsets;
     return BATTEN_OK;
 }

@@ -18,7 +18,7 @@ static int compare(const void *a, const void *b)
     return (one->triangle > other->triangle) - (one->triangle < other->triangle);
 }
 
-static void fill(const coloured *sorted, int count, bat_palette *p)
+static void fill_slots(const coloured *sorted, int count, bat_palette *p)
 {
     for (int i = 0; i < count; i++) {
         const double *colour = sorted[i].colour;
@@ -46,7 +46,7 @@ batten_status bat_palette_find(const batten_mesh_parts *parts, bat_palette *out)
             sorted[i].triangle = (int)i;
         }
         qsort(sorted, count, sizeof *sorted, compare);
-        fill(sorted, (int)count, out);
+        fill_slots(sorted, (int)count, out);
     } else {
         bat_palette_end(out);
     }

@@ -37,7 +37,7 @@ typedef struct {
 } counting;
 
 /* Those that it places are known. */
-static batten_status count(void *context, int index, const char *name)
+static batten_status count_objects(void *context, int index, const char *name)
 {
     counting *c = context;
     const batten_model *model = c->definitions->models[index];
@@ -66,8 +66,8 @@ batten_status bat_count_placed(const batten_model *model, bat_placed *own, bat_p
     batten_status status = bat_definitions_find(model, &definitions);
     if (status == BATTEN_OK) {
         c.placed = bat_array((size_t)definitions.count, sizeof *c.placed);
-        status =
-            c.placed ? bat_definitions_each(&definitions, count, &c) : BATTEN_OUT_OF_MEMORY;
+        status = c.placed ? bat_definitions_each(&definitions, count_objects, &c)
+                          : BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK) {
         *own = c.own;

@@ -33,7 +33,7 @@ static const family families[] = {
 
 static const char *const names[] = {"F0", "F1", "G0", "G1", "H0", "H1"};
 
-static batten_status make(const family *of, int which, batten_curve **out)
+static batten_status make_function(const family *of, int which, batten_curve **out)
 {
     const int order = which / 2, n = of->count;
     const double sign = order == 1 ? -1 : 1;
@@ -60,7 +60,7 @@ batten_status batten_blending_functions(batten_blending blending, int order, bat
     batten_curve *made[6] = {NULL};
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < 2 * order; i++)
-        status = make(of, i, &made[i]);
+        status = make_function(of, i, &made[i]);
     for (int i = 0; i < 2 * order; i++) {
         if (status == BATTEN_OK)
             out[i] = made[i];

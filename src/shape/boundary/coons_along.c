@@ -102,8 +102,8 @@ static batten_status derive(const batten_curve *curve, batten_curve **out)
 }
 
 /* a N + b E' = wanted in the plane of both; *misfit: the sine of what is out of it. */
-static batten_status solve(int d, const double *n, const double *e, const double *wanted,
-                           double *a, double *b, double *misfit)
+static batten_status solve_at_end(int d, const double *n, const double *e, const double *wanted,
+                                  double *a, double *b, double *misfit)
 {
     const double nn = bat_dot(d, n, n), ne = bat_dot(d, n, e), ee = bat_dot(d, e, e);
     const double area2 = nn * ee - ne * ne, length = bat_norm(d, wanted);
@@ -134,8 +134,8 @@ static batten_status find_factors(const batten_curve *n, const batten_curve *e,
         if (status == BATTEN_OK)
             status = batten_curve_evaluate(e, end, 1, both);
         if (status == BATTEN_OK)
-            status = solve(d, slope, along, ends + end * d, &factors[0][end], &factors[1][end],
-                           &misfit[end]);
+            status = solve_at_end(d, slope, along, ends + end * d, &factors[0][end],
+                                  &factors[1][end], &misfit[end]);
         /* What is rounding shall not raise a degree. */
         if (status == BATTEN_OK && fabs(factors[1][end]) * bat_norm(d, along) <=
                                        64 * DBL_EPSILON * bat_norm(d, ends + end * d))
@@ -187,15 +187,15 @@ static batten_status add_curves(const batten_curve *first, const batten_curve *s
     return status;
 }
 
-static batten_status thin(const batten_curve *curve, batten_curve **out)
+static batten_status remove_free_knots(const batten_curve *curve, batten_curve **out)
 {
     const double size = bat_largest(curve->count * curve->dimension, curve->points);
     return batten_curve_remove_knots(curve, 32 * DBL_EPSILON * size, NULL, NULL, out);
 }
 
 /* The slope from both ends' factors. */
-static batten_status combine(double factors[2][2], const batten_curve *edge,
-                             const batten_curve *n, batten_curve **out)
+static batten_status combine_slopes(double factors[2][2], const batten_curve *edge,
+                                    const batten_curve *n, batten_curve **out)
 {
     batten_curve *along = NULL, *across = NULL, *shear = NULL, *sum = NULL;
     batten_status status = times_linear(factors[0], n, &across);
@@ -209,7 +209,7 @@ static batten_status combine(double factors[2][2], const batten_curve *edge,
         sum = batten_curve_ref(across);
     }
     if (status == BATTEN_OK)
-        status = thin(sum, out);
+        status = remove_free_knots(sum, out);
     batten_curve_unref(sum);
     batten_curve_unref(shear);
     batten_curve_unref(across);
@@ -225,7 +225,8 @@ static batten_status fit_ribbon(int order, batten_curve *const *part, const doub
     batten_status status = find_factors(part[1], part[0], ends, factors, misfit);
     *factor = bat_max(fabs(factors[0][0]), fabs(factors[0][1]));
     if (status != BATTEN_OK || order < 2)
-        return status == BATTEN_OK ? combine(factors, part[0], part[1], &ribbon[1]) : status;
+        return status == BATTEN_OK ? combine_slopes(factors, part[0], part[1], &ribbon[1])
+                                   : status;
     /* One factor for all of the edge: only so curvatures stay what they are. */
     const double a = factors[0][0] / 2 + factors[0][1] / 2, whole[2] = {a, a},
                  square[2] = {a * a, a * a};
@@ -259,8 +260,8 @@ static batten_status ribbon_of(const batten_surface *surface, batten_edge edge, 
     return status;
 }
 
-static batten_status check(const batten_surface *surface, const batten_curve *curve, int order,
-                           const double *ends, double tolerance)
+static batten_status check_edge(const batten_surface *surface, const batten_curve *curve,
+                                int order, const double *ends, double tolerance)
 {
     if (!(tolerance > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);
@@ -280,7 +281,7 @@ batten_status batten_ribbon_along(const batten_surface *surface, const batten_cu
     batten_curve *made[3] = {NULL, NULL, NULL};
     batten_edge edge = BATTEN_EDGE_V0;
     double at[2] = {0, 0}, far = 0, off[2] = {0, 0};
-    batten_status status = check(surface, curve, order, ends, tolerance);
+    batten_status status = check_edge(surface, curve, order, ends, tolerance);
     if (status == BATTEN_OK)
         status = bat_edge_beside(surface, curve, tolerance, &edge, at);
     if (status == BATTEN_OK)

@@ -1,5 +1,6 @@
 /* The surface of kind "coons": the formula evaluated as it stands. */
 #include "shape/boundary/coons_formula.h"
+#include "base/sort.h"
 
 #include "numeric/jet.h"
 #include "numeric/vector.h"
@@ -49,8 +50,8 @@ typedef struct {
     double line[MOST_LINES][ORDERS * 3];
 } section;
 
-static batten_status look(const bat_coons *coons, int k, double t, batten_side side, int order,
-                          section *out)
+static batten_status evaluate_section(const bat_coons *coons, int k, double t, batten_side side,
+                                      int order, section *out)
 {
     batten_status status = BATTEN_OK;
     memset(out, 0, sizeof *out);
@@ -64,8 +65,8 @@ static batten_status look(const bat_coons *coons, int k, double t, batten_side s
 }
 
 /* The derivative k times in u, l times in v. */
-static void combine(const bat_coons *coons, const section *u, const section *v, int k, int l,
-                    double *out)
+static void combine_terms(const bat_coons *coons, const section *u, const section *v, int k,
+                          int l, double *out)
 {
     const int d = coons->dimension;
     for (int x = 0; x < d; x++)
@@ -115,15 +116,15 @@ static batten_status evaluate(const void *data, double u, double v, batten_side 
     const bat_coons *coons = data;
     const int needed = coons->gregory ? 3 : order;
     section along_u, along_v;
-    batten_status status = look(coons, 0, u, side_u, needed, &along_u);
+    batten_status status = evaluate_section(coons, 0, u, side_u, needed, &along_u);
     if (status == BATTEN_OK)
-        status = look(coons, 1, v, side_v, needed, &along_v);
+        status = evaluate_section(coons, 1, v, side_v, needed, &along_v);
     if (status != BATTEN_OK)
         return status;
     for (int n = 0; n <= order; n++)
         for (int l = 0; l <= n; l++)
-            combine(coons, &along_u, &along_v, n - l, l,
-                    out + BATTEN_SURFACE_DERIVATIVE(n - l, l) * coons->dimension);
+            combine_terms(coons, &along_u, &along_v, n - l, l,
+                          out + BATTEN_SURFACE_DERIVATIVE(n - l, l) * coons->dimension);
     if (coons->gregory)
         turn_twists(coons, u, v, &along_u, &along_v, order, out);
     if (bat_first_not_finite(out,
@@ -145,15 +146,15 @@ static batten_status to_nurbs(const void *data, double tolerance, batten_surface
     return status;
 }
 
-static void release(void *data)
+static void free_coons(void *data)
 {
     bat_coons_clear(data);
     bat_release(data);
 }
 
 /* What has an equal NURBS surface, and what has not. */
-static const bat_formula exact_formula = {"coons", evaluate, to_nurbs, release};
-static const bat_formula near_formula = {"coons", evaluate, NULL, release};
+static const bat_formula exact_formula = {"coons", evaluate, to_nurbs, free_coons};
+static const bat_formula near_formula = {"coons", evaluate, NULL, free_coons};
 
 /* How often a curve may be derived across its inner knots. */
 static int smoothness(const batten_curve *curve)
@@ -175,12 +176,6 @@ typedef struct {
     double *spans;
 } breaks;
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* All spans of what runs along direction k; those that rounding alone tells apart are one. */
 static batten_status find_breaks(const bat_coons *coons, int k, breaks *out)
 {
@@ -201,7 +196,7 @@ static batten_status find_breaks(const bat_coons *coons, int k, breaks *out)
         all += batten_curve_spans(curves[i], out->spans + all);
         out->smoothness = bat_min_int(out->smoothness, smoothness(curves[i]));
     }
-    qsort(out->spans, (size_t)all, sizeof *out->spans, by_value);
+    bat_sort_doubles((size_t)all, out->spans);
     for (int i = 0; i < all; i++)
         if (out->count == 0 || out->spans[i] - out->spans[out->count - 1] > 16 * DBL_EPSILON)
             out->spans[out->count++] = out->spans[i];

@@ -129,7 +129,7 @@ static batten_status curvature_twists(grid *g)
 
 /* ---- all ---- */
 
-static batten_status check(int dimension, int count_u, int count_v, const double *points)
+static batten_status check_grid(int dimension, int count_u, int count_v, const double *points)
 {
     if (dimension < 1 || dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
@@ -145,7 +145,7 @@ static batten_status check(int dimension, int count_u, int count_v, const double
     return BATTEN_OK;
 }
 
-static batten_status build(grid *g, batten_surface **out)
+static batten_status build_patches(grid *g, batten_surface **out)
 {
     batten_surface_coons_network_options options = *g->options;
     batten_status status = BATTEN_OK;
@@ -185,9 +185,9 @@ batten_status batten_surface_coons_grid(int dimension, int count_u, int count_v,
               .dimension = dimension,
               .count = {count_u, count_v},
               .points = points};
-    status = check(dimension, count_u, count_v, points);
+    status = check_grid(dimension, count_u, count_v, points);
     if (status == BATTEN_OK)
-        status = build(&g, out);
+        status = build_patches(&g, out);
     if (status == BATTEN_OK && u)
         memcpy(u, g.at[0], (size_t)count_u * sizeof *u);
     if (status == BATTEN_OK && v)

@@ -89,8 +89,8 @@ static void pieces_of(int count, const double *t, int i, const batten_curve *lef
 
 /* Only the knots that its smoothness asks for: `smooth` derivatives go on at lines of the net.
  */
-static batten_status thin(const piecewise *p, int smooth, batten_curve *full,
-                          batten_curve **out)
+static batten_status remove_free_knots(const piecewise *p, int smooth, batten_curve *full,
+                                       batten_curve **out)
 {
     batten_status status = BATTEN_OK;
     const double largest = bat_largest(p->count, p->values);
@@ -126,7 +126,7 @@ static batten_status line_blend(const network *net, int k, int i, int order,
     batten_status status =
         batten_curve_create(1, p.degree, p.count, p.values, NULL, p.knots, &full);
     if (status == BATTEN_OK)
-        status = thin(&p, smooth, full, out);
+        status = remove_free_knots(&p, smooth, full, out);
     batten_curve_unref(full);
     return status;
 }
@@ -148,7 +148,8 @@ static batten_status make_blends(const network *net, bat_coons *coons)
 /* ---- crossings ---- */
 
 /* Point and slope of a curve of the net at a line; across a corner the mean of both slopes. */
-static batten_status look_at(const batten_curve *curve, double t, double *point, double *slope)
+static batten_status evaluate_line(const batten_curve *curve, double t, double *point,
+                                   double *slope)
 {
     const int d = curve->dimension;
     double left[6], right[6];
@@ -162,15 +163,15 @@ static batten_status look_at(const batten_curve *curve, double t, double *point,
     return status;
 }
 
-static batten_status cross(network *net, int i, int j)
+static batten_status settle_crossing(network *net, int i, int j)
 {
     const int d = net->dimension;
     const size_t at = ((size_t)i * (size_t)net->count[1] + (size_t)j) * (size_t)d;
     double by_u[3], by_v[3];
     batten_status status =
-        look_at(net->curves[0][j], net->at[0][i], by_u, net->tangents[0] + at);
+        evaluate_line(net->curves[0][j], net->at[0][i], by_u, net->tangents[0] + at);
     if (status == BATTEN_OK)
-        status = look_at(net->curves[1][i], net->at[1][j], by_v, net->tangents[1] + at);
+        status = evaluate_line(net->curves[1][i], net->at[1][j], by_v, net->tangents[1] + at);
     if (status != BATTEN_OK)
         return status;
     const double gap = bat_distance(d, by_u, by_v);
@@ -197,7 +198,7 @@ static batten_status find_crossings(network *net)
                                : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < net->count[0]; i++)
         for (int j = 0; status == BATTEN_OK && j < net->count[1]; j++)
-            status = cross(net, i, j);
+            status = settle_crossing(net, i, j);
     if (status != BATTEN_OK || net->order < 2)
         return status;
     if (net->options->given) {
@@ -213,7 +214,7 @@ static batten_status find_crossings(network *net)
 
 /* ---- the surface ---- */
 
-static void fill(const network *net, bat_coons *coons)
+static void fill_formula(const network *net, bat_coons *coons)
 {
     const int n = net->count[0], m = net->count[1], d = net->dimension;
     for (int i = 0; i < n; i++)
@@ -233,7 +234,7 @@ static void fill(const network *net, bat_coons *coons)
             }
 }
 
-static batten_status build(network *net, batten_surface **out)
+static batten_status build_network(network *net, batten_surface **out)
 {
     bat_coons coons = {0};
     batten_surface *unit = NULL, *along = NULL;
@@ -245,7 +246,7 @@ static batten_status build(network *net, batten_surface **out)
     if (status == BATTEN_OK)
         status = make_blends(net, &coons);
     if (status == BATTEN_OK) {
-        fill(net, &coons);
+        fill_formula(net, &coons);
         status = bat_coons_to_spline(&coons, 0, &moved, &unit);
     }
     const double *u = net->at[0], *v = net->at[1];
@@ -287,7 +288,7 @@ static batten_status check_axis(const network *net, int k)
     return BATTEN_OK;
 }
 
-static batten_status check(const network *net)
+static batten_status check_network(const network *net)
 {
     const batten_surface_coons_network_options *o = net->options;
     if (!(o->tolerance >= 0))
@@ -325,9 +326,9 @@ batten_status batten_surface_coons_network(int count_u, const double *u, int cou
                    .curves = {along_u, along_v}};
     net.order = net.options->blending == BATTEN_BLENDING_LINEAR ? 1 : 2;
     net.dimension = count_v > 0 ? along_u[0]->dimension : 1;
-    status = check(&net);
+    status = check_network(&net);
     if (status == BATTEN_OK)
-        status = build(&net, out);
+        status = build_network(&net, out);
     if (status == BATTEN_OK && gap)
         *gap = net.gap;
     bat_release(net.points);

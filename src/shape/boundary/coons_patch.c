@@ -178,7 +178,7 @@ static batten_status refuse(const patch *p, const char *what, int i, int j, doub
                     what, gap, p->allowed);
 }
 
-static void choose(int d, const double *a, const double *b, double share, double *out)
+static void choose_twists(int d, const double *a, const double *b, double share, double *out)
 {
     for (int x = 0; x < d; x++)
         out[x] = a[x] + share * (b[x] - a[x]);
@@ -197,7 +197,7 @@ static batten_status choose_twist(patch *p, int i, int j, double gap)
     const double share = policy == BATTEN_TWIST_KEEP_U   ? 1
                          : policy == BATTEN_TWIST_KEEP_V ? 0
                                                          : 0.5;
-    choose(p->dimension, a, b, share, p->corner[i][j]);
+    choose_twists(p->dimension, a, b, share, p->corner[i][j]);
     if (differ && policy == BATTEN_TWIST_GREGORY) {
         p->coons.gregory = true;
         for (int x = 0; x < p->dimension; x++)
@@ -230,7 +230,7 @@ static batten_status refuse_slope(const patch *p, int i, int j, double gap, doub
 }
 
 /* Both sides know something of the corner. */
-static batten_status settle(patch *p, int i, int j)
+static batten_status settle_corner(patch *p, int i, int j)
 {
     const double *a = p->seen[0][i][j], *b = p->seen[1][i][j];
     const double gap = bat_distance(p->dimension, a, b);
@@ -238,7 +238,7 @@ static batten_status settle(patch *p, int i, int j)
     batten_surface_coons_report *r = &p->report;
     if (i < 2 && j < 2) {
         widen(gap, &r->corner_gap, &r->corner, i, j);
-        choose(p->dimension, a, b, 0.5, p->corner[i][j]);
+        choose_twists(p->dimension, a, b, 0.5, p->corner[i][j]);
         return differ ? refuse(p, "the boundary curves", i, j, gap) : BATTEN_OK;
     }
     if (i < 2 || j < 2) {
@@ -249,7 +249,7 @@ static batten_status settle(patch *p, int i, int j)
             r->slope_angle = angle;
         widen(gap, slope ? &r->slope_gap : &r->higher_gap, slope ? &r->slope_corner : NULL, i,
               j);
-        choose(p->dimension, a, b, i < 2 ? 1 : 0, p->corner[i][j]);
+        choose_twists(p->dimension, a, b, i < 2 ? 1 : 0, p->corner[i][j]);
         if (!differ || p->options->repair)
             return BATTEN_OK;
         return slope ? refuse_slope(p, i, j, gap, angle)
@@ -260,7 +260,7 @@ static batten_status settle(patch *p, int i, int j)
         return choose_twist(p, i, j, gap);
     }
     widen(gap, &r->higher_gap, NULL, i, j);
-    choose(p->dimension, a, b, 0.5, p->corner[i][j]);
+    choose_twists(p->dimension, a, b, 0.5, p->corner[i][j]);
     return BATTEN_OK;
 }
 
@@ -284,7 +284,7 @@ static batten_status settle_corners(patch *p)
         for (int j = 0; status == BATTEN_OK && j < n; j++) {
             const bool by_u = p->coons.line[0][i], by_v = p->coons.line[1][j];
             if (by_u && by_v)
-                status = settle(p, i, j);
+                status = settle_corner(p, i, j);
             else if (by_u || by_v)
                 memcpy(p->corner[i][j], p->seen[by_u ? 0 : 1][i][j],
                        (size_t)d * sizeof(double));
@@ -333,7 +333,7 @@ static batten_status measure_line(patch *p, int k, int line)
     return BATTEN_OK;
 }
 
-static batten_status measure(patch *p)
+static batten_status measure_sides(patch *p)
 {
     batten_status status = BATTEN_OK;
     for (int k = 0; k < 2; k++)
@@ -345,7 +345,8 @@ static batten_status measure(patch *p)
 
 /* ---- all ---- */
 
-static batten_status check(const batten_ribbon *sides, const batten_surface_coons_options *o)
+static batten_status check_options(const batten_ribbon *sides,
+                                   const batten_surface_coons_options *o)
 {
     if (o->order < 1 || o->order > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the order of a patch is %d, not 1 to 3",
@@ -361,7 +362,7 @@ static batten_status check(const batten_ribbon *sides, const batten_surface_coon
     return BATTEN_OK;
 }
 
-static batten_status build(patch *p, batten_surface **out)
+static batten_status build_patch(patch *p, batten_surface **out)
 {
     batten_status status = bat_coons_begin(p->dimension, 2 * p->order, 2 * p->order, &p->coons);
     if (status == BATTEN_OK)
@@ -375,7 +376,7 @@ static batten_status build(patch *p, batten_surface **out)
     if (status == BATTEN_OK)
         status = settle_corners(p);
     if (status == BATTEN_OK)
-        status = measure(p);
+        status = measure_sides(p);
     if (status != BATTEN_OK)
         return status;
     fill_corners(p);
@@ -392,7 +393,7 @@ batten_status batten_surface_coons(const batten_ribbon sides[4],
     if (status != BATTEN_OK)
         return status;
     const batten_surface_coons_options *o = &chosen;
-    status = check(sides, o);
+    status = check_options(sides, o);
     if (status != BATTEN_OK)
         return status;
     patch *p = bat_array(1, sizeof *p);
@@ -403,7 +404,7 @@ batten_status batten_surface_coons(const batten_ribbon sides[4],
     p->dimension = sides[0].curve->dimension;
     p->order = o->order;
     batten_surface *made = NULL;
-    status = build(p, &made);
+    status = build_patch(p, &made);
     if (status == BATTEN_OK && o->order > 1)
         status = bat_coons_angles(sides, made, p->report.angle);
     if (report)

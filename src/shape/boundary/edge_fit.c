@@ -31,7 +31,8 @@ bat_edge_place bat_edge_of(const batten_surface *surface, batten_edge edge)
 }
 
 /* The derivative across and, row by row, its derivatives along the edge: out [rows][d]. */
-static batten_status truth(const fit *f, double t, batten_side side, int rows, double *out)
+static batten_status true_derivatives(const fit *f, double t, batten_side side, int rows,
+                                      double *out)
 {
     const bool along_u = f->place.along == BATTEN_U;
     double all[BATTEN_SURFACE_DERIVATIVES(4) * 3];
@@ -53,9 +54,9 @@ static batten_status make_piece(const fit *f, double a, double b, double *points
 {
     const int d = f->dimension, degree = 2 * f->values - 1;
     double ends[2][3 * 3];
-    batten_status status = truth(f, a, BATTEN_FROM_RIGHT, f->values, ends[0]);
+    batten_status status = true_derivatives(f, a, BATTEN_FROM_RIGHT, f->values, ends[0]);
     if (status == BATTEN_OK)
-        status = truth(f, b, BATTEN_FROM_LEFT, f->values, ends[1]);
+        status = true_derivatives(f, b, BATTEN_FROM_LEFT, f->values, ends[1]);
     if (status != BATTEN_OK)
         return status;
     double values[2 * 3 * 3];
@@ -68,14 +69,14 @@ static batten_status make_piece(const fit *f, double a, double b, double *points
         double basis[MOST_POINTS], point[3], wanted[3];
         bat_bernstein(degree, t, 1 - t, basis);
         bat_combine(degree, basis, (size_t)d, points, point);
-        status = truth(f, a + t * (b - a), BATTEN_FROM_RIGHT, 1, wanted);
+        status = true_derivatives(f, a + t * (b - a), BATTEN_FROM_RIGHT, 1, wanted);
         *error = bat_max(*error, bat_distance(d, point, wanted));
     }
     return status;
 }
 
 /* One turn: all pieces made, those that are too far halved. */
-static batten_status turn(fit *f, bool *halved)
+static batten_status fit_pieces(fit *f, bool *halved)
 {
     const int degree = 2 * f->values - 1;
     double *breaks = bat_array((size_t)f->count * 2 + 1, sizeof *breaks);
@@ -122,7 +123,7 @@ static batten_status halve_until_near(fit *f)
                             "the derivative across the edge is met within %g, not %g, by %d "
                             "pieces",
                             f->error, f->tolerance, f->count);
-        status = turn(f, &halved);
+        status = fit_pieces(f, &halved);
     }
     return status;
 }

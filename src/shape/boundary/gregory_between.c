@@ -40,7 +40,7 @@ static batten_status look_at_end(batten_vec3 along, const double *across, const 
     return BATTEN_OK;
 }
 
-static void put(batten_vec3 a, double *out)
+static void put_point(batten_vec3 a, double *out)
 {
     out[0] = a.x;
     out[1] = a.y;
@@ -59,10 +59,10 @@ static void fill_field(const field_end *start, const field_end *end, batten_vec3
     b = bat_vec3_along(b, 2 * end->k / 3, g1);
     b = bat_vec3_along(b, start->h / 3, end->along);
     b = bat_vec3_along(b, 2 * end->h / 3, c1);
-    put(start->across, field);
-    put(a, field + 3);
-    put(b, field + 6);
-    put(end->across, field + 9);
+    put_point(start->across, field);
+    put_point(a, field + 3);
+    put_point(b, field + 6);
+    put_point(end->across, field + 9);
 }
 
 batten_status batten_gregory_field(const double *edge, const double *across,

@@ -115,9 +115,9 @@ static batten_status simple(const rows *r, int k, double c, double e, batten_cur
 }
 
 /* out = factor u x + other v y; all products are in Bezier form on the same breaks. */
-static batten_status cross(const batten_curve *u, const batten_curve *x, double factor,
-                           const batten_curve *v, const batten_curve *y, double other,
-                           batten_curve **out)
+static batten_status cross_product(const batten_curve *u, const batten_curve *x, double factor,
+                                   const batten_curve *v, const batten_curve *y, double other,
+                                   batten_curve **out)
 {
     batten_curve *left = NULL, *right = NULL, *sum = NULL;
     batten_status status = bat_curve_product(u, x, &left);
@@ -161,7 +161,7 @@ static batten_status divide(const batten_curve *a, const batten_curve *w, batten
 static batten_status rational_slope(const rows *r, batten_curve **n1, batten_curve **out)
 {
     batten_curve *w2 = NULL;
-    batten_status status = cross(r->w[0], r->a[1], 1, r->w[1], r->a[0], -1, n1);
+    batten_status status = cross_product(r->w[0], r->a[1], 1, r->w[1], r->a[0], -1, n1);
     if (status == BATTEN_OK)
         status = bat_curve_product(r->w[0], r->w[0], &w2);
     if (status == BATTEN_OK && out)
@@ -174,9 +174,9 @@ static batten_status rational_curvature(const rows *r, const batten_curve *n1,
                                         batten_curve **out)
 {
     batten_curve *n2 = NULL, *top = NULL, *w2 = NULL, *w3 = NULL;
-    batten_status status = cross(r->w[0], r->a[2], 1, r->w[2], r->a[0], -1, &n2);
+    batten_status status = cross_product(r->w[0], r->a[2], 1, r->w[2], r->a[0], -1, &n2);
     if (status == BATTEN_OK)
-        status = cross(r->w[0], n2, 1, r->w[1], n1, -2, &top);
+        status = cross_product(r->w[0], n2, 1, r->w[1], n1, -2, &top);
     if (status == BATTEN_OK)
         status = bat_curve_product(r->w[0], r->w[0], &w2);
     if (status == BATTEN_OK)

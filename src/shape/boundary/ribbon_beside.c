@@ -5,7 +5,7 @@
 #include <batten/fill.h>
 
 /* A parameter, or the break that it is but for rounding: no sliver of a span is left. */
-static batten_status settle(const batten_curve *curve, double *at)
+static batten_status settle_on_break(const batten_curve *curve, double *at)
 {
     const batten_interval domain = batten_curve_domain(curve);
     double *breaks = bat_array((size_t)batten_curve_point_count(curve) + 1, sizeof *breaks);
@@ -29,9 +29,9 @@ static batten_status take_ribbon(const batten_surface *surface, batten_edge edge
     batten_curve *whole[3] = {NULL}, *cut[3] = {NULL};
     batten_status status = batten_edge_ribbon(surface, edge, order, tolerance, whole, NULL);
     if (status == BATTEN_OK)
-        status = settle(whole[0], &part.a);
+        status = settle_on_break(whole[0], &part.a);
     if (status == BATTEN_OK)
-        status = settle(whole[0], &part.b);
+        status = settle_on_break(whole[0], &part.b);
     for (int k = 0; status == BATTEN_OK && k <= order; k++)
         status = batten_curve_subrange(whole[k], part.a, part.b, &cut[k]);
     for (int k = 0; k <= order; k++) {

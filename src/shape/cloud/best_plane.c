@@ -26,7 +26,7 @@ static void find_mean(size_t count, const double *points, double mean[3], double
 }
 
 /* The axes of a plane turned by an angle. */
-static void turn(double from[2][3], double angle, double to[2][3])
+static void turn_axes(double from[2][3], double angle, double to[2][3])
 {
     for (int c = 0; c < 3; c++) {
         to[0][c] = from[0][c] * cos(angle) + from[1][c] * sin(angle);
@@ -64,7 +64,7 @@ static void turn_to_smallest(size_t count, const double *points, const double me
     least = 0.9 * widths[0] * widths[1];
     memcpy(found, axes, sizeof found);
     for (int degrees = 1; degrees < 90; degrees++) {
-        turn(axes, degrees * BAT_PI / 180, turned);
+        turn_axes(axes, degrees * BAT_PI / 180, turned);
         widths_along(count, points, mean, size, turned, widths);
         if (widths[0] * widths[1] >= least)
             continue;

@@ -87,7 +87,7 @@ static double angle_across(const swapper *s, int t, int e, const double normal[3
 }
 
 /* How much less the planes bend with the other diagonal. */
-static double gain(const swapper *s, const pair *p)
+static double gain_of_swap(const swapper *s, const pair *p)
 {
     const int now[2][3] = {{p->c, p->a, p->b}, {p->d, p->b, p->a}};
     const int then[2][3] = {{p->c, p->a, p->d}, {p->d, p->b, p->c}};
@@ -109,7 +109,7 @@ static double gain(const swapper *s, const pair *p)
     return before - after;
 }
 
-static void await(swapper *s, int side)
+static void queue_side(swapper *s, int side)
 {
     const int other = s->triangles->beside[side];
     if (other < 0 || s->waiting[side])
@@ -130,7 +130,7 @@ static void set_beside(swapper *s, int t, int was, int now)
 }
 
 /* t becomes (c, a, d), the other (d, b, c). */
-static void swap(swapper *s, const pair *p)
+static void swap_edge(swapper *s, const pair *p)
 {
     int *corners = s->triangles->corners, *beside = s->triangles->beside;
     const int across_ca = beside[3 * p->t + (p->e + 2) % 3];
@@ -149,7 +149,7 @@ static void swap(swapper *s, const pair *p)
     const int around[6] = {p->t, p->other, across_ca, across_bc, across_db, across_ad};
     for (int k = 0; k < 18; k++)
         if (around[k / 3] >= 0)
-            await(s, 3 * around[k / 3] + k % 3);
+            queue_side(s, 3 * around[k / 3] + k % 3);
 }
 
 static batten_status swap_all(swapper *s, int *swaps)
@@ -157,7 +157,7 @@ static batten_status swap_all(swapper *s, int *swaps)
     const long long most = (long long)SWAPS_FOR_EDGE * s->size;
     for (int side = 0; side < s->size; side++)
         if (s->triangles->beside[side] > side / 3)
-            await(s, side);
+            queue_side(s, side);
     *swaps = 0;
     while (s->count) {
         pair p;
@@ -167,12 +167,12 @@ static batten_status swap_all(swapper *s, int *swaps)
         s->waiting[side] = false;
         /* A gain in radians; less is the rounding of an angle, and might be swapped back forever. */
         if (!take_pair(s, side, &p) || !is_stout(s, p.c, p.a, p.d) ||
-            !is_stout(s, p.d, p.b, p.c) || !(gain(s, &p) > 1e-12))
+            !is_stout(s, p.d, p.b, p.c) || !(gain_of_swap(s, &p) > 1e-12))
             continue;
         if (++*swaps > most)
             return bat_fail(BATTEN_INCOMPLETE, "%d edges were swapped and more would be",
                             *swaps);
-        swap(s, &p);
+        swap_edge(s, &p);
     }
     return BATTEN_OK;
 }

@@ -25,7 +25,7 @@ static size_t bin_of(const bat_scatter *s, const bins *b, size_t t)
     return (size_t)at[0] * (size_t)b->counts[1] + (size_t)at[1];
 }
 
-static batten_status sort(const bat_scatter *s, bins *b)
+static batten_status sort_into_bins(const bat_scatter *s, bins *b)
 {
     for (int k = 0; k < 2; k++) {
         const double wanted = sqrt((double)s->count / EACH * s->side[k] / s->side[1 - k]);
@@ -49,7 +49,7 @@ static batten_status sort(const bat_scatter *s, bins *b)
 /* How far in space the datum is that is nearest in parameters, among those of a bin and of the
  * bins around it; 0 when there is none. A bin with very many is looked at in part: the cost
  * stays linear. */
-static double apart(const bat_scatter *s, const bins *b, size_t t)
+static double apart_from_neighbours(const bat_scatter *s, const bins *b, size_t t)
 {
     enum { MOST_IN_BIN = 32 };
     const size_t here = bin_of(s, b, t);
@@ -95,11 +95,11 @@ batten_status bat_scatter_layers(bat_scatter *s)
 {
     bins b = {{0, 0}, NULL, NULL};
     double *far = bat_array(s->count, sizeof *far);
-    batten_status status = far ? sort(s, &b) : BATTEN_OUT_OF_MEMORY;
+    batten_status status = far ? sort_into_bins(s, &b) : BATTEN_OUT_OF_MEMORY;
     const double limit = far_apart(s);
     size_t count = 0;
     for (size_t t = 0; status == BATTEN_OK && t < s->count; t++) {
-        const double distance = apart(s, &b, t);
+        const double distance = apart_from_neighbours(s, &b, t);
         if (distance > limit)
             far[count++] = distance;
     }

@@ -101,7 +101,7 @@ static void halve_lines(int n, size_t width, const double *from, double *to)
         }
 }
 
-static batten_status halve(const bat_scatter *s, lattice *l)
+static batten_status halve_lattice(const bat_scatter *s, lattice *l)
 {
     const size_t d = (size_t)s->dimension;
     const int nu = l->spans[0], nv = l->spans[1], wide = 2 * nu + 3;
@@ -130,7 +130,7 @@ static batten_status halve(const bat_scatter *s, lattice *l)
     return good ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void measure(bat_scatter *s, const lattice *l)
+static void measure_rest(bat_scatter *s, const lattice *l)
 {
     const size_t d = (size_t)s->dimension;
     for (size_t t = 0; t < s->count; t++) {
@@ -152,7 +152,7 @@ static double worst_of(const bat_scatter *s, size_t *worst)
     return most;
 }
 
-static batten_status level(bat_scatter *s, lattice *l)
+static batten_status fit_level(bat_scatter *s, lattice *l)
 {
     const size_t size = lattice_size(l) * (size_t)s->dimension;
     double *add = bat_array(size, sizeof *add);
@@ -161,7 +161,7 @@ static batten_status level(bat_scatter *s, lattice *l)
         take_off(s, l, add);
         for (size_t i = 0; i < size; i++)
             l->sum[i] += add[i];
-        measure(s, l);
+        measure_rest(s, l);
         status = bat_work_step(&s->work, s->count, 0.5, "scattered data");
     }
     bat_release(add);
@@ -199,16 +199,16 @@ static batten_levels_end reason_to_end(const bat_scatter *s, const lattice *l, d
     return s->report.rounds > 2 && gain < 0.1 ? BATTEN_LEVELS_NO_GAIN : BATTEN_LEVELS_NONE;
 }
 
-static batten_status climb(bat_scatter *s, lattice *l)
+static batten_status climb_levels(bat_scatter *s, lattice *l)
 {
     const double tolerance = s->options->tolerance;
     size_t worst = 0;
     double most = HUGE_VAL, before = HUGE_VAL;
     s->report.end = BATTEN_LEVELS_NONE;
     for (int i = 0; s->report.end == BATTEN_LEVELS_NONE; i++) {
-        batten_status status = i > 0 ? halve(s, l) : BATTEN_OK;
+        batten_status status = i > 0 ? halve_lattice(s, l) : BATTEN_OK;
         if (status == BATTEN_OK)
-            status = level(s, l);
+            status = fit_level(s, l);
         if (status != BATTEN_OK)
             return status;
         most = worst_of(s, &worst);
@@ -225,7 +225,7 @@ static batten_status climb(bat_scatter *s, lattice *l)
 }
 
 /* Clamped knots; the sum is refined to them direction by direction. */
-static batten_status clamp(bat_scatter *s, const lattice *l)
+static batten_status clamp_ends(bat_scatter *s, const lattice *l)
 {
     double *knots[2] = {NULL, NULL};
     batten_surface *open = NULL, *half = NULL, *clamped = NULL;
@@ -276,9 +276,9 @@ batten_status bat_scatter_levels(bat_scatter *s)
     for (size_t i = 0; status == BATTEN_OK && i < s->count * d; i++)
         l.rest[i] = s->values[i] - s->centre[i % d];
     if (status == BATTEN_OK)
-        status = climb(s, &l);
+        status = climb_levels(s, &l);
     if (status == BATTEN_OK)
-        status = clamp(s, &l);
+        status = clamp_ends(s, &l);
     bat_release(l.rest);
     bat_release(l.sum);
     return status;

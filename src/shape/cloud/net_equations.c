@@ -281,7 +281,7 @@ static batten_status solve_band(const bat_scatter *s, double lambda)
 /* ---- solving by conjugate gradients ---- */
 
 /* out = (data + lambda energy) x. */
-static void multiply(const bat_scatter *s, double lambda, const double *x, double *out)
+static void multiply_matrix(const bat_scatter *s, double lambda, const double *x, double *out)
 {
     const bat_net_system *y = &s->system;
     const int q = s->axis[1].degree, nu = s->axis[0].count, nv = s->axis[1].count;
@@ -314,12 +314,12 @@ static double scaled_square(size_t n, const double *rest, const double *diagonal
     return sum;
 }
 
-static batten_status descend(bat_scatter *s, double lambda, const gradients *g, const double *b,
-                             double *x)
+static batten_status descend_conjugate(bat_scatter *s, double lambda, const gradients *g,
+                                       const double *b, double *x)
 {
     bat_net_system *y = &s->system;
     const size_t n = y->unknowns;
-    multiply(s, lambda, x, g->image);
+    multiply_matrix(s, lambda, x, g->image);
     for (size_t i = 0; i < n; i++)
         g->rest[i] = b[i] - g->image[i];
     /* Nine digits of the right side, squared. */
@@ -334,7 +334,7 @@ static batten_status descend(bat_scatter *s, double lambda, const gradients *g, 
         for (size_t i = 0; i < n; i++)
             g->way[i] =
                 g->rest[i] / g->diagonal[i] + (step > 0 ? square / before * g->way[i] : 0);
-        multiply(s, lambda, g->way, g->image);
+        multiply_matrix(s, lambda, g->way, g->image);
         double along = 0;
         for (size_t i = 0; i < n; i++)
             along += g->way[i] * g->image[i];
@@ -367,7 +367,8 @@ static batten_status solve_gradients(bat_scatter *s, double lambda)
             status = bat_fail(BATTEN_SINGULAR_SYSTEM, "control point %zu has no datum", i);
     }
     for (int k = 0; k < y->rights && status == BATTEN_OK; k++)
-        status = descend(s, lambda, &g, y->right + (size_t)k * n, y->solved + (size_t)k * n);
+        status = descend_conjugate(s, lambda, &g, y->right + (size_t)k * n,
+                                   y->solved + (size_t)k * n);
     bat_release(memory);
     return status;
 }

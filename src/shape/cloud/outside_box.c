@@ -29,8 +29,8 @@ static void sides_of(int d, const double low[3], const double high[3], double si
         sides[c] = bat_max(high[c] - low[c], longest / 10);
 }
 
-static void look(bat_scatter *s, const double *grid, const size_t counts[2],
-                 const double *const places[2])
+static void find_outside(bat_scatter *s, const double *grid, const size_t counts[2],
+                         const double *const places[2])
 {
     const int d = s->dimension;
     batten_surface_fit_report *r = &s->report;
@@ -76,7 +76,7 @@ batten_status bat_scatter_outside(bat_scatter *s)
     s->report.outside = s->report.outside_share = 0;
     memset(s->report.outside_at, 0, sizeof s->report.outside_at);
     if (status == BATTEN_OK)
-        look(s, grid, counts, (const double *const *)places);
+        find_outside(s, grid, counts, (const double *const *)places);
     batten_surface_unref(surface);
     bat_release(grid);
     bat_release(places[1]);

@@ -29,7 +29,7 @@ static batten_status score_at(void *user, double lambda, double *score)
     return status == BATTEN_SINGULAR_SYSTEM ? BATTEN_OK : status;
 }
 
-static batten_status search(bat_scatter *s, double *lambda)
+static batten_status search_lambda(bat_scatter *s, double *lambda)
 {
     const batten_surface_scattered_options *o = s->options;
     const double per_unit = 1 / (s->length * s->length);
@@ -49,16 +49,16 @@ static batten_status search(bat_scatter *s, double *lambda)
 
 /* A target that the held places forbid is met without holding them; one that cannot be met at
  * all is no reason to let them go. */
-static batten_status choose(bat_scatter *s, double *lambda)
+static batten_status choose_lambda(bat_scatter *s, double *lambda)
 {
-    batten_status status = search(s, lambda);
+    batten_status status = search_lambda(s, lambda);
     if (status != BATTEN_OK || s->options->by != BATTEN_SMOOTH_BY_RMS || *lambda > 0 ||
         s->hold == 0)
         return status;
     s->hold = 0;
     status = bat_scatter_assemble(s);
     if (status == BATTEN_OK)
-        status = search(s, lambda);
+        status = search_lambda(s, lambda);
     if (status != BATTEN_OK || *lambda > 0)
         return status;
     s->hold = BAT_SCATTER_HOLD;
@@ -67,7 +67,7 @@ static batten_status choose(bat_scatter *s, double *lambda)
 
 /* Beyond all numbers is the plane; one that is as good as a plane has no such trouble. Without
  * a penalty, or nearly, data that leave something open are helped by a small one. */
-static batten_status solve(bat_scatter *s, double lambda)
+static batten_status solve_penalised(bat_scatter *s, double lambda)
 {
     const double most = s->system.scale * 1e13, least = s->system.scale * 1e-8;
     batten_status status = bat_scatter_solve(s, bat_min(lambda, most));
@@ -95,7 +95,7 @@ static double usual_threshold(const bat_scatter *s, double *scratch)
 }
 
 /* The largest change of a weight. */
-static double weigh(bat_scatter *s, double threshold)
+static double weigh_residuals(bat_scatter *s, double threshold)
 {
     double change = 0;
     for (size_t t = 0; t < s->count; t++) {
@@ -119,12 +119,12 @@ static batten_status reweigh(bat_scatter *s, double lambda)
             threshold = usual_threshold(s, scratch);
         if (!(threshold > 0))
             break; /* half of the data are met exactly */
-        change = weigh(s, threshold);
+        change = weigh_residuals(s, threshold);
         status = bat_scatter_assemble(s);
         if (status == BATTEN_OK && round < 5 && s->system.factor)
-            status = choose(s, &lambda);
+            status = choose_lambda(s, &lambda);
         if (status == BATTEN_OK)
-            status = solve(s, lambda);
+            status = solve_penalised(s, lambda);
         s->report.reweightings = round + 1;
         s->report.threshold = threshold;
     }
@@ -166,7 +166,7 @@ static batten_status check_net(const bat_scatter *s)
 
 /* The weight of the penalty hardly depends on the knots when they are many: it is chosen on a
  * net that is solved directly. */
-static batten_status begin(bat_scatter *s, double *lambda)
+static batten_status begin_penalised(bat_scatter *s, double *lambda)
 {
     const batten_surface_scattered_options *o = s->options;
     int spans[2] = {o->spans_u ? o->spans_u : usual_spans(s, 0),
@@ -187,7 +187,7 @@ static batten_status begin(bat_scatter *s, double *lambda)
     if (status == BATTEN_OK)
         status = bat_scatter_assemble(s);
     if (status == BATTEN_OK)
-        status = choose(s, lambda);
+        status = choose_lambda(s, lambda);
     s->probes = 0;
     return status == BATTEN_OK ? make_net(s, spans) : status;
 }
@@ -197,18 +197,18 @@ batten_status bat_scatter_penalised(bat_scatter *s)
     double lambda = s->control ? s->lambda : 0;
     if (s->keep) {
         const batten_status again = bat_scatter_assemble(s);
-        return again == BATTEN_OK ? solve(s, lambda) : again;
+        return again == BATTEN_OK ? solve_penalised(s, lambda) : again;
     }
     s->hold = s->options->by == BATTEN_SMOOTH_BY_LAMBDA ? 0 : BAT_SCATTER_HOLD;
     /* The net stays when a cloud is fitted again. */
-    batten_status status = s->control ? BATTEN_OK : begin(s, &lambda);
+    batten_status status = s->control ? BATTEN_OK : begin_penalised(s, &lambda);
     const bool direct = s->system.factor || s->options->by == BATTEN_SMOOTH_BY_LAMBDA;
     if (status == BATTEN_OK)
         status = bat_scatter_assemble(s);
     if (status == BATTEN_OK && direct)
-        status = choose(s, &lambda);
+        status = choose_lambda(s, &lambda);
     if (status == BATTEN_OK)
-        status = solve(s, lambda);
+        status = solve_penalised(s, lambda);
     return status == BATTEN_OK && s->options->huber ? reweigh(s, lambda) : status;
 }
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* The average of `degree` knots after knot i: where u is control value i of itself. */
-static double greville(int degree, const double *knots, int i)
+static double greville_abscissa(int degree, const double *knots, int i)
 {
     double sum = 0;
     for (int k = 1; k <= degree; k++)
@@ -22,8 +22,8 @@ static batten_status graph_of(const bat_nurbs *f, batten_surface **out)
     for (int i = 0; i < nu; i++)
         for (int j = 0; j < nv; j++) {
             double *p = points + 3 * ((size_t)i * (size_t)nv + (size_t)j);
-            p[0] = greville(f->axes[0].degree, f->axes[0].knots, i);
-            p[1] = greville(f->axes[1].degree, f->axes[1].knots, j);
+            p[0] = greville_abscissa(f->axes[0].degree, f->axes[0].knots, i);
+            p[1] = greville_abscissa(f->axes[1].degree, f->axes[1].knots, j);
             p[2] = f->points[(size_t)i * (size_t)nv + (size_t)j];
         }
     const batten_axis u = {f->axes[0].degree, nu, f->axes[0].knots, false};

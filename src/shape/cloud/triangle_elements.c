@@ -57,7 +57,7 @@ batten_status batten_triangles_linear(const batten_triangulation *domain, int co
 }
 
 /* Refuse what is no domain, and what is too large: `pieces` for each triangle. */
-static batten_status check(const element_data *data, int pieces, int degree)
+static batten_status check_sizes(const element_data *data, int pieces, int degree)
 {
     const long long total =
         (long long)data->count * pieces * BATTEN_TRIANGLE_POINTS((long long)degree);
@@ -75,8 +75,8 @@ static batten_status check(const element_data *data, int pieces, int degree)
                         "the gradient at vertex");
 }
 
-static batten_status make(const element_data *data, int degree, int pieces, int more_vertices,
-                          batten_triangles **out)
+static batten_status make_elements(const element_data *data, int degree, int pieces,
+                                   int more_vertices, batten_triangles **out)
 {
     const int vertex_count = data->domain->vertex_count;
     const bat_triangles_shape shape = {1, degree, data->count * pieces, false,
@@ -167,12 +167,12 @@ batten_status batten_triangles_clough_tocher(const batten_triangulation *domain,
     assert(domain && values && gradients && out);
     const element_data data = {domain, count, values, gradients};
     batten_triangles *made = NULL;
-    batten_status status = check(&data, 3, 3);
+    batten_status status = check_sizes(&data, 3, 3);
     if (status == BATTEN_OK && middles)
         status = check_finite(middles, (size_t)count, 6, "component",
                               "the gradients at the middles of the edges of triangle");
     if (status == BATTEN_OK)
-        status = make(&data, 3, 3, count, &made);
+        status = make_elements(&data, 3, 3, count, &made);
     if (status != BATTEN_OK)
         return status;
     for (int t = 0; t < count; t++)
@@ -314,7 +314,7 @@ static batten_status split_and_set(const element_data *data, six_split *split,
         find_centre(data, t, split->centres + 2 * (size_t)t);
     batten_status status = cut_edges(data, edges, split);
     if (status == BATTEN_OK)
-        status = make(data, 2, 6, data->count + split->edge_count, &made);
+        status = make_elements(data, 2, 6, data->count + split->edge_count, &made);
     if (status != BATTEN_OK)
         return status;
     fill_new_vertices(data, split, edges, made);
@@ -329,7 +329,7 @@ batten_status batten_triangles_powell_sabin(const batten_triangulation *domain, 
 {
     assert(domain && values && gradients && out);
     const element_data data = {domain, count, values, gradients};
-    batten_status status = check(&data, 6, 2);
+    batten_status status = check_sizes(&data, 6, 2);
     if (status != BATTEN_OK)
         return status;
     const size_t n = (size_t)count;

@@ -23,7 +23,7 @@ typedef struct {
     batten_triangles_scattered_report report;
 } pipeline;
 
-static batten_status say(const pipeline *p, double fraction, const char *what)
+static batten_status report_progress(const pipeline *p, double fraction, const char *what)
 {
     const batten_job *job = p->job;
     if (job && job->progress)
@@ -87,7 +87,7 @@ static batten_status check_slopes(const pipeline *p)
 
 static batten_status find_gradients(pipeline *p)
 {
-    batten_status status = say(p, 0.4, "gradients");
+    batten_status status = report_progress(p, 0.4, "gradients");
     if (status == BATTEN_OK)
         status = check_slopes(p);
     if (status == BATTEN_OK)
@@ -107,7 +107,7 @@ static batten_status make_elements(pipeline *p, batten_triangles **out)
     if (p->options->element != BATTEN_ELEMENT_LINEAR)
         status = find_gradients(p);
     if (status == BATTEN_OK)
-        status = say(p, 0.7, "elements");
+        status = report_progress(p, 0.7, "elements");
     if (status != BATTEN_OK)
         return status;
     switch (p->options->element) {
@@ -122,7 +122,7 @@ static batten_status make_elements(pipeline *p, batten_triangles **out)
 }
 
 /* Compare every value with the corner of a piece that is its vertex. */
-static void measure(pipeline *p, const batten_triangles *made)
+static void measure_misses(pipeline *p, const batten_triangles *made)
 {
     batten_triangulation domain;
     const int degree = batten_triangles_degree(made);
@@ -155,7 +155,7 @@ static batten_status carry_out(pipeline *p, const double *xy, batten_triangles *
     batten_triangulate_options options = batten_triangulate_defaults();
     options.tolerance = p->options->tolerance;
     options.sliver = p->options->sliver;
-    batten_status status = say(p, 0, "triangles");
+    batten_status status = report_progress(p, 0, "triangles");
     if (status == BATTEN_OK)
         status = batten_triangulate(p->count, xy, &options, &p->triangles);
     if (status == BATTEN_OK)
@@ -171,7 +171,7 @@ static batten_status carry_out(pipeline *p, const double *xy, batten_triangles *
     p->report.pieces = batten_triangles_count(*out);
     p->report.merged = p->triangles.merged;
     p->report.slivers = p->triangles.slivers;
-    measure(p, *out);
+    measure_misses(p, *out);
     return BATTEN_OK;
 }
 

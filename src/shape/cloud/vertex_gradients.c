@@ -262,20 +262,20 @@ static void add_along(const network_edge *edge, int vertex, double amount, doubl
     out[2 * (size_t)vertex + 1] += amount / edge->length * edge->y;
 }
 
-static double slope(const network_edge *edge, int vertex, const double *g)
+static double slope_along(const network_edge *edge, int vertex, const double *g)
 {
     return edge->x * g[2 * (size_t)vertex] + edge->y * g[2 * (size_t)vertex + 1];
 }
 
 /* out = A g, or with values b - A g. */
-static void apply(const network *n, const double *values, const double *g, double *out)
+static void apply_network(const network *n, const double *values, const double *g, double *out)
 {
     network_edge edge;
     memset(out, 0, n->size * sizeof *out);
     for (int i = 0; i < 3 * n->triangles->count; i++) {
         if (!take_edge(n->triangles, i, &edge))
             continue;
-        double a = slope(&edge, edge.from, g), b = slope(&edge, edge.to, g);
+        double a = slope_along(&edge, edge.from, g), b = slope_along(&edge, edge.to, g);
         if (values) {
             const double s = (values[edge.to] - values[edge.from]) / edge.length;
             a = s - a;
@@ -319,7 +319,7 @@ static double precondition(const network *n)
     return product;
 }
 
-static double dot(size_t size, const double *a, const double *b)
+static double dot_product(size_t size, const double *a, const double *b)
 {
     double sum = 0;
     for (size_t i = 0; i < size; i++)
@@ -328,13 +328,13 @@ static double dot(size_t size, const double *a, const double *b)
 }
 
 /* Conjugate gradients until the residual is 1e-14 of that of gradients 0. */
-static batten_status solve(network *n, const double *values, double *x, int *steps)
+static batten_status solve_network(network *n, const double *values, double *x, int *steps)
 {
     memset(n->x, 0, n->size * sizeof *n->x);
-    apply(n, values, n->x, n->residual);
+    apply_network(n, values, n->x, n->residual);
     /* A residual of 1e-14 of the first, squared: as far as rounding allows. */
     const double enough = 1e-28 * precondition(n);
-    apply(n, values, x, n->residual);
+    apply_network(n, values, x, n->residual);
     double product = precondition(n);
     if (!isfinite(product) || !isfinite(enough))
         return bat_fail(BATTEN_OVERFLOW, "squares of the slopes along edges are no numbers");
@@ -347,8 +347,8 @@ static batten_status solve(network *n, const double *values, double *x, int *ste
                 "is %g of the first",
                 /* The square root of `enough` stands for 1e-14. */
                 MOST_STEPS, sqrt(product / enough) * 1e-14);
-        apply(n, NULL, n->direction, n->image);
-        const double step = product / dot(n->size, n->direction, n->image);
+        apply_network(n, NULL, n->direction, n->image);
+        const double step = product / dot_product(n->size, n->direction, n->image);
         for (size_t i = 0; i < n->size; i++) {
             x[i] += step * n->direction[i];
             n->residual[i] -= step * n->image[i];
@@ -382,7 +382,7 @@ batten_status batten_triangle_network(const batten_plane_triangles *triangles,
         found = all + 5 * size;
         memcpy(found, gradients, size * sizeof *found);
         fill_blocks(&n);
-        status = solve(&n, values, found, &steps);
+        status = solve_network(&n, values, found, &steps);
     }
     if (status == BATTEN_OK) {
         memcpy(gradients, found, size * sizeof *found);

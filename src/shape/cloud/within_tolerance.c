@@ -181,7 +181,7 @@ static batten_status split_axis(bat_scatter *s, const remains *r, int k, double 
 }
 
 /* False in *split when no strip can be halved, or the net would become too large. */
-static batten_status refine(bat_scatter *s, double tolerance, bool *split)
+static batten_status refine_axes(bat_scatter *s, double tolerance, bool *split)
 {
     remains r = {0};
     const double given = s->options->most_points ? s->options->most_points : USUAL_MOST;
@@ -252,7 +252,7 @@ static double worst_of(const bat_scatter *s, size_t *worst)
 
 /* First those that hardly matter. A net that is too large for that many trials is left as it
  * is. */
-static batten_status thin(bat_scatter *s, double tolerance, double most)
+static batten_status remove_knots(bat_scatter *s, double tolerance, double most)
 {
     const double knots = s->axis[0].count + s->axis[1].count;
     double budget = (tolerance - most) * (1 - 1e-6);
@@ -274,7 +274,7 @@ static batten_status thin(bat_scatter *s, double tolerance, double most)
 
 /* Ten times the penalty, everywhere or where the floor is its weight, as long as no datum is
  * farther than the target. */
-static batten_status stiffen(bat_scatter *s, double target, bool floor)
+static batten_status stiffen_penalty(bat_scatter *s, double target, bool floor)
 {
     bat_net_system *y = &s->system;
     size_t worst = 0;
@@ -295,14 +295,15 @@ static batten_status stiffen(bat_scatter *s, double target, bool floor)
 
 /* Where there are no data, at corners above all, only the penalty holds the surface: let it
  * weigh as much as more than half of what is left of the tolerance allows, there first. */
-static batten_status calm(bat_scatter *s, double tolerance, double most)
+static batten_status calm_surface(bat_scatter *s, double tolerance, double most)
 {
     if (!s->system.factor)
         return BATTEN_OK; /* each try would cost too much */
     batten_status status = BATTEN_OK;
     if (s->system.floor > 0)
-        status = stiffen(s, most + 0.3 * (tolerance - most), true);
-    return status == BATTEN_OK ? stiffen(s, most + 0.6 * (tolerance - most), false) : status;
+        status = stiffen_penalty(s, most + 0.3 * (tolerance - most), true);
+    return status == BATTEN_OK ? stiffen_penalty(s, most + 0.6 * (tolerance - most), false)
+                               : status;
 }
 
 /* ---- the loop ---- */
@@ -315,7 +316,7 @@ static batten_status fit_and_correct(bat_scatter *s)
     return status;
 }
 
-static batten_status fail(const bat_scatter *s, size_t worst, double most)
+static batten_status fail_tolerance(const bat_scatter *s, size_t worst, double most)
 {
     return bat_fail(
         BATTEN_TOLERANCE_NOT_MET,
@@ -324,7 +325,7 @@ static batten_status fail(const bat_scatter *s, size_t worst, double most)
         worst, most, s->options->tolerance, s->axis[0].count, s->axis[1].count);
 }
 
-static batten_status begin(bat_scatter *s)
+static batten_status begin_coarse(bat_scatter *s)
 {
     const batten_surface_scattered_options *o = s->options;
     s->probes = 0;
@@ -349,7 +350,7 @@ batten_status bat_scatter_within(bat_scatter *s)
 {
     const double tolerance = s->options->tolerance;
     size_t worst = 0;
-    batten_status status = begin(s);
+    batten_status status = begin_coarse(s);
     for (int round = 0; status == BATTEN_OK && round < MOST_ROUNDS; round++) {
         bool split = false;
         status = fit_and_correct(s);
@@ -358,12 +359,13 @@ batten_status bat_scatter_within(bat_scatter *s)
         s->report.rounds = round + 1;
         const double most = worst_of(s, &worst);
         if (most <= tolerance) {
-            status = calm(s, tolerance, most);
-            return status == BATTEN_OK ? thin(s, tolerance, worst_of(s, &worst)) : status;
+            status = calm_surface(s, tolerance, most);
+            return status == BATTEN_OK ? remove_knots(s, tolerance, worst_of(s, &worst))
+                                       : status;
         }
-        status = refine(s, tolerance, &split);
+        status = refine_axes(s, tolerance, &split);
         if (status == BATTEN_OK && !split && !let_go(s))
-            return fail(s, worst, most);
+            return fail_tolerance(s, worst, most);
     }
-    return status == BATTEN_OK ? fail(s, worst, worst_of(s, &worst)) : status;
+    return status == BATTEN_OK ? fail_tolerance(s, worst, worst_of(s, &worst)) : status;
 }

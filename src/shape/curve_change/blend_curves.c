@@ -101,8 +101,8 @@ static void place_points(int n, int order, const batten_vec3 *derivative, double
     }
 }
 
-static batten_status build(int d, const bat_side sides[2], const batten_blend_end ends[2],
-                           const double v[2], batten_curve **out)
+static batten_status build_blend(int d, const bat_side sides[2], const batten_blend_end ends[2],
+                                 const double v[2], batten_curve **out)
 {
     const int n = ends[0].continuity + ends[1].continuity + 1;
     const double breaks[2] = {0, 1};
@@ -122,8 +122,8 @@ static batten_status build(int d, const bat_side sides[2], const batten_blend_en
 
 /* ---- the whole ---- */
 
-static batten_status check(const batten_curve *first, const batten_curve *second,
-                           const batten_blend_end ends[2])
+static batten_status check_blend(const batten_curve *first, const batten_curve *second,
+                                 const batten_blend_end ends[2])
 {
     if (first->dimension == 1 || second->dimension == 1)
         return bat_fail(BATTEN_UNSUPPORTED, "functions are blended as their graphs");
@@ -141,8 +141,8 @@ static batten_status check(const batten_curve *first, const batten_curve *second
     return BATTEN_OK;
 }
 
-static batten_status look(const batten_curve *curve, const batten_blend_end *end, int which,
-                          bat_side *side)
+static batten_status look_at_end(const batten_curve *curve, const batten_blend_end *end,
+                                 int which, bat_side *side)
 {
     const batten_status status = bat_side_at_end(curve, end->end, which == 1, side);
     if (status == BATTEN_OK && end->continuity > 0 && side->singular)
@@ -153,9 +153,9 @@ static batten_status look(const batten_curve *curve, const batten_blend_end *end
     return status;
 }
 
-static batten_status verify(const batten_curve *first, const batten_curve *second,
-                            const batten_blend_end ends[2], const batten_curve *blend,
-                            batten_curves_blend_report *report)
+static batten_status verify_joins(const batten_curve *first, const batten_curve *second,
+                                  const batten_blend_end ends[2], const batten_curve *blend,
+                                  batten_curves_blend_report *report)
 {
     batten_continuity *joins = report->joins;
     batten_status status = batten_curves_continuity(first, ends[0].end, blend,
@@ -181,11 +181,11 @@ batten_status batten_curves_blend(const batten_curve *first, const batten_blend_
     batten_curves_blend_report done = {0};
     batten_curve *made = NULL;
     bat_side sides[2];
-    batten_status status = check(first, second, ends);
+    batten_status status = check_blend(first, second, ends);
     if (status == BATTEN_OK)
-        status = look(first, &ends[0], 0, &sides[0]);
+        status = look_at_end(first, &ends[0], 0, &sides[0]);
     if (status == BATTEN_OK)
-        status = look(second, &ends[1], 1, &sides[1]);
+        status = look_at_end(second, &ends[1], 1, &sides[1]);
     if (status != BATTEN_OK)
         return status;
     const double chord = bat_vec3_norm(bat_vec3_subtract(sides[1].c[0], sides[0].c[0]));
@@ -195,9 +195,9 @@ batten_status batten_curves_blend(const batten_curve *first, const batten_blend_
     const double v = standard_speed(first->dimension, sides, ends, chord);
     for (int k = 0; k < 2; k++)
         done.speed[k] = ends[k].bulge * limit_speed(&sides[k], ends[k].continuity, v);
-    status = build(first->dimension, sides, ends, done.speed, &made);
+    status = build_blend(first->dimension, sides, ends, done.speed, &made);
     if (status == BATTEN_OK)
-        status = verify(first, second, ends, made, &done);
+        status = verify_joins(first, second, ends, made, &done);
     if (status == BATTEN_OK) {
         if (report)
             *report = done;

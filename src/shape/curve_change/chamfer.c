@@ -7,8 +7,8 @@
 #include "spline/curve/curve.h"
 #include <batten/measure.h>
 
-static batten_status check(const batten_curve *first, const batten_curve *second,
-                           const double lengths[2], double tolerance)
+static batten_status check_lengths(const batten_curve *first, const batten_curve *second,
+                                   const double lengths[2], double tolerance)
 {
     if (first->dimension == 1 || second->dimension == 1)
         return bat_fail(BATTEN_UNSUPPORTED, "functions have no corners; make their graphs");
@@ -26,8 +26,8 @@ static batten_status check(const batten_curve *first, const batten_curve *second
 
 /* The parameter `length` from the end of the first curve (k = 0), or from the start of the
  * second. */
-static batten_status find(const batten_curve *curve, int k, double length, double tolerance,
-                          double *u)
+static batten_status find_cut(const batten_curve *curve, int k, double length, double tolerance,
+                              double *u)
 {
     double whole;
     batten_status status = batten_curve_length(curve, tolerance / 4, &whole, NULL);
@@ -68,7 +68,7 @@ batten_status batten_curves_chamfer(const batten_curve *first, const batten_curv
     const batten_curve *const curves[2] = {first, second};
     const double lengths[2] = {before, behind};
     double at[2], p[2][3], ends[2][3];
-    batten_status status = check(first, second, lengths, tolerance);
+    batten_status status = check_lengths(first, second, lengths, tolerance);
     if (status == BATTEN_OK)
         status = batten_curve_evaluate(first, batten_curve_domain(first).b, 0, ends[0]);
     if (status == BATTEN_OK)
@@ -80,7 +80,7 @@ batten_status batten_curves_chamfer(const batten_curve *first, const batten_curv
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the curves are %g apart where they should meet",
                         gap);
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
-        status = find(curves[k], k, lengths[k], tolerance, &at[k]);
+        status = find_cut(curves[k], k, lengths[k], tolerance, &at[k]);
         if (status == BATTEN_OK)
             status = batten_curve_evaluate(curves[k], at[k], 0, p[k]);
     }
@@ -115,7 +115,7 @@ batten_status batten_curve_chamfer(const batten_curve *curve, double before, dou
     cutting c = {before, behind, tolerance, {.complete = true}};
     const bat_cutter cutter = {cut_corner, &c,
                                2 * tolerance + BAT_ROUNDING * bat_curve_size(curve)};
-    batten_status status = check(curve, curve, lengths, tolerance);
+    batten_status status = check_lengths(curve, curve, lengths, tolerance);
     if (status == BATTEN_OK)
         status = bat_curve_corner_count(curve, &c.report.corners);
     if (status == BATTEN_OK)

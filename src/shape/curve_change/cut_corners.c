@@ -144,7 +144,7 @@ static batten_status cut_and_join(work *w, batten_curve **out)
                : status;
 }
 
-static void end(work *w)
+static void end_walk(work *w)
 {
     for (int k = 0; k < w->parts; k++)
         batten_curve_unref(w->part[k]);
@@ -200,7 +200,7 @@ batten_status bat_curve_cut_corners(const batten_curve *curve, const bat_cutter 
         status = cut_apart(&w, begun, &found);
         if (status == BATTEN_OK)
             status = cut_and_join(&w, out);
-        end(&w);
+        end_walk(&w);
     }
     batten_curve_unref(begun);
     bat_release(found.at);

@@ -42,7 +42,7 @@ static batten_vec3 place(const bat_tip *tip, batten_vec3 p, double x, double y)
     return bat_vec3_along(bat_vec3_along(p, x, tip->t), y, tip->n);
 }
 
-static void put(int d, batten_vec3 p, double *to)
+static void put_point(int d, batten_vec3 p, double *to)
 {
     const double values[3] = {p.x, p.y, p.z};
     for (int k = 0; k < d; k++)
@@ -53,8 +53,8 @@ static batten_status line_piece(const bat_tip *tip, double length, double b, bat
 {
     const double breaks[2] = {b, b + length / tip->speed};
     double points[2 * 3];
-    put(tip->dimension, tip->p, points);
-    put(tip->dimension, place(tip, tip->p, length, 0), points + tip->dimension);
+    put_point(tip->dimension, tip->p, points);
+    put_point(tip->dimension, place(tip, tip->p, length, 0), points + tip->dimension);
     return batten_curve_from_bezier(tip->dimension, 1, 1, points, NULL, breaks, out);
 }
 
@@ -78,12 +78,13 @@ static batten_status arc_piece(const bat_tip *tip, double length, double b, batt
     for (int i = 0; i <= count; i++) {
         const double a = i * turn, half = sin(a / 2);
         const batten_vec3 on = place(tip, tip->p, sin(a) / k, 2 * half * half / k);
-        put(d, on, points + (size_t)(2 * i * d));
+        put_point(d, on, points + (size_t)(2 * i * d));
         breaks[i] = b + i * (2 * sin(turn / 2) / (k * tip->speed));
         weights[2 * i] = 1;
         if (i == count)
             break;
-        put(d, place(tip, on, leg * cos(a), leg * sin(a)), points + (size_t)((2 * i + 1) * d));
+        put_point(d, place(tip, on, leg * cos(a), leg * sin(a)),
+                  points + (size_t)((2 * i + 1) * d));
         weights[2 * i + 1] = cos(turn / 2);
     }
     return batten_curve_from_bezier(d, 2, count, points, weights, breaks, out);
@@ -147,8 +148,8 @@ static batten_status set_end(const batten_curve *piece, double to, batten_curve 
 }
 
 /* The curve, run towards the named end. */
-static batten_status turn_to(const batten_curve *curve, batten_curve_end end,
-                             batten_curve **out)
+static batten_status turn_to_end(const batten_curve *curve, batten_curve_end end,
+                                 batten_curve **out)
 {
     if (end == BATTEN_CURVE_START)
         return batten_curve_reverse(curve, out);
@@ -180,7 +181,7 @@ static batten_status add_piece(task *t)
     return status;
 }
 
-static batten_status go_on(task *t)
+static batten_status extend_end(task *t)
 {
     const batten_interval domain = batten_curve_domain(t->curve);
     batten_curve *tail = NULL;
@@ -208,7 +209,7 @@ static batten_status go_on(task *t)
 /* ---- proof ---- */
 
 /* The old part is where it was, and the join as smooth as promised. */
-static batten_status verify(const task *t)
+static batten_status verify_extension(const task *t)
 {
     enum { SAMPLES = 4 };
     static const int promised[] = {1, 2, 2, -1};
@@ -236,7 +237,7 @@ static batten_status verify(const task *t)
     return status;
 }
 
-static batten_status check(const batten_curve *curve, double amount, double tolerance)
+static batten_status check_amount(const batten_curve *curve, double amount, double tolerance)
 {
     if (curve->dimension == 1)
         return bat_fail(BATTEN_UNSUPPORTED,
@@ -251,21 +252,21 @@ static batten_status check(const batten_curve *curve, double amount, double tole
 }
 
 /* `t` knows how, not yet what. */
-static batten_status extend(task *t, const batten_curve *curve, batten_curve_end end,
-                            batten_curve_extend_report *report, batten_curve **out)
+static batten_status extend_curve(task *t, const batten_curve *curve, batten_curve_end end,
+                                  batten_curve_extend_report *report, batten_curve **out)
 {
     batten_curve *turned = NULL, *clamped = NULL, *back = NULL;
-    batten_status status = turn_to(curve, end, &turned);
+    batten_status status = turn_to_end(curve, end, &turned);
     if (status == BATTEN_OK)
         status = batten_curve_clamp(turned, &clamped);
     if (status == BATTEN_OK) {
         t->curve = clamped;
-        status = t->extension == BATTEN_EXTEND_NATURAL ? go_on(t) : add_piece(t);
+        status = t->extension == BATTEN_EXTEND_NATURAL ? extend_end(t) : add_piece(t);
     }
     if (status == BATTEN_OK)
-        status = verify(t);
+        status = verify_extension(t);
     if (status == BATTEN_OK)
-        status = turn_to(t->made, end, &back);
+        status = turn_to_end(t->made, end, &back);
     if (status == BATTEN_OK) {
         if (end == BATTEN_CURVE_START)
             t->report.join.u = -t->report.join.u;
@@ -285,11 +286,11 @@ batten_status batten_curve_extend(const batten_curve *curve, batten_curve_end en
 {
     assert(curve && out);
     task t = {.extension = extension, .length = length, .to = NAN, .tolerance = tolerance};
-    batten_status status = check(curve, length, tolerance);
+    batten_status status = check_amount(curve, length, tolerance);
     if (status == BATTEN_OK && !(length > 0))
         status =
             bat_fail(BATTEN_BAD_ARGUMENT, "the curve is extended by %g, not above 0", length);
-    return status == BATTEN_OK ? extend(&t, curve, end, report, out) : status;
+    return status == BATTEN_OK ? extend_curve(&t, curve, end, report, out) : status;
 }
 
 batten_status batten_curve_extend_to(const batten_curve *curve, batten_curve_end end,
@@ -301,10 +302,10 @@ batten_status batten_curve_extend_to(const batten_curve *curve, batten_curve_end
     const bool start = end == BATTEN_CURVE_START;
     task t = {
         .extension = extension, .length = NAN, .to = start ? -u : u, .tolerance = tolerance};
-    batten_status status = check(curve, u, tolerance);
+    batten_status status = check_amount(curve, u, tolerance);
     if (status == BATTEN_OK && !(start ? u < domain.a : u > domain.b))
         status = bat_fail(BATTEN_OUT_OF_DOMAIN,
                           "u = %.17g is not beyond the %s of the domain [%.17g, %.17g]", u,
                           start ? "start" : "end", domain.a, domain.b);
-    return status == BATTEN_OK ? extend(&t, curve, end, report, out) : status;
+    return status == BATTEN_OK ? extend_curve(&t, curve, end, report, out) : status;
 }

@@ -89,8 +89,8 @@ batten_status bat_curve_go_on(const batten_curve *curve, double u, batten_curve 
 
 /* The length from b to u of the curve gone on to u; and the parameter at `length`, if it is
  * that long. */
-static batten_status reach(const batten_curve *curve, double b, double u, double length,
-                           double tolerance, bool *enough, double *at)
+static batten_status reach_parameter(const batten_curve *curve, double b, double u,
+                                     double length, double tolerance, bool *enough, double *at)
 {
     batten_curve *longer = NULL, *tail = NULL;
     double reached = 0;
@@ -116,7 +116,7 @@ batten_status bat_curve_go_on_by(const batten_curve *curve, double length, doubl
     batten_status status = BATTEN_OK;
     for (int i = 0; i < ROUNDS && b + way > b && isfinite(b + way); i++) {
         bool enough = false;
-        status = reach(curve, b, b + way, length, tolerance, &enough, u);
+        status = reach_parameter(curve, b, b + way, length, tolerance, &enough, u);
         if (status != BATTEN_OK && status != BATTEN_BAD_WEIGHT)
             return status;
         if (status == BATTEN_OK && enough)

@@ -167,7 +167,8 @@ static batten_status verify_join(const batten_curve *curve, const batten_curve *
     return status;
 }
 
-static batten_status check(const batten_curve *const curves[2], double radius, double tolerance)
+static batten_status check_curves(const batten_curve *const curves[2], double radius,
+                                  double tolerance)
 {
     if (curves[0]->dimension == 1 || curves[1]->dimension == 1)
         return bat_fail(BATTEN_UNSUPPORTED, "functions have no corners; make their graphs");
@@ -191,7 +192,7 @@ batten_status batten_curves_fillet(const batten_curve *first, const batten_curve
     batten_frame frame;
     bat_fillet_place place = {{0, 0}, 1, 0, false};
     batten_curves_fillet_report done = {.found = 0};
-    batten_status status = check(curves, radius, tolerance);
+    batten_status status = check_curves(curves, radius, tolerance);
     if (status != BATTEN_OK)
         return status;
     const double size = bat_max(bat_curve_size(first), bat_curve_size(second));
@@ -267,7 +268,7 @@ batten_status batten_curve_fillet(const batten_curve *curve, int radius_count,
     rounding r = {radius_count, radii, tolerance, {.complete = true}};
     const bat_cutter cutter = {round_corner, &r,
                                2 * tolerance + BAT_ROUNDING * bat_curve_size(curve)};
-    batten_status status = check(curves, 1, tolerance);
+    batten_status status = check_curves(curves, 1, tolerance);
     if (status == BATTEN_OK)
         status = bat_curve_corner_count(curve, &r.report.corners);
     if (status == BATTEN_OK)

@@ -55,7 +55,7 @@ static bool turns(int side, const double *ta, const double *tb)
 }
 
 /* Newton's method from u within the domains; *good when centres and tangents agree. */
-static batten_status refine(const search *s, int side, double u[2], bool *good)
+static batten_status refine_centre(const search *s, int side, double u[2], bool *good)
 {
     enum { ROUNDS = 40 };
     double c[2][2], d[2][2], t[2][2];
@@ -88,7 +88,7 @@ static batten_status refine(const search *s, int side, double u[2], bool *good)
 }
 
 /* Take a place over when it is one, and removes less than the best so far. */
-static batten_status try(search *s, int side, double u0, double u1)
+static batten_status try_pair(search *s, int side, double u0, double u1)
 {
     const batten_interval first = batten_curve_domain(s->curves[0]),
                           second = batten_curve_domain(s->curves[1]);
@@ -96,7 +96,7 @@ static batten_status try(search *s, int side, double u0, double u1)
                    bat_min(second.b, bat_max(second.a, u1))};
     double lost[2];
     bool good;
-    batten_status status = refine(s, side, u, &good);
+    batten_status status = refine_centre(s, side, u, &good);
     if (status != BATTEN_OK || !good)
         return status;
     const double tolerance = BAT_MEANT_SAME * s->size;
@@ -161,7 +161,7 @@ static batten_status search_lines(search *s, const line *a, const line *b)
             return status;
     }
     s->best.complete = true;
-    return try(s, cross > 0 ? 1 : -1, u[0], u[1]);
+    return try_pair(s, cross > 0 ? 1 : -1, u[0], u[1]);
 }
 
 /* ---- others ---- */
@@ -180,7 +180,7 @@ static batten_status offset_of(const batten_curve *bezier, double distance, doub
 }
 
 /* Crossings of runs of the one with runs of the other. */
-static batten_status cross(search *s, int side, const bat_offset o[2])
+static batten_status cross_offsets(search *s, int side, const bat_offset o[2])
 {
     const int n = o[0].count, all = n + o[1].count;
     const batten_curve **plans = bat_array((size_t)all, sizeof *plans);
@@ -193,7 +193,7 @@ static batten_status cross(search *s, int side, const bat_offset o[2])
     for (int i = 0; status == BATTEN_OK && i < crossings.count; i++) {
         const bat_crossing *c = &crossings.at[i];
         if (c->curve[0] < n && c->curve[1] >= n)
-            status = try(s, side, c->u[0], c->u[1]);
+            status = try_pair(s, side, c->u[0], c->u[1]);
     }
     bat_release(crossings.at);
     bat_release(plans);
@@ -213,7 +213,7 @@ static batten_status search_side(search *s, int side)
             status = offset_of(bezier[k], side * s->radius, tolerance, &o[k]);
     }
     if (status == BATTEN_OK)
-        status = cross(s, side, o);
+        status = cross_offsets(s, side, o);
     for (int k = 0; k < 2; k++) {
         bat_offset_runs_release(&o[k]);
         batten_curve_unref(bezier[k]);

@@ -48,7 +48,7 @@ static batten_status fill_column(end *e, int i)
     return status;
 }
 
-static batten_status look_at(const batten_curve *curve, bool at_end, int order, end *out)
+static batten_status look_at_end(const batten_curve *curve, bool at_end, int order, end *out)
 {
     const int d = curve->dimension;
     batten_status status = BATTEN_OK;
@@ -92,7 +92,7 @@ static batten_status balance_make(end *const ends[2], const bool moves[2], balan
     return bat_dense_factor(rows, out->square, out->pivots);
 }
 
-static void apply(const balance *b, end *const ends[2], const bool moves[2])
+static void apply_moves(const balance *b, end *const ends[2], const bool moves[2])
 {
     double right[MOST * 3];
     for (int j = 0; j < b->rows; j++) {
@@ -116,7 +116,7 @@ static batten_status match_derivatives(end *const ends[2], const bool moves[2])
     const batten_status status = balance_make(ends, moves, &b);
     /* Squaring lost half of the digits; each turn brings them back. */
     for (int turn = 0; status == BATTEN_OK && turn < 3; turn++)
-        apply(&b, ends, moves);
+        apply_moves(&b, ends, moves);
     return status;
 }
 
@@ -146,7 +146,7 @@ static batten_vec3 curvature(const end *e, batten_vec3 t)
     return bat_vec3_scale(across(derivative(e, 2), t), 1 / bat_vec3_dot(c1, c1));
 }
 
-static void bend(end *e, batten_vec3 t, batten_vec3 wanted)
+static void bend_end(end *e, batten_vec3 t, batten_vec3 wanted)
 {
     const batten_vec3 c1 = derivative(e, 1), now = curvature(e, t);
     const double factor = bat_vec3_dot(c1, c1) / e->a[2][2];
@@ -178,7 +178,7 @@ static batten_status match_shapes(end *const ends[2], const bool moves[2], int o
                                           : k0;
     for (int k = 0; k < 2; k++)
         if (moves[k])
-            bend(ends[k], t, wanted);
+            bend_end(ends[k], t, wanted);
     return BATTEN_OK;
 }
 
@@ -201,8 +201,8 @@ static batten_status rebuild(const end *e, double *moved, batten_curve **out)
     return bat_curve_finish(made, out);
 }
 
-static batten_status verify(const batten_curve *first, const batten_curve *second,
-                            batten_match_kind kind, int order)
+static batten_status verify_match(const batten_curve *first, const batten_curve *second,
+                                  batten_match_kind kind, int order)
 {
     batten_continuity found;
     const batten_status status = batten_curves_continuity(first, BATTEN_CURVE_END, second,
@@ -218,8 +218,8 @@ static batten_status verify(const batten_curve *first, const batten_curve *secon
     return BATTEN_OK;
 }
 
-static batten_status check(const batten_curve *first, const batten_curve *second,
-                           batten_match_kind kind, int order)
+static batten_status check_match(const batten_curve *first, const batten_curve *second,
+                                 batten_match_kind kind, int order)
 {
     const int most = kind == BATTEN_MATCH_PARAMETRIC ? 3 : 2;
     const int least = bat_min_int(first->degree, second->degree);
@@ -243,15 +243,15 @@ static batten_status match(const batten_curve *first, const batten_curve *second
                            mover != BATTEN_MATCH_MOVES_FIRST};
     end left, right;
     end *const ends[2] = {&left, &right};
-    batten_status status = look_at(first, true, order, &left);
+    batten_status status = look_at_end(first, true, order, &left);
     if (status == BATTEN_OK)
-        status = look_at(second, false, order, &right);
+        status = look_at_end(second, false, order, &right);
     if (status == BATTEN_OK)
         status = kind == BATTEN_MATCH_PARAMETRIC ? match_derivatives(ends, moves)
                                                  : match_shapes(ends, moves, order);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         status = rebuild(ends[k], moved, &made[k]);
-    return status == BATTEN_OK ? verify(made[0], made[1], kind, order) : status;
+    return status == BATTEN_OK ? verify_match(made[0], made[1], kind, order) : status;
 }
 
 batten_status batten_curves_match(const batten_curve *first, const batten_curve *second,
@@ -261,7 +261,7 @@ batten_status batten_curves_match(const batten_curve *first, const batten_curve 
 {
     batten_curve *clamped[2] = {NULL, NULL}, *made[2] = {NULL, NULL};
     double longest = 0;
-    batten_status status = check(first, second, kind, order);
+    batten_status status = check_match(first, second, kind, order);
     if (status == BATTEN_OK)
         status = batten_curve_clamp(first, &clamped[0]);
     if (status == BATTEN_OK)

@@ -39,8 +39,8 @@ static batten_status keep_all(const bat_offset *o, batten_curves *out)
     return status;
 }
 
-static batten_status check(const batten_curve *curve, double distance,
-                           const batten_curve_offset_options *o)
+static batten_status check_offset(const batten_curve *curve, double distance,
+                                  const batten_curve_offset_options *o)
 {
     if (curve->dimension == 1)
         return bat_fail(BATTEN_UNSUPPORTED, "a function has no offset; make its graph first");
@@ -105,7 +105,7 @@ static batten_status map_curves(const batten_affine *map, batten_curves *curves)
 }
 
 /* The turn that brings z to the unit vector n, and back: the transposed matrix. */
-static batten_affine upright(batten_vec3 n, bool back)
+static batten_affine turn_upright(batten_vec3 n, bool back)
 {
     const batten_vec3 other =
         fabs(n.x) <= fabs(n.y) ? (batten_vec3){1, 0, 0} : (batten_vec3){0, 1, 0};
@@ -127,7 +127,7 @@ static batten_status offset_in_space(const batten_curve *curve, double distance,
     const batten_vec3 n = bat_vec3_scale(options->normal, 1 / bat_vec3_norm(options->normal));
     if (n.x == 0 && n.y == 0 && n.z > 0)
         return offset_upright(curve, distance, options, report, out);
-    const batten_affine there = upright(n, false), back = upright(n, true);
+    const batten_affine there = turn_upright(n, false), back = turn_upright(n, true);
     batten_curve *turned = NULL;
     batten_curves made = {0, NULL};
     batten_status status = batten_curve_transform(curve, &there, &turned);
@@ -152,7 +152,7 @@ batten_status batten_curve_offset(const batten_curve *curve, double distance,
     if (status != BATTEN_OK)
         return status;
     batten_curve_offset_report done = {0};
-    status = check(curve, distance, &o);
+    status = check_offset(curve, distance, &o);
     if (status == BATTEN_OK)
         status = curve->dimension == 3 ? offset_in_space(curve, distance, &o, &done, out)
                                        : offset_upright(curve, distance, &o, &done, out);

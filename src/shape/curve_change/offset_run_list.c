@@ -1,4 +1,5 @@
 /* The runs of an offset, each with its projection into the plane. */
+#include "base/list.h"
 #include "shape/curve_change/offset.h"
 
 batten_status bat_offset_add(bat_offset *o, batten_status status, batten_curve *curve)
@@ -6,20 +7,10 @@ batten_status bat_offset_add(bat_offset *o, batten_status status, batten_curve *
     bat_offset_run run = {.curve = curve};
     if (status == BATTEN_OK)
         status = batten_curve_to_dimension(curve, 2, &run.plan);
-    if (status == BATTEN_OK && o->count == o->room) {
-        const int room = bat_max_int(16, 2 * o->room);
-        bat_offset_run *grown = bat_resize(o->runs, (size_t)room, sizeof *grown);
-        if (grown) {
-            o->runs = grown;
-            o->room = room;
-        } else {
-            status = BATTEN_OUT_OF_MEMORY;
-        }
-    }
-    if (status == BATTEN_OK) {
-        o->runs[o->count++] = run;
+    if (status == BATTEN_OK)
+        status = BAT_LIST_ADD(o->runs, o->count, o->room, run);
+    if (status == BATTEN_OK)
         return BATTEN_OK;
-    }
     batten_curve_unref(run.plan);
     batten_curve_unref(run.curve);
     return status;

@@ -11,6 +11,7 @@
  * an error that falls with the sixth power of their length.
  */
 #include "base/plural.h"
+#include "base/sort.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "shape/curve_change/offset.h"
@@ -83,7 +84,7 @@ static batten_status place_at(const bat_offset *o, double u, batten_side side, p
 }
 
 /* Where the curve stands still Q' is taken from the offset itself, a little inside. */
-static batten_status settle(const bat_offset *o, place *at, double towards)
+static batten_status settle_place(const bat_offset *o, place *at, double towards)
 {
     place near;
     const double h = 1e-4 * (towards - at->u);
@@ -98,12 +99,6 @@ static batten_status settle(const bat_offset *o, place *at, double towards)
 }
 
 /* ---- where runs may begin ---- */
-
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /* Between a and b curvature runs one way: the place at which it passes 1 / distance, by
  * halving. */
@@ -147,7 +142,7 @@ static batten_status find_breaks(bat_offset *o, int *count, double **out)
         batten_curve_spans(o->plan, at);
         for (int i = 0; i < extrema.count; i++)
             at[n++] = extrema.at[i];
-        qsort(at, (size_t)n, sizeof *at, by_value);
+        bat_sort_doubles((size_t)n, at);
         for (int i = 0; i < n; i++)
             if (i == 0 || at[i] > at[all - 1])
                 at[all++] = at[i];
@@ -162,7 +157,7 @@ static batten_status find_breaks(bat_offset *o, int *count, double **out)
         }
     }
     if (status == BATTEN_OK) {
-        qsort(at, (size_t)all, sizeof *at, by_value);
+        bat_sort_doubles((size_t)all, at);
         *count = all;
         *out = at;
     } else {
@@ -325,7 +320,7 @@ static batten_status quintic_error(const bat_offset *o, const place *a, const pl
 }
 
 /* From the last place of the strand, which is `a`, to b: halves until the error is met. */
-static batten_status follow(bat_offset *o, strand *s, place a, const place *b)
+static batten_status follow_part(bat_offset *o, strand *s, place a, const place *b)
 {
     enum { DEPTH = 40 };
     double ends[DEPTH + 2];
@@ -338,7 +333,7 @@ static batten_status follow(bat_offset *o, strand *s, place a, const place *b)
         if (waiting > 1)
             status = place_at(o, ends[waiting - 1], BATTEN_FROM_LEFT, &next);
         if (status == BATTEN_OK)
-            status = settle(o, &next, a.u);
+            status = settle_place(o, &next, a.u);
         if (status == BATTEN_OK)
             status = quintic_error(o, &a, &next, &error);
         if (status != BATTEN_OK)
@@ -423,13 +418,13 @@ static batten_status add_part(bat_offset *o, strand *s, place *start, const plac
         return status;
     }
     if (status == BATTEN_OK)
-        status = settle(o, start, end->u);
+        status = settle_place(o, start, end->u);
     if (status == BATTEN_OK && s->count == 0)
         status = strand_add(s, start);
-    return status == BATTEN_OK ? follow(o, s, *start, end) : status;
+    return status == BATTEN_OK ? follow_part(o, s, *start, end) : status;
 }
 
-static batten_status walk(bat_offset *o, int count, const double *at, strand *s)
+static batten_status walk_parts(bat_offset *o, int count, const double *at, strand *s)
 {
     place start, end, first = {0};
     batten_status status = place_at(o, at[0], BATTEN_FROM_RIGHT, &start);
@@ -458,7 +453,7 @@ batten_status bat_offset_runs(bat_offset *o)
     strand s = {.dimension = o->full->dimension};
     batten_status status = find_breaks(o, &count, &at);
     if (status == BATTEN_OK)
-        status = walk(o, count, at, &s);
+        status = walk_parts(o, count, at, &s);
     bat_release(s.values);
     bat_release(s.u);
     bat_release(at);

@@ -6,6 +6,7 @@
  * cut at all these crossings, parts are judged at points inside them, and where the judgement
  * changes within a part the place is found by halving.
  */
+#include "base/list.h"
 #include "inspect/nearest/self_crossings.h"
 #include "numeric/rounding.h"
 #include "numeric/vector.h"
@@ -48,16 +49,7 @@ static batten_status add_part(trim *t, int run, double a, double b)
         status = batten_curve_evaluate(plan, b, 0, made.end);
     if (status != BATTEN_OK)
         return status;
-    if (t->count == t->room) {
-        const int room = bat_max_int(16, 2 * t->room);
-        part *grown = bat_resize(t->parts, (size_t)room, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        t->parts = grown;
-        t->room = room;
-    }
-    t->parts[t->count++] = made;
-    return BATTEN_OK;
+    return BAT_LIST_ADD(t->parts, t->count, t->room, made);
 }
 
 /* ---- judging ---- */
@@ -105,16 +97,7 @@ typedef struct {
 
 static batten_status add_sample(samples *s, int run, double a, double b, double u)
 {
-    if (s->count == s->room) {
-        const int room = bat_max_int(64, 2 * s->room);
-        sample *grown = bat_resize(s->at, (size_t)room, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        s->at = grown;
-        s->room = room;
-    }
-    s->at[s->count++] = (sample){run, a, b, u};
-    return BATTEN_OK;
+    return BAT_LIST_ADD(s->at, s->count, s->room, (sample){run, a, b, u});
 }
 
 /* Between two cuts of a run, POINTS on each of its pieces, and the cuts themselves. */
@@ -229,7 +212,7 @@ static void judge_cuts(const trim *t, samples *s)
     }
 }
 
-static batten_status measure(const trim *t, samples *s)
+static batten_status measure_samples(const trim *t, samples *s)
 {
     const size_t n = (size_t)s->count;
     double *points = bat_array(n, 2 * sizeof *points);
@@ -308,7 +291,7 @@ static batten_status judge_all(trim *t, const bat_crossings *crossings)
     samples s = {0};
     batten_status status = sample_all(t, crossings, &s);
     if (status == BATTEN_OK)
-        status = measure(t, &s);
+        status = measure_samples(t, &s);
     if (status == BATTEN_OK) {
         forgive(t, &s);
         status = keep_good(t, &s);
@@ -320,25 +303,25 @@ static batten_status judge_all(trim *t, const bat_crossings *crossings)
 
 /* ---- chaining ---- */
 
-static void follow(trim *t, int i, int j)
+static void link_to(trim *t, int i, int j)
 {
     t->parts[i].next = j;
     t->parts[j].followed = true;
 }
 
 /* Parts without a next one go on where another begins that follows none. */
-static void meet(trim *t)
+static void meet_ends(trim *t)
 {
     for (int i = 0; i < t->count; i++)
         for (int j = 0; t->parts[i].next < 0 && j < t->count; j++)
             if (!t->parts[j].followed &&
                 bat_distance(2, t->parts[i].end, t->parts[j].start) <= t->near)
-                follow(t, i, j);
+                link_to(t, i, j);
 }
 
 /* Does the end of part i, or the start, come to `target` when it is moved along its run? Then
  * it is, as long as the run is far enough there. */
-static batten_status slide(trim *t, int i, bool end, const double *target, bool *met)
+static batten_status slide_end(trim *t, int i, bool end, const double *target, bool *met)
 {
     part *p = &t->parts[i];
     const batten_curve *plan = t->o->runs[p->run].plan;
@@ -370,11 +353,11 @@ static batten_status close_loops(trim *t)
         bool met;
         if (t->parts[i].next >= 0 || t->parts[j].followed)
             continue;
-        status = slide(t, i, true, t->parts[j].start, &met);
+        status = slide_end(t, i, true, t->parts[j].start, &met);
         if (status == BATTEN_OK && !met)
-            status = slide(t, j, false, t->parts[i].end, &met);
+            status = slide_end(t, j, false, t->parts[i].end, &met);
         if (status == BATTEN_OK && met)
-            follow(t, i, j);
+            link_to(t, i, j);
     }
     return status;
 }
@@ -391,9 +374,9 @@ static batten_status link_parts(trim *t)
                               (wraps && t->o->closed);
         if ((!wraps || t->o->closed) && adjacent &&
             bat_distance(2, p->end, q->start) <= t->near)
-            follow(t, i, j);
+            link_to(t, i, j);
     }
-    meet(t);
+    meet_ends(t);
     return close_loops(t);
 }
 

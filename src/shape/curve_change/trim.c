@@ -12,8 +12,8 @@
 /* ---- over the seam ---- */
 
 /* From a to the end and on from the start to b; one of the two may be nothing. */
-static batten_status around(const batten_curve *curve, double a, double b, double tolerance,
-                            batten_curve **out)
+static batten_status part_around_seam(const batten_curve *curve, double a, double b,
+                                      double tolerance, batten_curve **out)
 {
     const batten_interval domain = batten_curve_domain(curve);
     batten_curve *first = NULL, *second = NULL;
@@ -51,7 +51,7 @@ batten_status batten_curve_trim(const batten_curve *curve, double a, double b, d
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "the part from %.17g to %.17g goes over the ends of an open curve", a,
                         b);
-    return around(curve, a, b, bat_max(tolerance, 16 * DBL_EPSILON * size), out);
+    return part_around_seam(curve, a, b, bat_max(tolerance, 16 * DBL_EPSILON * size), out);
 }
 
 /* ---- one side of a plane ---- */
@@ -66,7 +66,7 @@ typedef struct {
 } cutting;
 
 /* Is the part from a to b in front of the plane? What is in it counts as in front. */
-static batten_status judge(const cutting *c, double a, double b, bool *kept)
+static batten_status judge_part(const cutting *c, double a, double b, bool *kept)
 {
     enum { SAMPLES = 5 };
     double farthest = 0;
@@ -86,7 +86,7 @@ static batten_status judge(const cutting *c, double a, double b, bool *kept)
 }
 
 /* Crossings and ends, rising; those that rounding alone keeps apart are one. */
-static batten_status cut(cutting *c, const batten_parameters *crossings)
+static batten_status cut_at_crossings(cutting *c, const batten_parameters *crossings)
 {
     const batten_interval domain = batten_curve_domain(c->curve);
     const double apart = BAT_EXACT * (domain.b - domain.a);
@@ -101,12 +101,12 @@ static batten_status cut(cutting *c, const batten_parameters *crossings)
     c->at[++c->count] = domain.b;
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < c->count; i++)
-        status = judge(c, c->at[i], c->at[i + 1], &c->kept[i]);
+        status = judge_part(c, c->at[i], c->at[i + 1], &c->kept[i]);
     return status;
 }
 
 /* Neighbours that are both kept, or both not, are one part. */
-static void merge(cutting *c)
+static void merge_parts(cutting *c)
 {
     int n = 0;
     for (int i = 0; i < c->count; i++) {
@@ -156,9 +156,9 @@ batten_status batten_curve_trim_plane(const batten_curve *curve, batten_vec3 nor
     cutting c = {.curve = curve,
                  .normal = bat_vec3_scale(normal, 1 / length),
                  .offset = offset / length};
-    status = cut(&c, &crossings);
+    status = cut_at_crossings(&c, &crossings);
     if (status == BATTEN_OK) {
-        merge(&c);
+        merge_parts(&c);
         status = take_parts(
             &c, batten_curve_is_closed(curve, bat_max(tolerance, 16 * DBL_EPSILON * size)),
             tolerance, out);

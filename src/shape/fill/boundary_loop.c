@@ -39,8 +39,9 @@ static batten_status settle_middle(const batten_curve *curve, batten_curve **out
 }
 
 /* A curve of one side, in the direction of the loop and its coordinates. */
-static batten_status take(const batten_curve *given, bool reversed, const batten_affine *map,
-                          double tolerance, double *error, batten_curve **out)
+static batten_status take_side(const batten_curve *given, bool reversed,
+                               const batten_affine *map, double tolerance, double *error,
+                               batten_curve **out)
 {
     batten_curve *curve = NULL, *made = NULL;
     batten_status status = batten_curve_transform(given, map, &curve);
@@ -86,8 +87,8 @@ static batten_status add_side(bat_fill_loop *loop, bat_fill_side *side)
 }
 
 /* Cut one curve at t; both parts over [0, 2]. */
-static batten_status cut(const batten_curve *curve, double t, batten_curve **low,
-                         batten_curve **high)
+static batten_status cut_sides(const batten_curve *curve, double t, batten_curve **low,
+                               batten_curve **high)
 {
     batten_curve *a = NULL, *b = NULL, *left = NULL, *right = NULL, *made = NULL;
     if (!curve)
@@ -117,11 +118,11 @@ static batten_status cut_side(const bat_fill_side *side, double t, bat_fill_side
                               bat_fill_side *high)
 {
     low->given = high->given = side->given;
-    batten_status status = cut(side->curve, t, &low->curve, &high->curve);
+    batten_status status = cut_sides(side->curve, t, &low->curve, &high->curve);
     if (status == BATTEN_OK)
-        status = cut(side->slope, t, &low->slope, &high->slope);
+        status = cut_sides(side->slope, t, &low->slope, &high->slope);
     if (status == BATTEN_OK)
-        status = cut(side->bend, t, &low->bend, &high->bend);
+        status = cut_sides(side->bend, t, &low->bend, &high->bend);
     if (status != BATTEN_OK) {
         free_side(low);
         free_side(high);
@@ -248,12 +249,13 @@ static batten_status add_given(bat_fill_loop *loop, const batten_ribbon *ribbon,
     const double within = bat_max(BAT_MEANT_SAME, 1e-3 * tolerance / loop->size);
     double ignored = 0;
     batten_status status =
-        take(ribbon->curve, place->reversed, &map, within, error, &side.curve);
+        take_side(ribbon->curve, place->reversed, &map, within, error, &side.curve);
     if (status == BATTEN_OK && ribbon->slope)
-        status = take(ribbon->slope, place->reversed, &linear, within, &ignored, &side.slope);
-    if (status == BATTEN_OK && ribbon->slope && ribbon->curvature)
         status =
-            take(ribbon->curvature, place->reversed, &linear, within, &ignored, &side.bend);
+            take_side(ribbon->slope, place->reversed, &linear, within, &ignored, &side.slope);
+    if (status == BATTEN_OK && ribbon->slope && ribbon->curvature)
+        status = take_side(ribbon->curvature, place->reversed, &linear, within, &ignored,
+                           &side.bend);
     if (status == BATTEN_OK)
         status = even_scale(&side);
     if (status == BATTEN_OK)

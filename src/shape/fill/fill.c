@@ -29,8 +29,9 @@ static void free_patches(batten_surface **patches)
 }
 
 /* Surfaces that are exact along all edges, in the loop's coordinates. */
-static batten_status split(const bat_fill_loop *loop,
-                           const batten_surface_fill_options *options, batten_surface **out)
+static batten_status split_loop(const bat_fill_loop *loop,
+                                const batten_surface_fill_options *options,
+                                batten_surface **out)
 {
     bat_fill *fill = bat_array(1, sizeof *fill);
     if (!fill)
@@ -70,8 +71,8 @@ static batten_status judge_gaps(const bat_fill_loop *loop,
 }
 
 /* Is it good enough to be given? */
-static batten_status judge(const batten_surface_fill_options *options,
-                           const batten_surface_fill_report *report)
+static batten_status check_quality(const batten_surface_fill_options *options,
+                                   const batten_surface_fill_report *report)
 {
     const batten_fill_edge *worst = &report->inner[0];
     for (int i = 1; i < report->count; i++)
@@ -102,7 +103,7 @@ static batten_status make_patches(const bat_fill_loop *loop,
 {
     batten_status status = bat_fill_corners(loop, report);
     if (status == BATTEN_OK && options->form == BATTEN_FILL_SPLIT)
-        status = split(loop, options, out);
+        status = split_loop(loop, options, out);
     for (int i = 0;
          options->form != BATTEN_FILL_SPLIT && status == BATTEN_OK && i < loop->count; i++)
         status = bat_fill_formula(loop, i, options->form, &out[i]);
@@ -111,7 +112,7 @@ static batten_status make_patches(const bat_fill_loop *loop,
     if (status == BATTEN_OK)
         status = judge_gaps(loop, options, report);
     if (status == BATTEN_OK)
-        status = judge(options, report);
+        status = check_quality(options, report);
     return status;
 }
 

@@ -27,7 +27,7 @@ typedef struct {
     int *used, *pivots;     /* unknowns that a row touches */
 } variation;
 
-static void add(size_t length, double *out, double factor, const double *in)
+static void add_product(size_t length, double *out, double factor, const double *in)
 {
     if (factor != 0)
         for (size_t k = 0; k < length; k++)
@@ -68,8 +68,8 @@ static batten_status prepare_quad(variation *b, int quad)
     for (int a = 0; a < 4; a++)
         for (int c = 0; c < 4; c++) {
             double *corner = b->corner + (size_t)(4 * a + c) * b->length;
-            add(b->length, corner, 0.5, edge(b, 0, FIRST + a % 2, c, a / 2));
-            add(b->length, corner, 0.5, edge(b, 1, FIRST + c % 2, a, c / 2));
+            add_product(b->length, corner, 0.5, edge(b, 0, FIRST + a % 2, c, a / 2));
+            add_product(b->length, corner, 0.5, edge(b, 1, FIRST + c % 2, a, c / 2));
         }
     return BATTEN_OK;
 }
@@ -86,11 +86,11 @@ static void boolean_sum(variation *b, int gu, int gv)
         for (int mv = 0; mv <= total; mv++, out += b->length) {
             const int mu = total - mv;
             for (int f = 0; f < 4; f++) {
-                add(b->length, out, B[mv][f], edge(b, 0, gu, f, mu));
-                add(b->length, out, A[mu][f], edge(b, 1, gv, f, mv));
+                add_product(b->length, out, B[mv][f], edge(b, 0, gu, f, mu));
+                add_product(b->length, out, A[mu][f], edge(b, 1, gv, f, mv));
                 for (int c = 0; c < 4; c++)
-                    add(b->length, out, -A[mu][f] * B[mv][c],
-                        b->corner + (size_t)(4 * f + c) * b->length);
+                    add_product(b->length, out, -A[mu][f] * B[mv][c],
+                                b->corner + (size_t)(4 * f + c) * b->length);
             }
         }
 }
@@ -148,8 +148,8 @@ static batten_status to_plane(variation *b, int quad, int gu, int gv, double *ar
     memset(b->rows, 0, ROWS * b->length * sizeof(double));
     for (int r = 0; r < ROWS; r++)
         for (int k = 0; k < DERIVATIVES; k++)
-            add(b->length, b->rows + (size_t)r * b->length, inverse[r + 2][k],
-                b->derivatives + (size_t)k * b->length);
+            add_product(b->length, b->rows + (size_t)r * b->length, inverse[r + 2][k],
+                        b->derivatives + (size_t)k * b->length);
     return BATTEN_OK;
 }
 
@@ -216,7 +216,7 @@ static void sum_seams(variation *b)
     for (int i = 0; i < n; i++)
         for (int g = 0; g < PLACES; g++) {
             double *here = seam(b, i, 0, g);
-            add(3 * b->length, here, -1, seam(b, (i + 1) % n, 1, g));
+            add_product(3 * b->length, here, -1, seam(b, (i + 1) % n, 1, g));
             for (int r = 0; r < 3; r++)
                 accumulate(b, here + (size_t)r * b->length,
                            times[r] * b->weight[g] * jump_weight);
@@ -235,7 +235,7 @@ static void set_places(variation *b)
     b->at[LAST] = 1;
 }
 
-static batten_status begin(variation *b)
+static batten_status begin_energy(variation *b)
 {
     const size_t n = (size_t)b->fill->unknowns, quads = (size_t)b->fill->count;
     const size_t room = ALL_PLACES * 4 * b->step;
@@ -320,7 +320,7 @@ static batten_status hold_slow(variation *b, bool *held, bool *changed)
     return BATTEN_OK;
 }
 
-static batten_status solve(variation *b)
+static batten_status solve_unknowns(variation *b)
 {
     const int n = b->fill->unknowns;
     for (int i = 0; i < n; i++)
@@ -339,13 +339,13 @@ batten_status bat_fill_relax(bat_fill *fill, batten_surface *const *plane)
     variation b = {.fill = fill, .plane = plane, .length = bat_fill_length(fill)};
     bool held[2 * BATTEN_FILL_SIDES] = {false}, changed = true;
     b.step = FILL_ORDERS * b.length;
-    batten_status status = begin(&b);
+    batten_status status = begin_energy(&b);
     for (int quad = 0; status == BATTEN_OK && quad < fill->count; quad++)
         status = sum_quad(&b, quad);
     if (status == BATTEN_OK)
         sum_seams(&b);
     while (status == BATTEN_OK && changed) { /* each round holds one more at least */
-        status = solve(&b);
+        status = solve_unknowns(&b);
         if (status == BATTEN_OK)
             status = hold_slow(&b, held, &changed);
     }

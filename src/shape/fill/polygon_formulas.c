@@ -135,7 +135,7 @@ static batten_status side_at(const blended_side *side, double t, double C[5][3],
     return BATTEN_OK;
 }
 
-static void compose(double values[][3], bat_jet t, bat_jet out[3])
+static void compose_jets(double values[][3], bat_jet t, bat_jet out[3])
 {
     for (int c = 0; c < 3; c++)
         out[c] = bat_jet_compose(
@@ -171,8 +171,8 @@ static batten_status see_side(const blended *b, const bat_jet *distances, int i,
     batten_status status = side_at(&b->sides[i], seen->t.d[0], C, D);
     if (status != BATTEN_OK)
         return status;
-    compose(C, seen->t, seen->C);
-    compose(D, seen->t, seen->D);
+    compose_jets(C, seen->t, seen->C);
+    compose_jets(D, seen->t, seen->D);
     for (int e = 1; e >= 0; e--) {
         status = side_at(&b->sides[i], 2 * e, C, D);
         if (status != BATTEN_OK)

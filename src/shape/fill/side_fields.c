@@ -6,7 +6,7 @@
 
 /* ---- vectors and numbers that are linear in the unknowns ---- */
 
-static void add(size_t length, double *out, double factor, const double *in)
+static void add_multiple(size_t length, double *out, double factor, const double *in)
 {
     for (size_t k = 0; k < length; k++)
         out[k] += factor * in[k];
@@ -14,13 +14,13 @@ static void add(size_t length, double *out, double factor, const double *in)
 
 static void add_vector(const bat_fill *fill, double *out, double factor, const double *in)
 {
-    add(bat_fill_length(fill), out, factor, in);
+    add_multiple(bat_fill_length(fill), out, factor, in);
 }
 
 /* A fixed part of a vector. */
 static void add_fixed(const bat_fill *fill, double *out, double factor, const double value[3])
 {
-    add(3, out + bat_fill_length(fill) - 3, factor, value);
+    add_multiple(3, out + bat_fill_length(fill) - 3, factor, value);
 }
 
 /* number times a fixed vector */
@@ -28,7 +28,7 @@ static void add_times(const bat_fill *fill, double *out, const double *number,
                       const double vector[3])
 {
     for (int k = 0; k <= fill->unknowns; k++)
-        add(3, out + (size_t)3 * (size_t)k, number[k], vector);
+        add_multiple(3, out + (size_t)3 * (size_t)k, number[k], vector);
 }
 
 static void add_half(const bat_fill *fill, double *out, const double *number,
@@ -47,7 +47,7 @@ static void new_vector(double *out, int *next)
 
 static void new_along(double *out, const double direction[3], int *next)
 {
-    add(3, out + (size_t)3 * (size_t)*next, 1, direction);
+    add_multiple(3, out + (size_t)3 * (size_t)*next, 1, direction);
     *next += 1;
 }
 
@@ -65,7 +65,7 @@ void bat_fill_vector(const bat_fill *fill, const double *vector, double out[3])
     for (int c = 0; c < 3; c++)
         out[c] = vector[3 * n + c];
     for (int k = 0; k < n; k++)
-        add(3, out, fill->x[k], vector + (size_t)3 * (size_t)k);
+        add_multiple(3, out, fill->x[k], vector + (size_t)3 * (size_t)k);
 }
 
 double bat_fill_number(const bat_fill *fill, const double *number)
@@ -106,7 +106,7 @@ static void set_turn(const bat_fill *fill, const corner_side c[2], double *turn,
     const double *C = NULL;
     for (int k = 1; k >= 0; k--)
         if (c[k].side->has_slope) {
-            add(3, normal, 1, c[k].seen.normal);
+            add_multiple(3, normal, 1, c[k].seen.normal);
             C = c[k].side->place[c[k].station].curve[1];
             /* Seen from the side before, D' has the other sign. */
             twist += k == 0 ? c[k].seen.twist : -c[k].seen.twist;
@@ -200,8 +200,8 @@ static void set_middle(const bat_fill *fill, bat_fill_fields *side, int *next)
         add_vector(fill, side->across[station][1], 1, turn);
         add_vector(fill, side->across[station][1], c, side->across[station][0]);
         for (int k = 0; k < 2; k++)
-            add((size_t)fill->unknowns + 1, side->factor[station][k][1], c,
-                side->factor[station][k][0]);
+            add_multiple((size_t)fill->unknowns + 1, side->factor[station][k][1], c,
+                         side->factor[station][k][0]);
     }
 }
 
@@ -295,7 +295,7 @@ static int count_unknowns(const bat_fill *fill)
     return count;
 }
 
-static double *take(double **memory, size_t count)
+static double *take_numbers(double **memory, size_t count)
 {
     double *at = *memory;
     *memory += count;
@@ -316,15 +316,15 @@ static batten_status lay_out(bat_fill *fill)
         bat_fill_fields *side = &fill->side[i];
         for (int station = 0; station < FILL_STATIONS; station++)
             for (int order = 0; order < 2; order++) {
-                side->across[station][order] = take(&memory, vectors);
-                side->factor[station][0][order] = take(&memory, numbers);
-                side->factor[station][1][order] = take(&memory, numbers);
+                side->across[station][order] = take_numbers(&memory, vectors);
+                side->factor[station][0][order] = take_numbers(&memory, numbers);
+                side->factor[station][1][order] = take_numbers(&memory, numbers);
             }
         for (int end = 0; end < 2; end++)
             for (int order = 0; order < 3; order++) {
-                side->spoke[end][order] = take(&memory, vectors);
+                side->spoke[end][order] = take_numbers(&memory, vectors);
                 if (order < 2)
-                    side->turn[end][order] = take(&memory, vectors);
+                    side->turn[end][order] = take_numbers(&memory, vectors);
             }
     }
     return BATTEN_OK;

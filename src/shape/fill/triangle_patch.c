@@ -117,7 +117,7 @@ static double size_of(const bat_triangle_patch *patch)
     return 3 * size;
 }
 
-static batten_status create(bat_triangle_patch *patch, batten_surface **out)
+static batten_status create_surface(bat_triangle_patch *patch, batten_surface **out)
 {
     static const char *const kinds[] = {"side-vertex", "barnhill-birkhoff-gordon",
                                         "charrot-gregory"};
@@ -155,7 +155,7 @@ batten_status batten_triangle_patch(const batten_ribbon ribbons[3],
     patch->method = method;
     status = bat_triangle_fill(ribbons, places, angle_tolerance, patch);
     if (status == BATTEN_OK)
-        status = create(patch, out);
+        status = create_surface(patch, out);
     if (status != BATTEN_OK)
         patch_free(patch);
     return status;

@@ -16,7 +16,7 @@ static void curve_table(const batten_curve *curve, double t, int order, double t
     memcpy(table, values, sizeof values);
 }
 
-static void compose(double table[5][3], int first, bat_jet t, bat_jets *out)
+static void compose_jets(double table[5][3], int first, bat_jet t, bat_jets *out)
 {
     for (int c = 0; c < 3; c++) {
         double g[4] = {0};
@@ -30,11 +30,11 @@ void bat_side_point(const bat_triangle_patch *patch, int e, bat_jet t, bat_jets 
 {
     double table[5][3];
     curve_table(patch->sides[e].curve, t.d[0], 3, table);
-    compose(table, 0, t, point);
+    compose_jets(table, 0, t, point);
 }
 
 /* a (1 - t) + b t */
-static bat_jet blend(double a, double b, bat_jet t)
+static bat_jet blend_ends(double a, double b, bat_jet t)
 {
     return bat_jet_add(bat_jet_constant(a), bat_jet_scale(b - a, t));
 }
@@ -45,19 +45,19 @@ void bat_side_frame(const bat_triangle_patch *patch, int e, bat_jet t, bat_jets 
     const bat_triangle_side *side = &patch->sides[e];
     double table[5][3];
     curve_table(side->curve, t.d[0], 4, table);
-    compose(table, 0, t, point);
-    compose(table, 1, t, along);
+    compose_jets(table, 0, t, point);
+    compose_jets(table, 1, t, along);
     *across = (bat_jets){0};
     if (!side->slope) {
-        bat_jets_add_constant(across, blend(1, 0, t), side->ends[0]);
-        bat_jets_add_constant(across, blend(0, 1, t), side->ends[1]);
+        bat_jets_add_constant(across, blend_ends(1, 0, t), side->ends[0]);
+        bat_jets_add_constant(across, blend_ends(0, 1, t), side->ends[1]);
         return;
     }
     bat_jets slope;
     curve_table(side->slope, t.d[0], 3, table);
-    compose(table, 0, t, &slope);
-    bat_jets_add(across, blend(side->k[0], side->k[1], t), &slope);
-    bat_jets_add(across, blend(side->h[0], side->h[1], t), along);
+    compose_jets(table, 0, t, &slope);
+    bat_jets_add(across, blend_ends(side->k[0], side->k[1], t), &slope);
+    bat_jets_add(across, blend_ends(side->h[0], side->h[1], t), along);
 }
 
 /* ---- sums ---- */

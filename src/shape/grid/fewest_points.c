@@ -59,7 +59,7 @@ static batten_status fit_best(growth *g)
 }
 
 /* Along the direction that leaves less. */
-static batten_status grow(growth *g, bool *grown)
+static batten_status add_points(growth *g, bool *grown)
 {
     double rms[2];
     batten_status status = try_along(g, 0, &rms[0]);
@@ -98,7 +98,7 @@ static batten_status fit_within(const bat_grid_fit *start, const batten_job *job
     int rounds = 1;
     batten_status status = fit_best(&g);
     for (; status == BATTEN_OK && g.report.error > g.tolerance && grown; rounds++) {
-        status = grow(&g, &grown);
+        status = add_points(&g, &grown);
         if (status == BATTEN_OK && grown)
             status = fit_best(&g);
     }

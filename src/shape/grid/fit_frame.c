@@ -26,7 +26,7 @@ static const char names[2] = {'u', 'v'};
 
 /* ---- checks ---- */
 
-static batten_status check(const bat_grid_fit *t)
+static batten_status check_grid(const bat_grid_fit *t)
 {
     if (t->count[0] < 2 || t->count[1] < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "the grid has %d x %d points, and needs 2 x 2",
@@ -100,7 +100,7 @@ batten_status bat_grid_fit_begin(bat_grid_fit *t, const batten_job *job)
     t->periodic[1] = o->closed_v;
     t->weights[0] = o->weights_u;
     t->weights[1] = o->weights_v;
-    batten_status status = check(t);
+    batten_status status = check_grid(t);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         status = settle_size(t, k);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
@@ -157,8 +157,8 @@ batten_status bat_surface_fit_measure(size_t count, double *distances, const dou
     return BATTEN_OK;
 }
 
-static batten_status measure(const bat_grid_fit *t, const batten_surface *surface,
-                             batten_surface_fit_report *report)
+static batten_status measure_fit(const bat_grid_fit *t, const batten_surface *surface,
+                                 batten_surface_fit_report *report)
 {
     const int d = t->dimension;
     const size_t nu = (size_t)t->count[0], nv = (size_t)t->count[1];
@@ -209,7 +209,7 @@ static batten_status make_surface(const bat_grid_fit *t, batten_surface_fit_repo
         }
     }
     if (status == BATTEN_OK)
-        status = measure(t, surface, report);
+        status = measure_fit(t, surface, report);
     if (status == BATTEN_OK)
         *out = surface;
     else

@@ -393,7 +393,7 @@ static batten_status check_residual(const task *t, const batten_surface *surface
 }
 
 /* One step for each data point. */
-static batten_status report(task *t, double fraction)
+static batten_status report_progress(task *t, double fraction)
 {
     return bat_work_step(&t->work, (uint64_t)t->count_u * (uint64_t)t->count_v, fraction,
                          "grid");
@@ -403,7 +403,7 @@ static batten_status find_control(task *t)
 {
     batten_status status = t->gap_count > 0 ? fill_gaps(t) : find_both_parameters(t);
     if (status == BATTEN_OK)
-        status = report(t, 0.3);
+        status = report_progress(t, 0.3);
     if (status == BATTEN_OK)
         status = make_homogeneous(t);
     if (status == BATTEN_OK)
@@ -411,7 +411,7 @@ static batten_status find_control(task *t)
     if (status == BATTEN_OK)
         status = solve_along_u(t);
     if (status == BATTEN_OK)
-        status = report(t, 0.5);
+        status = report_progress(t, 0.5);
     if (status == BATTEN_OK)
         status = solve_rims(t);
     if (status == BATTEN_OK)
@@ -419,11 +419,11 @@ static batten_status find_control(task *t)
     if (status == BATTEN_OK)
         status = divide(t);
     if (status == BATTEN_OK)
-        status = report(t, 0.7);
+        status = report_progress(t, 0.7);
     return status;
 }
 
-static batten_status solve(task *t, double *residual, batten_surface **out)
+static batten_status solve_directions(task *t, double *residual, batten_surface **out)
 {
     batten_status status = find_control(t);
     if (status != BATTEN_OK)
@@ -444,7 +444,7 @@ static batten_status solve(task *t, double *residual, batten_surface **out)
     return status;
 }
 
-static void release(task *t)
+static void free_task(task *t)
 {
     bat_release(t->homogeneous);
     bat_release(t->filled);
@@ -479,7 +479,7 @@ batten_status batten_surface_interpolate(int dimension, int count_u, int count_v
     status = check_grid(&t);
     double residual = 0;
     if (status == BATTEN_OK)
-        status = solve(&t, &residual, out);
+        status = solve_directions(&t, &residual, out);
     if (status == BATTEN_OK) {
         if (u)
             memcpy(u, t.u, (size_t)count_u * sizeof *u);
@@ -489,6 +489,6 @@ batten_status batten_surface_interpolate(int dimension, int count_u, int count_v
             *report = (batten_surface_interpolate_report){residual, t.spread_u, t.spread_v,
                                                           t.gap_count};
     }
-    release(&t);
+    free_task(&t);
     return status;
 }

@@ -62,7 +62,7 @@ static difference parabola(int count, const double *t, int i)
 
 typedef difference (*stencil)(int count, const double *t, int i);
 
-static void add(int d, double factor, const double *from, double *to)
+static void add_term(int d, double factor, const double *from, double *to)
 {
     for (int x = 0; factor != 0 && x < d; x++)
         to[x] += factor * from[x];
@@ -84,8 +84,8 @@ static void differ(const bat_net *net, stencil along_u, stencil along_v, const d
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++)
             if (u.weights[a] != 0 && v.weights[b] != 0)
-                add(net->dimension, u.weights[a] * v.weights[b],
-                    values + bat_net_index(net, u.first + a, v.first + b), out);
+                add_term(net->dimension, u.weights[a] * v.weights[b],
+                         values + bat_net_index(net, u.first + a, v.first + b), out);
 }
 
 /* d/du of Sv, and d/dv of Su, less what both have in common: exact for the bilinear Coons
@@ -96,8 +96,8 @@ static void adini(const bat_net *net, int i, int j, double *out)
     differ(net, long_chord, NULL, net->sv, i, j, out);
     differ(net, NULL, long_chord, net->su, i, j, by_v);
     differ(net, long_chord, long_chord, net->points, i, j, both);
-    add(net->dimension, 1, by_v, out);
-    add(net->dimension, -1, both, out);
+    add_term(net->dimension, 1, by_v, out);
+    add_term(net->dimension, -1, both, out);
 }
 
 /* ---- splines ---- */
@@ -144,8 +144,8 @@ static batten_status line_twists(const bat_net *net, int k, int fixed, double sh
     const batten_status status =
         spline_slopes(d, n, net->at[k], values, ends[0], ends[1], slopes);
     for (int i = 1; status == BATTEN_OK && i < n - 1; i++)
-        add(d, share, slopes + i * d,
-            twists + (k ? bat_net_index(net, fixed, i) : bat_net_index(net, i, fixed)));
+        add_term(d, share, slopes + i * d,
+                 twists + (k ? bat_net_index(net, fixed, i) : bat_net_index(net, i, fixed)));
     return status;
 }
 
@@ -260,8 +260,8 @@ static batten_status check_values(const bat_net *net, const char *what, const do
                     node / (size_t)net->count[1], node % (size_t)net->count[1]);
 }
 
-static batten_status check(const bat_net *net, batten_twists method,
-                           const batten_twist_shape *shape)
+static batten_status check_net(const bat_net *net, batten_twists method,
+                               const batten_twist_shape *shape)
 {
     if (net->dimension < 1 || net->dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
@@ -306,7 +306,7 @@ batten_status batten_net_twists(batten_twists method, int dimension, int count_u
 {
     assert(u && v && points && su && sv && twists);
     const bat_net net = {dimension, {count_u, count_v}, {u, v}, points, su, sv};
-    const batten_status status = check(&net, method, shape);
+    const batten_status status = check_net(&net, method, shape);
     int lost = 0;
     if (status != BATTEN_OK)
         return status;

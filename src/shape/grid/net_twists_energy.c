@@ -36,7 +36,7 @@ static double entry(double h, double k, int a, int b, int c, int d)
            h / (k * k * k) * K0[a][c] * K2[b][d];
 }
 
-static int place(const energy *e, int i, int j)
+static int unknown_of(const energy *e, int i, int j)
 {
     return i * e->stride[0] + j * e->stride[1];
 }
@@ -57,13 +57,13 @@ static const double *known(const energy *e, int i, int j, int a, int b, double h
 static void add_row(energy *e, int i, int j, int a, int b)
 {
     const bat_net *net = e->net;
-    const int d = net->dimension, row = place(e, i + a % 2, j + b % 2);
+    const int d = net->dimension, row = unknown_of(e, i + a % 2, j + b % 2);
     const double h = net->at[0][i + 1] - net->at[0][i], k = net->at[1][j + 1] - net->at[1][j];
     for (int c = 0; c < 4; c++)
         for (int l = 0; l < 4; l++) {
             const double m = entry(h, k, a, b, c, l) * h * k;
             if (c >= 2 && l >= 2) {
-                const int column = place(e, i + c % 2, j + l % 2);
+                const int column = unknown_of(e, i + c % 2, j + l % 2);
                 if (column <= row)
                     e->matrix[(size_t)row * (size_t)(e->lower + 1) +
                               (size_t)(column - row + e->lower)] += m * h * k;
@@ -76,7 +76,7 @@ static void add_row(energy *e, int i, int j, int a, int b)
         }
 }
 
-static batten_status solve(energy *e, double *twists)
+static batten_status solve_least_energy(energy *e, double *twists)
 {
     const bat_net *net = e->net;
     const int d = net->dimension;
@@ -92,7 +92,8 @@ static batten_status solve(energy *e, double *twists)
     for (int i = 0; i < net->count[0]; i++)
         for (int j = 0; j < net->count[1]; j++)
             memcpy(twists + bat_net_index(net, i, j),
-                   e->right + (size_t)place(e, i, j) * (size_t)d, (size_t)d * sizeof *twists);
+                   e->right + (size_t)unknown_of(e, i, j) * (size_t)d,
+                   (size_t)d * sizeof *twists);
     return BATTEN_OK;
 }
 
@@ -112,7 +113,8 @@ batten_status bat_net_energy_twists(const bat_net *net, double *twists)
     e.stride[1] = v_first ? 1 : net->count[0];
     e.matrix = bat_array3((size_t)e.n, (size_t)e.lower + 1, sizeof *e.matrix);
     e.right = bat_array3((size_t)e.n, (size_t)net->dimension, sizeof *e.right);
-    const batten_status status = e.matrix && e.right ? solve(&e, twists) : BATTEN_OUT_OF_MEMORY;
+    const batten_status status =
+        e.matrix && e.right ? solve_least_energy(&e, twists) : BATTEN_OUT_OF_MEMORY;
     bat_release(e.matrix);
     bat_release(e.right);
     return status;

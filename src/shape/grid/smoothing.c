@@ -326,7 +326,7 @@ static int usual_points(int count, bool periodic, int degree)
     return bat_min_int(USUAL_POINTS, periodic && degree % 2 == 0 ? (count + 1) / 2 : count);
 }
 
-static batten_status check(const batten_surface_fit_grid_options *o)
+static batten_status check_smoothing(const batten_surface_fit_grid_options *o)
 {
     if (o->order < 1 || o->order > 4)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the order of the penalty is %d, not 1 to 4",
@@ -359,7 +359,7 @@ batten_status batten_surface_smooth_grid(int dimension, int count_u, int count_v
     const batten_surface_fit_grid_options *o = t.options;
     t.wanted[0] = o->points_u ? 0 : usual_points(count_u, o->closed_u, o->degree_u);
     t.wanted[1] = o->points_v ? 0 : usual_points(count_v, o->closed_v, o->degree_v);
-    status = check(t.options);
+    status = check_smoothing(t.options);
     if (status == BATTEN_OK)
         status = bat_grid_fit_begin(&t, job);
     if (status == BATTEN_OK)

@@ -66,7 +66,7 @@ static void solve_upper(int n, const double *l, int rows, double *b)
         }
 }
 
-static void turn(int n, double *a)
+static void transpose(int n, double *a)
 {
     for (int i = 0; i < n; i++)
         for (int j = 0; j < i; j++) {
@@ -84,7 +84,7 @@ static batten_status diagonalise(int n, double *G, double *R, int unseen, bat_mo
     if (status != BATTEN_OK)
         return status;
     solve_lower(n, G, n, R);
-    turn(n, R);
+    transpose(n, R);
     solve_lower(n, G, n, R);
     for (int i = 0; i < n; i++)
         for (int j = 0; j < i; j++)

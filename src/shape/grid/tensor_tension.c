@@ -185,8 +185,8 @@ static strips strips_of(int count, bool closed, double *parameters)
 }
 
 /* Parameters and points of a surface whose second derivatives are still to be found. */
-static batten_status begin(int dimension, int count_u, int count_v, const double *points,
-                           const batten_surface_tension_options *o, tension_surface *s)
+static batten_status prepare_axes(int dimension, int count_u, int count_v, const double *points,
+                                  const batten_surface_tension_options *o, tension_surface *s)
 {
     const size_t d = (size_t)dimension, total = (size_t)count_u * (size_t)count_v;
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
@@ -208,7 +208,7 @@ static batten_status begin(int dimension, int count_u, int count_v, const double
     return BATTEN_OK;
 }
 
-static batten_status hand_over(tension_surface *s, size_t total, batten_surface **out)
+static batten_status hand_over_patches(tension_surface *s, size_t total, batten_surface **out)
 {
     const bat_formula_axis u = {s->u.spans + 1, s->u.parameters, 2},
                            v = {s->v.spans + 1, s->v.parameters, 2};
@@ -237,7 +237,7 @@ batten_status batten_surface_tension(int dimension, int count_u, int count_v,
     tension_surface *s = bat_array(1, sizeof *s);
     if (!s)
         return BATTEN_OUT_OF_MEMORY;
-    status = begin(dimension, count_u, count_v, points, o, s);
+    status = prepare_axes(dimension, count_u, count_v, points, o, s);
     if (status == BATTEN_OK)
         status = run_pass(s, true, o->tension_u, o->tensions_u, POINT, UU);
     if (status == BATTEN_OK)
@@ -245,7 +245,7 @@ batten_status batten_surface_tension(int dimension, int count_u, int count_v,
     if (status == BATTEN_OK)
         status = run_pass(s, false, o->tension_v, o->tensions_v, UU, UUVV);
     if (status == BATTEN_OK)
-        status = hand_over(s, (size_t)count_u * (size_t)count_v, out);
+        status = hand_over_patches(s, (size_t)count_u * (size_t)count_v, out);
     if (status != BATTEN_OK)
         free_surface(s);
     return status;

@@ -21,8 +21,8 @@ static bat_request blend_request(const bat_network *net, int family, bool period
 }
 
 /* One period becomes clamped over [0, 1]. */
-static batten_status clamp(const bat_operator *op, const double *control, size_t width,
-                           bat_spline *out)
+static batten_status clamp_ends(const bat_operator *op, const double *control, size_t width,
+                                bat_spline *out)
 {
     bat_spline wrapped;
     const int m = op->count, p = op->degree;
@@ -42,7 +42,7 @@ static batten_status from_operator(const bat_operator *op, const double *control
                                    bat_spline *out)
 {
     if (op->periodic)
-        return clamp(op, control, width, out);
+        return clamp_ends(op, control, width, out);
     const batten_status status = bat_spline_make(op->degree, op->count, width, out);
     if (status == BATTEN_OK) {
         memcpy(out->knots, op->knots,

@@ -188,7 +188,7 @@ static batten_status carried_cosine(const task *t, int family, int k, int before
 }
 
 /* Such a curve runs as its neighbour does, by the crossing that says so most clearly. */
-static batten_status follow(task *t, int family, int k, int before)
+static batten_status follow_directions(task *t, int family, int k, int before)
 {
     const int count = family_of(t, 1 - family)->count;
     double clearest = 0;
@@ -220,7 +220,7 @@ static batten_status follow_neighbours(task *t, int family)
             if (f->curves[k].point)
                 continue;
             if (t->runs[family][k] == EITHER)
-                status = follow(t, family, k, before);
+                status = follow_directions(t, family, k, before);
             before = k;
         }
     }

@@ -7,6 +7,7 @@
  * knots, among them those of the cardinal functions. What the fit then lacks in the nodes is
  * added as a combination of cardinal functions, so that the nodes are met to rounding.
  */
+#include "base/sort.h"
 #include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
@@ -48,12 +49,6 @@ static batten_status elevate_cardinal(task *t, int degree)
 
 /* ---- the curves ---- */
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Distinct inner knots of all curves as they were given, those within rounding taken as one. */
 static batten_status count_exact(const task *t, int *count)
 {
@@ -66,7 +61,7 @@ static batten_status count_exact(const task *t, int *count)
         return BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < f->count; k++)
         used += (size_t)batten_curve_spans(f->curves[k].curve, knots + used);
-    qsort(knots, used, sizeof *knots, by_value);
+    bat_sort_doubles(used, knots);
     *count = -1;
     for (size_t i = 1; i < used; i++)
         *count += knots[i] - knots[i - 1] > 16 * DBL_EPSILON;
@@ -145,7 +140,7 @@ static batten_status redraw(task *t, int degree)
     return status;
 }
 
-static batten_status fit(task *t)
+static batten_status fit_common_curves(task *t)
 {
     const bat_network_family *f = family_of(t);
     const int p = t->cardinal.degree;
@@ -189,7 +184,7 @@ static batten_status refine_cardinal(task *t, int count, const double *knots)
     return status;
 }
 
-static batten_status meet(task *t)
+static batten_status bring_knots_together(task *t)
 {
     const int p = t->cardinal.degree, n = batten_curve_point_count(t->common[0]);
     const double *U = batten_curve_knots(t->common[0]) + p + 1, *V = t->cardinal.knots + p + 1;
@@ -260,7 +255,7 @@ static batten_status correct(const task *t, int k, double *rows)
     return BATTEN_OK;
 }
 
-static batten_status fill(task *t)
+static batten_status fill_side(task *t)
 {
     bat_network_side *side = t->out;
     const bat_network_family *f = family_of(t);
@@ -300,7 +295,7 @@ static batten_status check_size(const task *t)
     return BATTEN_OK;
 }
 
-static batten_status make(task *t)
+static batten_status make_side(task *t)
 {
     batten_status status = count_exact(t, &t->out->exact_knots);
     if (status == BATTEN_OK)
@@ -325,13 +320,13 @@ static batten_status make(task *t)
     } else if (status == BATTEN_OK) {
         status = elevate_cardinal(t, 3);
         if (status == BATTEN_OK)
-            status = fit(t);
+            status = fit_common_curves(t);
     }
     if (status == BATTEN_OK)
         status = check_size(t);
     if (status == BATTEN_OK)
-        status = meet(t);
-    return status == BATTEN_OK ? fill(t) : status;
+        status = bring_knots_together(t);
+    return status == BATTEN_OK ? fill_side(t) : status;
 }
 
 batten_status bat_network_make_side(bat_network *net, int family, bat_network_side *out)
@@ -346,7 +341,7 @@ batten_status bat_network_make_side(bat_network *net, int family, bat_network_si
     t.common = bat_array((size_t)f->count, sizeof *t.common);
     t.deviation = bat_array((size_t)f->count, sizeof *t.deviation);
     const batten_status status =
-        t.drawn && t.common && t.deviation ? make(&t) : BATTEN_OUT_OF_MEMORY;
+        t.drawn && t.common && t.deviation ? make_side(&t) : BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < f->count; k++) {
         if (t.drawn)
             batten_curve_unref(t.drawn[k]);

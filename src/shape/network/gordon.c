@@ -10,7 +10,8 @@ batten_surface_gordon_options batten_surface_gordon_defaults(void)
                                            .cut = true};
 }
 
-static batten_status check(int profiles, int guides, const batten_surface_gordon_options *o)
+static batten_status check_network(int profiles, int guides,
+                                   const batten_surface_gordon_options *o)
 {
     if (!isfinite(o->tolerance))
         return bat_fail(BATTEN_NOT_FINITE, "the tolerance is %g", o->tolerance);
@@ -57,7 +58,7 @@ static batten_status find_scale(bat_network *net, const batten_curve *const *pro
     return status;
 }
 
-static batten_status make(bat_network *net, batten_surface **out)
+static batten_status make_network_surface(bat_network *net, batten_surface **out)
 {
     bat_network_side sides[2] = {{0}, {0}};
     batten_status status = bat_network_find_nodes(net);
@@ -92,13 +93,13 @@ batten_status batten_surface_gordon(int profile_count, const batten_curve *const
                    {.what = "guide", .names = options->guide_names, .given = guide_count}},
         .options = options,
         .work = {job, 0}};
-    status = check(profile_count, guide_count, options);
+    status = check_network(profile_count, guide_count, options);
     if (status == BATTEN_OK)
         status = find_scale(&net, profiles, guides);
     if (status == BATTEN_OK)
         status = bat_network_take(&net, profiles, guides);
     if (status == BATTEN_OK)
-        status = make(&net, out);
+        status = make_network_surface(&net, out);
     if (status == BATTEN_OK && report)
         *report = net.report;
     bat_network_free(&net);

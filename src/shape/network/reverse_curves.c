@@ -71,8 +71,8 @@ static batten_status count_cut(bat_network *net, int family, const bat_network_c
     return BATTEN_OK;
 }
 
-static batten_status cut(bat_network *net, int family, bat_network_curve *c, int count,
-                         double *nodes)
+static batten_status cut_to_network(bat_network *net, int family, bat_network_curve *c,
+                                    int count, double *nodes)
 {
     const double a = nodes[0], b = nodes[count - 1];
     batten_curve *next = NULL;
@@ -106,7 +106,7 @@ batten_status bat_network_turn(bat_network *net, int family, bat_network_curve *
     memcpy(c->at, ranked, (size_t)count * sizeof *ranked);
     batten_status status = reversed ? reverse(net, c, count, c->at) : BATTEN_OK;
     if (status != BATTEN_OK || !closed)
-        return status == BATTEN_OK ? cut(net, family, c, count, c->at) : status;
+        return status == BATTEN_OK ? cut_to_network(net, family, c, count, c->at) : status;
     const double first = c->at[0] < 1 ? c->at[0] : 0;
     if (first > 0)
         status = rotate(c, net->gap, first);

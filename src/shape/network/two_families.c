@@ -120,7 +120,7 @@ static batten_status find_closest(task *t, int a, int b, bat_meetings *m)
                              &t->work, m);
 }
 
-static batten_status meet(task *t, int a, int b, double *nearest, int *neighbour)
+static batten_status find_meetings(task *t, int a, int b, double *nearest, int *neighbour)
 {
     bat_meetings m;
     const int gaps = t->gap_count;
@@ -167,7 +167,7 @@ static batten_status meet_all(task *t, double *nearest, int *neighbour)
         nearest[a] = HUGE_VAL;
     for (int a = 0; a < t->count; a++)
         for (int b = a + 1; b < t->count; b++) {
-            const batten_status status = meet(t, a, b, nearest, neighbour);
+            const batten_status status = find_meetings(t, a, b, nearest, neighbour);
             if (status != BATTEN_OK)
                 return status;
         }
@@ -207,7 +207,7 @@ static batten_status colour(task *t, int *family)
     return BATTEN_OK;
 }
 
-static batten_status take(task *t, const batten_curve *const *curves)
+static batten_status trace_curves(task *t, const batten_curve *const *curves)
 {
     batten_status status = bat_network_scale(t->count, curves, &t->scale);
     t->tolerance *= t->scale;
@@ -226,7 +226,7 @@ static batten_status take(task *t, const batten_curve *const *curves)
     return status;
 }
 
-static void release(task *t)
+static void release_forest(task *t)
 {
     for (int k = 0; t->curves && k < t->count; k++) {
         batten_curve_unref(t->curves[k].curve);
@@ -240,7 +240,7 @@ static void release(task *t)
     bat_release(t->gaps);
 }
 
-static batten_status split(task *t, const batten_curve *const *curves, int *family)
+static batten_status colour_curves(task *t, const batten_curve *const *curves, int *family)
 {
     const size_t n = (size_t)t->count;
     double *nearest = bat_array(n, sizeof *nearest);
@@ -253,7 +253,7 @@ static batten_status split(task *t, const batten_curve *const *curves, int *fami
     t->gaps = bat_array(n * (n - 1) / 2, sizeof *t->gaps); /* n is at most 1000 */
     batten_status status = nearest && neighbour && t->curves && t->parent && t->other &&
                                    t->met && t->ends && t->gaps
-                               ? take(t, curves)
+                               ? trace_curves(t, curves)
                                : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = meet_all(t, nearest, neighbour);
@@ -285,7 +285,7 @@ batten_status batten_network_split(int count, const batten_curve *const *curves,
                         "there are %d curves in one list; the limit is 1000: give profiles and "
                         "guides apart",
                         count);
-    const batten_status status = split(&t, curves, family);
-    release(&t);
+    const batten_status status = colour_curves(&t, curves, family);
+    release_forest(&t);
     return status;
 }

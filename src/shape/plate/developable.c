@@ -171,9 +171,9 @@ static batten_status check_regression(const batten_surface_developable_options *
     return BATTEN_OK;
 }
 
-static batten_status make(const batten_curve *const edges[2],
-                          const batten_surface_developable_options *options,
-                          batten_developable *out)
+static batten_status make_developable(const batten_curve *const edges[2],
+                                      const batten_surface_developable_options *options,
+                                      batten_developable *out)
 {
     const double a = extent(edges[0]), b = extent(edges[1]);
     const bool point = bat_min(a, b) <= BAT_ROUNDING * bat_max(a, b);
@@ -211,7 +211,7 @@ batten_status batten_surface_developable(const batten_curve *first, const batten
     if (status == BATTEN_OK)
         status = batten_curve_to_dimension(second, 3, &b);
     if (status == BATTEN_OK)
-        status = make((const batten_curve *const[2]){a, b}, o, &made);
+        status = make_developable((const batten_curve *const[2]){a, b}, o, &made);
     batten_curve_unref(a);
     batten_curve_unref(b);
     if (status == BATTEN_OK)

@@ -6,8 +6,8 @@
 enum { LOOKS = 4 };
 
 /* The ruling at u; `before` is the normal midway along the one before it. */
-static batten_status look_at(const batten_surface *surface, double u, batten_side side,
-                             batten_vec3 *before, batten_developable *out)
+static batten_status look_at_ruling(const batten_surface *surface, double u, batten_side side,
+                                    batten_vec3 *before, batten_developable *out)
 {
     double a[9], b[9];
     batten_status status =
@@ -64,8 +64,8 @@ batten_status bat_plate_measure(const batten_surface_developable_options *option
         for (int i = 0; i <= LOOKS && status == BATTEN_OK; i++) {
             const double u = knots[k] + (knots[k + 1] - knots[k]) * i / LOOKS;
             const bool last = i == LOOKS;
-            status = look_at(out->surface, last ? knots[k + 1] : u,
-                             last ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &before, out);
+            status = look_at_ruling(out->surface, last ? knots[k + 1] : u,
+                                    last ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &before, out);
         }
     bat_release(knots);
     out->is_developable = out->warp <= options->warp && !out->has_regression;

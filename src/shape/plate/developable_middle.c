@@ -34,7 +34,7 @@ static double path_step(const bat_plate *plate, bat_pair a, bat_pair b)
 }
 
 /* Where the warp is 0 beside the point of the path that is the share f of its step k. */
-static batten_status polish(const bat_plate *plate, int k, double f, bat_pair *out)
+static batten_status polish_pair(const bat_plate *plate, int k, double f, bat_pair *out)
 {
     const bat_pair *a = &plate->pairs[k], *b = a + 1;
     const double reach = 2.0 / BAT_EDGE_STEPS, length = hypot(b->x - a->x, b->y - a->y);
@@ -71,7 +71,7 @@ static batten_status sample_path(const bat_plate *plate, int wanted, bat_middle 
         }
         bat_pair found;
         const double f = step > 0 ? bat_min(1, (target - passed) / step) : 0;
-        const batten_status status = polish(plate, k, f, &found);
+        const batten_status status = polish_pair(plate, k, f, &found);
         if (status != BATTEN_OK)
             return status;
         if (follows(m->pairs[m->count - 1], found) && follows(found, last))

@@ -144,8 +144,8 @@ static batten_status signed_warp(const bat_plate *plate, bat_pair from, bat_pair
 }
 
 /* Between a and b, where the sines have different signs. */
-static batten_status halve(const bat_plate *plate, bat_pair from, bat_pair along, double a,
-                           double sine_a, double b, double *root)
+static batten_status halve_step(const bat_plate *plate, bat_pair from, bat_pair along, double a,
+                                double sine_a, double b, double *root)
 {
     batten_status status = BATTEN_OK;
     for (int k = 0; k < HALVINGS && status == BATTEN_OK; k++) {
@@ -182,7 +182,7 @@ batten_status bat_plate_root(const bat_plate *plate, bat_pair from, bat_pair alo
         if (!has[k] || !has[k + 1] || sine[k] * sine[k + 1] > 0)
             continue;
         double root = 0;
-        status = halve(plate, from, along, at[k], sine[k], at[k + 1], &root);
+        status = halve_step(plate, from, along, at[k], sine[k], at[k + 1], &root);
         if (status == BATTEN_OK && fabs(root) < fabs(best)) {
             best = root;
             *found = true;
@@ -196,7 +196,7 @@ batten_status bat_plate_root(const bat_plate *plate, bat_pair from, bat_pair alo
 
 /* ---- where cones end ---- */
 
-static bool same(bat_pair a, bat_pair b)
+static bool same_pair(bat_pair a, bat_pair b)
 {
     return a.x == b.x && a.y == b.y;
 }
@@ -247,7 +247,7 @@ static void keep_between(bat_plate *plate, bat_pair first, bat_pair last)
             plate->pairs[count++] = p;
     }
     plate->pairs[0] = first;
-    if (!same(first, last))
+    if (!same_pair(first, last))
         plate->pairs[count++] = last;
     plate->count = count;
 }

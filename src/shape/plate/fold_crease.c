@@ -126,7 +126,7 @@ typedef struct {
 } moving_frame;
 
 /* The derivative by arc length of the frame at a place where k and tau are known. */
-static moving_frame turn(const moving_frame *f, double k, double tau)
+static moving_frame turned_frame(const moving_frame *f, double k, double tau)
 {
     moving_frame d;
     for (int c = 0; c < 3; c++) {
@@ -176,7 +176,7 @@ static batten_status runge_kutta(const bat_fold_task *t, double s, double h, mov
             flat_curvatures(t, bat_min(s + where[i] * h, t->made.length), &k, &tau);
         if (status != BATTEN_OK)
             return status;
-        slope = turn(&at, k, tau);
+        slope = turned_frame(&at, k, tau);
         for (int c = 0; c < 12; c++)
             sum.v[c] += weight[i] * slope.v[c];
     }

@@ -141,8 +141,8 @@ static double distance_from(const bat_flat_strip *coarse, const bat_flat_strip *
     return largest;
 }
 
-static batten_status refine(const bat_strip *strip, int knot_count, const double *knots,
-                            double tolerance, bat_flat_strip *out, double *error)
+static batten_status refine_strip(const bat_strip *strip, int knot_count, const double *knots,
+                                  double tolerance, bat_flat_strip *out, double *error)
 {
     bat_flat_strip coarse = {0}, fine = {0};
     int steps = FIRST_STEPS;
@@ -201,7 +201,7 @@ static batten_status edge_curve(const bat_flat_strip *flat, int e, batten_curve 
     return status;
 }
 
-static void hand_over(bat_flat_strip *flat, batten_interval v, batten_unrolled *out)
+static void hand_over_strip(bat_flat_strip *flat, batten_interval v, batten_unrolled *out)
 {
     out->count = flat->count;
     out->u = flat->u;
@@ -229,13 +229,14 @@ static batten_status unroll_strip(const bat_strip *strip, double tolerance,
         return BATTEN_OUT_OF_MEMORY;
     batten_surface_spans(out->surface, BATTEN_U, knots);
     bat_flat_strip flat = {0};
-    batten_status status = refine(strip, knot_count, knots, tolerance, &flat, &out->error);
+    batten_status status =
+        refine_strip(strip, knot_count, knots, tolerance, &flat, &out->error);
     if (status == BATTEN_OK)
         status = edge_curve(&flat, 0, &out->first);
     if (status == BATTEN_OK)
         status = edge_curve(&flat, 1, &out->second);
     if (status == BATTEN_OK)
-        hand_over(&flat, batten_surface_domain(out->surface, BATTEN_V), out);
+        hand_over_strip(&flat, batten_surface_domain(out->surface, BATTEN_V), out);
     bat_flat_strip_release(&flat);
     bat_release(knots);
     return status;

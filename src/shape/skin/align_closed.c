@@ -1,4 +1,5 @@
 /* Sections with another parameter, so that what belongs together stands at equal ones. */
+#include "base/sort.h"
 #include "numeric/rounding.h"
 #include "shape/skin/steps.h"
 #include <batten/approximate.h>
@@ -74,7 +75,7 @@ static void take_piece(mapped *m, double b, const double *points, double error)
 }
 
 /* [a, b], halved where a cubic is too far off. */
-static batten_status follow(mapped *m, double a, double b)
+static batten_status map_piece(mapped *m, double a, double b)
 {
     double ends[MAX_HALVINGS + 1] = {b};
     for (int depth = 0; depth >= 0;) {
@@ -105,7 +106,7 @@ static batten_status follow_all(mapped *m, int break_count, const double *breaks
         m->breaks[0] = breaks[0];
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i + 1 < break_count; i++)
-        status = follow(m, breaks[i], breaks[i + 1]);
+        status = map_piece(m, breaks[i], breaks[i + 1]);
     return status;
 }
 
@@ -126,15 +127,9 @@ static batten_status make_pieces(mapped *m, int break_count, const double *break
     return status;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 int bat_skin_sort_knots(int count, double *breaks)
 {
-    qsort(breaks, (size_t)count, sizeof *breaks, by_value);
+    bat_sort_doubles((size_t)count, breaks);
     const double end = breaks[count - 1], near = BAT_ROUNDING * (end - breaks[0]);
     int kept = 1;
     for (int i = 1; i < count; i++)
@@ -145,8 +140,8 @@ int bat_skin_sort_knots(int count, double *breaks)
 }
 
 /* The curve after the map, by cubics that break where either has a knot. */
-static batten_status compose(const batten_curve *curve, const batten_curve *map,
-                             double tolerance, double *error, batten_curve **out)
+static batten_status compose_maps(const batten_curve *curve, const batten_curve *map,
+                                  double tolerance, double *error, batten_curve **out)
 {
     mapped m = {.curve = curve, .map = map, .tolerance = tolerance};
     const int own = batten_curve_spans(curve, NULL);
@@ -186,7 +181,7 @@ static batten_status by_arc_length(const batten_curve *curve, double tolerance, 
     batten_curve *even = NULL;
     batten_status status = batten_curve_even_speed(curve, tolerance / 2, &report, &even);
     if (status == BATTEN_OK)
-        status = compose(even, NULL, tolerance / 2, error, out);
+        status = compose_maps(even, NULL, tolerance / 2, error, out);
     if (status == BATTEN_OK)
         *error += report.error;
     batten_curve_unref(even);
@@ -258,7 +253,7 @@ static batten_status by_marks(const bat_skin *t, int k, double *own, double *slo
     if (status == BATTEN_OK)
         status = batten_curve_from_tangents(1, n + 2, own, mean, slopes, NULL, false, &map);
     if (status == BATTEN_OK)
-        status = compose(t->placed[k], map, tolerance, error, out);
+        status = compose_maps(t->placed[k], map, tolerance, error, out);
     batten_curve_unref(map);
     return status;
 }

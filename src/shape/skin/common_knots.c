@@ -160,7 +160,7 @@ static bool add_knots(const bat_fitting *f, double worst, bat_comb *c)
 }
 
 /* *met: the tolerance is kept with fewer knots than the exact union has. */
-static batten_status grow(bat_fitting *f, bat_comb *c, bool *met)
+static batten_status grow_comb(bat_fitting *f, bat_comb *c, bool *met)
 {
     for (;;) {
         double worst;
@@ -241,7 +241,7 @@ static batten_status attempt(bat_fitting *f, int averaged, bat_comb *c, bat_comb
     bat_comb_average(f, f->periodic ? bat_max_int(averaged, f->degree) : averaged, c);
     if (f->symmetric)
         bat_comb_mirror(c);
-    batten_status status = grow(f, c, &reached);
+    batten_status status = grow_comb(f, c, &reached);
     if (status == BATTEN_OK && reached)
         status = shrink(f, c, scratch);
     if (status == BATTEN_OK && reached && (!*met || c->inner < best->inner)) {
@@ -260,7 +260,7 @@ static bool is_least(const bat_comb *c)
     return true;
 }
 
-static batten_status search(bat_fitting *f, bat_comb *best, bool *met)
+static batten_status search_comb(bat_fitting *f, bat_comb *best, bool *met)
 {
     bat_comb c = {0}, scratch = {0};
     int median = 0;
@@ -301,7 +301,7 @@ static batten_status to_curve(const bat_fitting *f, const bat_spline *s, batten_
     return status;
 }
 
-static batten_status hand_over(bat_fitting *f, const bat_comb *best, batten_curve **out)
+static batten_status hand_over_curves(bat_fitting *f, const bat_comb *best, batten_curve **out)
 {
     double worst;
     batten_status status = fit_all(f, best, &worst);
@@ -350,8 +350,8 @@ static batten_status prefer_exact(const bat_fitting *f, const batten_curve *cons
     return status == BATTEN_TOO_LARGE ? BATTEN_OK : status;
 }
 
-static batten_status find(bat_fitting *f, const batten_curve *const *sections, bool *met,
-                          batten_curve **out)
+static batten_status find_common_knots(bat_fitting *f, const batten_curve *const *sections,
+                                       bool *met, batten_curve **out)
 {
     batten_status status = take_sections(f, sections);
     if (status == BATTEN_OK)
@@ -365,13 +365,13 @@ static batten_status find(bat_fitting *f, const batten_curve *const *sections, b
     f->error = bat_array((size_t)f->limit + 2, sizeof *f->error);
     status = f->error ? bat_comb_make(f->limit, &best) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = search(f, &best, met);
+        status = search_comb(f, &best, met);
     bool exact = false;
     if (status == BATTEN_OK && *met)
         status = prefer_exact(f, sections, &best, &exact);
     *met = *met && !exact;
     if (status == BATTEN_OK && *met)
-        status = hand_over(f, &best, out);
+        status = hand_over_curves(f, &best, out);
     bat_comb_free(&best);
     return status;
 }
@@ -396,7 +396,7 @@ batten_status bat_common_knots_held(int count, const batten_curve *const *sectio
     f.fitted = bat_array((size_t)count, sizeof *f.fitted);
     bool met = false;
     batten_status status =
-        f.given && f.fitted ? find(&f, sections, &met, out) : BATTEN_OUT_OF_MEMORY;
+        f.given && f.fitted ? find_common_knots(&f, sections, &met, out) : BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < count; k++) {
         if (f.given)
             bat_spline_free(&f.given[k]);

@@ -152,7 +152,7 @@ void bat_comb_average(const bat_fitting *f, int wanted, bat_comb *c)
 /* ---- symmetry ---- */
 
 /* The distance of two control points of a section, i the first. */
-static double leg(const bat_fitting *f, const bat_spline *s, int i, int by)
+static double leg_length(const bat_fitting *f, const bat_spline *s, int i, int by)
 {
     const int d = f->dimension;
     const double *a = s->values + (size_t)i * f->width, *b = a + (size_t)by * f->width;
@@ -172,10 +172,11 @@ static bool is_symmetric(const bat_fitting *f, const bat_spline *s)
         if (fabs(s->knots[i] + s->knots[last - i] - 1) > 16 * DBL_EPSILON)
             return false;
     for (int i = 0; i + 1 < n; i++)
-        size = bat_max(size, leg(f, s, i, 1));
+        size = bat_max(size, leg_length(f, s, i, 1));
     for (int by = 1; by <= 3; by++)
         for (int i = 0; i + by < n; i++)
-            if (fabs(leg(f, s, i, by) - leg(f, s, n - 1 - i - by, by)) > BAT_ROUNDING * size)
+            if (fabs(leg_length(f, s, i, by) - leg_length(f, s, n - 1 - i - by, by)) >
+                BAT_ROUNDING * size)
                 return false;
     for (int i = 0; i < n && f->rational; i++) {
         const double a = s->values[(size_t)i * f->width + f->width - 1],

@@ -52,7 +52,7 @@ static void add_samples(normal *e)
 }
 
 /* The rows of the cyclic solution begin with the lower-th unknown. */
-static batten_status solve(const normal *e)
+static batten_status solve_ring(const normal *e)
 {
     const int p = e->ring->degree;
     bat_cyclic *factor = NULL;
@@ -80,7 +80,7 @@ static batten_status fit_ring(const bat_fitting *f, int k, const bat_comb *c, ba
         period[m] = 1;
         bat_knots_wrap(p, m, period, ring.knots);
         add_samples(&e);
-        status = solve(&e);
+        status = solve_ring(&e);
     }
     if (status == BATTEN_OK)
         memcpy(ring.values + (size_t)m * f->width, ring.values,

@@ -73,7 +73,7 @@ typedef struct {
     link *links;
 } chain;
 
-static void measure(const batten_curve *curve, link *out)
+static void measure_piece(const batten_curve *curve, link *out)
 {
     const int p = batten_curve_degree(curve), n = batten_curve_point_count(curve),
               d = batten_curve_dimension(curve);
@@ -111,7 +111,7 @@ static void free_chain(chain *c)
 }
 
 /* Cut a clamped rational section at its knots of full multiplicity. */
-static batten_status cut(const batten_curve *section, chain *out)
+static batten_status cut_at_creases(const batten_curve *section, chain *out)
 {
     const int p = batten_curve_degree(section), n = batten_curve_point_count(section);
     const double *U = batten_curve_knots(section);
@@ -127,7 +127,7 @@ static batten_status cut(const batten_curve *section, chain *out)
             batten_curve_subrange(section, U[i], U[next], &here->curve);
         if (status != BATTEN_OK)
             return status;
-        measure(here->curve, here);
+        measure_piece(here->curve, here);
         here->corner = out->count == 0 || !is_smooth(here[-1].curve, here->curve);
         out->count++;
         while (next < n && U[next + 1] == U[next])
@@ -166,7 +166,7 @@ static double march(chain *c, int first, double m)
 static const double most_uneven = 16;
 
 /* The start from which the march stays evenest: from a table, then by halving steps. */
-static bool solve(chain *c, int first)
+static bool solve_cure(chain *c, int first)
 {
     double best = 0, least = march(c, first, 1);
     for (double step = 0.5; step > 1e-6; step /= 2)
@@ -221,7 +221,7 @@ static batten_status rescale(const link *from, double *weight, double *speed,
 }
 
 /* All links joined again; at a smooth joint the knot then stands once less. */
-static batten_status join(const chain *c, double size, batten_curve **out)
+static batten_status join_pieces(const chain *c, double size, batten_curve **out)
 {
     batten_curve *whole = NULL;
     double weight = 1, speed = 0;
@@ -267,15 +267,15 @@ static batten_status rescale_section(const batten_curve *section, batten_curve *
     *out = NULL;
     batten_status status = batten_curve_clamp(section, &clamped);
     if (status == BATTEN_OK)
-        status = cut(clamped, &c);
+        status = cut_at_creases(clamped, &c);
     const int n = batten_curve_point_count(section) * batten_curve_dimension(section);
     for (int i = 0; i < n; i++)
         size = bat_max(size, fabs(batten_curve_points(section)[i]));
     bool solved = status == BATTEN_OK;
     for (int i = 0; solved && i < c.count; i++)
-        solved = !c.links[i].corner || solve(&c, i);
+        solved = !c.links[i].corner || solve_cure(&c, i);
     if (solved)
-        status = join(&c, size, out);
+        status = join_pieces(&c, size, out);
     free_chain(&c);
     batten_curve_unref(clamped);
     return status;

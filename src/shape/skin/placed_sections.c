@@ -4,8 +4,8 @@
 
 #include <string.h>
 
-static batten_status place(const bat_skin *t, const batten_curve *section,
-                           const batten_affine *map, batten_curve **out)
+static batten_status place_section(const bat_skin *t, const batten_curve *section,
+                                   const batten_affine *map, batten_curve **out)
 {
     batten_curve *raised = NULL;
     batten_status status = BATTEN_OK;
@@ -33,7 +33,7 @@ batten_status bat_skin_place(bat_skin *t)
         status = maps ? bat_skin_places(t->count, t->options, maps) : BATTEN_OUT_OF_MEMORY;
     }
     for (int k = 0; status == BATTEN_OK && k < t->count; k++)
-        status = place(t, t->given[k], maps ? &maps[k] : NULL, &t->placed[k]);
+        status = place_section(t, t->given[k], maps ? &maps[k] : NULL, &t->placed[k]);
     bat_release(maps);
     return status;
 }

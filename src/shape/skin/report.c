@@ -1,4 +1,5 @@
 /* What is true of a skin: that it passes its sections, and what its report says. */
+#include "base/sort.h"
 #include "numeric/rounding.h"
 #include "shape/skin/steps.h"
 
@@ -124,19 +125,13 @@ static batten_status check_sections(const bat_skin *t, const batten_surface *sur
     return status;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* @param knots  spoilt: it becomes the sorted spans */
 static double span_ratio(double *knots, int knot_count)
 {
     const int spans = knot_count - 1;
     for (int i = 0; i < spans; i++)
         knots[i] = knots[i + 1] - knots[i];
-    qsort(knots, (size_t)spans, sizeof *knots, by_value);
+    bat_sort_doubles((size_t)spans, knots);
     return knots[0] / knots[spans / 2];
 }
 
@@ -225,7 +220,7 @@ static batten_status count_exact(const bat_skin *t, int *count)
                 (knots[used + (size_t)i] - domain.a) / (domain.b - domain.a);
         used += (size_t)(own - 2);
     }
-    qsort(knots, used, sizeof *knots, by_value);
+    bat_sort_doubles(used, knots);
     *count = used > 0;
     for (size_t i = 1; i < used; i++)
         *count += knots[i] - knots[i - 1] > 16 * DBL_EPSILON;

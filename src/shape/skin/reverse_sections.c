@@ -50,7 +50,7 @@ static batten_status sample(const batten_curve *curve, bool closed, double shift
 
 /* The mean squared distance when the second begins `by` samples later, or runs backwards from
  * there. */
-static double apart(const samples *a, const samples *b, int by, bool backwards)
+static double squares_apart(const samples *a, const samples *b, int by, bool backwards)
 {
     double sum = 0;
     for (int i = 0; i < SAMPLES; i++) {
@@ -68,10 +68,10 @@ static int best_start(const samples *a, const samples *b, bool closed, bool back
 {
     const int first = backwards && !closed ? SAMPLES - 1 : 0;
     int best = first;
-    *least = apart(a, b, first, backwards);
+    *least = squares_apart(a, b, first, backwards);
     for (int by = 1; by < SAMPLES && closed; by++) {
         /* Equal sums keep the first start: equal to nine digits, lest rounding turn a section. */
-        const double here = apart(a, b, by, backwards);
+        const double here = squares_apart(a, b, by, backwards);
         if (here < *least * (1 - BAT_MEANT_SAME)) {
             *least = here;
             best = by;
@@ -80,13 +80,13 @@ static int best_start(const samples *a, const samples *b, bool closed, bool back
     return best;
 }
 
-static batten_status shifted(const samples *before, const batten_curve *curve, double shift,
-                             double *sum)
+static batten_status squares_shifted(const samples *before, const batten_curve *curve,
+                                     double shift, double *sum)
 {
     samples here;
     const batten_status status = sample(curve, true, shift, &here);
     if (status == BATTEN_OK)
-        *sum = apart(before, &here, 0, false);
+        *sum = squares_apart(before, &here, 0, false);
     return status;
 }
 
@@ -97,23 +97,23 @@ static batten_status refine_start(const samples *before, const batten_curve *cur
     const double golden = (sqrt(5) - 1) / 2;
     double a = (best - 1.0) / SAMPLES, b = (best + 1.0) / SAMPLES, low, high;
     double x = b - golden * (b - a), y = a + golden * (b - a), at_best;
-    batten_status status = shifted(before, curve, x, &low);
+    batten_status status = squares_shifted(before, curve, x, &low);
     if (status == BATTEN_OK)
-        status = shifted(before, curve, y, &high);
+        status = squares_shifted(before, curve, y, &high);
     while (status == BATTEN_OK && b - a > BAT_MEANT_SAME) {
         if (low <= high) {
             b = y, y = x, high = low;
             x = b - golden * (b - a);
-            status = shifted(before, curve, x, &low);
+            status = squares_shifted(before, curve, x, &low);
         } else {
             a = x, x = y, low = high;
             y = a + golden * (b - a);
-            status = shifted(before, curve, y, &high);
+            status = squares_shifted(before, curve, y, &high);
         }
     }
     if (status == BATTEN_OK)
         /* A start between samples must gain more than a millionth: golden sections find flat minima no better. */
-        status = shifted(before, curve, (double)best / SAMPLES, &at_best);
+        status = squares_shifted(before, curve, (double)best / SAMPLES, &at_best);
     if (status == BATTEN_OK)
         *shift =
             bat_min(low, high) < at_best * (1 - 1e-6) ? (a + b) / 2 : (double)best / SAMPLES;
@@ -164,7 +164,7 @@ static batten_status turn_clamped(const batten_curve *curve, double u, batten_cu
     return status;
 }
 
-static batten_status turn_to(batten_curve **curve, double u)
+static batten_status start_section_at(batten_curve **curve, double u)
 {
     const batten_interval domain = batten_curve_domain(*curve);
     const double far = BAT_MEANT_SAME * (domain.b - domain.a);
@@ -196,7 +196,7 @@ static batten_status reverse(bat_skin *t, int k)
     return BATTEN_OK;
 }
 
-static batten_status turn(bat_skin *t, int k, const samples *before)
+static batten_status turn_to_neighbour(bat_skin *t, int k, const samples *before)
 {
     samples here;
     double least, shift = 0;
@@ -209,7 +209,7 @@ static batten_status turn(bat_skin *t, int k, const samples *before)
     shift -= floor(shift);
     const batten_interval domain = batten_curve_domain(t->placed[k]);
     const batten_curve *was = t->placed[k];
-    status = turn_to(&t->placed[k], (1 - shift) * domain.a + shift * domain.b);
+    status = start_section_at(&t->placed[k], (1 - shift) * domain.a + shift * domain.b);
     t->found.turned_count += t->placed[k] != was;
     return status;
 }
@@ -224,14 +224,14 @@ static batten_status fit_in(bat_skin *t, int k, const samples *before, bool clos
         double along, against;
         best_start(before, &here, free_start, false, &along);
         if (closed && !o->turn) /* a closed section run backwards begins where it began */
-            against = apart(before, &here, 0, true);
+            against = squares_apart(before, &here, 0, true);
         else
             best_start(before, &here, free_start, true, &against);
         if (against < along)
             status = reverse(t, k);
     }
     if (status == BATTEN_OK && free_start)
-        status = turn(t, k, before);
+        status = turn_to_neighbour(t, k, before);
     return status;
 }
 
@@ -250,7 +250,7 @@ static batten_status begin_at(bat_skin *t, int k, bool closed)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "section %d is open and cannot begin at another place", k);
     const batten_curve *was = t->placed[k];
-    const batten_status status = turn_to(&t->placed[k], starts[k]);
+    const batten_status status = start_section_at(&t->placed[k], starts[k]);
     t->found.turned_count += t->placed[k] != was;
     return status;
 }

@@ -119,7 +119,8 @@ static double residual(const row_system *s, int d, const double *points, const d
     return worst;
 }
 
-static batten_status solve(const row_system *s, int d, const double *points, double *control)
+static batten_status solve_row(const row_system *s, int d, const double *points,
+                               double *control)
 {
     const size_t m = (size_t)s->rows, n = (size_t)s->count;
     double *miss = bat_array3(m, (size_t)d, sizeof *miss);
@@ -197,7 +198,7 @@ batten_status bat_row_through(const bat_shared_knots *shared, int p, int d, int 
         status = *is_free ? factor(&s) : interpolate(&s, d, points, control);
     }
     if (status == BATTEN_OK && *is_free)
-        status = solve(&s, d, points, control);
+        status = solve_row(&s, d, points, control);
     if (status == BATTEN_OK)
         status = batten_curve_create(d, p, s.count, control, NULL, s.U, out);
     bat_release(control);

@@ -27,8 +27,8 @@ static double place_apart(const bat_shared_knots *shared, double wished, double 
 }
 
 /* The first free knot that lies nearest to `wished` in [low, high], or -1. */
-static int find(const bat_shared_knots *shared, int from, double wished, double low,
-                double high)
+static int find_knot(const bat_shared_knots *shared, int from, double wished, double low,
+                     double high)
 {
     int best = -1;
     for (int i = from; i < shared->count && shared->knots[i] <= high; i++)
@@ -55,7 +55,7 @@ void bat_shared_knots_take(bat_shared_knots *shared, int p, int count, const dou
         for (int i = j; i < j + p; i++)
             wished += u[i] / p;
         wished = bat_min(high, bat_max(low, wished));
-        int at = find(shared, from, wished, low, high);
+        int at = find_knot(shared, from, wished, low, high);
         if (at < 0) {
             if (last >= low) /* there is room: last is below the high of its own interval */
                 low = last + (high - last) / 4;

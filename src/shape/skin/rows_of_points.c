@@ -1,6 +1,7 @@
 /* Skins through rows of points: each row with the knots that it can have, few in all. */
 #include "shape/skin/rows_of_points.h"
 #include "base/plural.h"
+#include "base/sort.h"
 #include "numeric/vector.h"
 #include "shape/points/parametrize.h"
 #include "spline/curve/curve.h"
@@ -144,12 +145,6 @@ static batten_status share_knots(rows *r)
     return status;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static batten_status find_span_ratio(rows *r)
 {
     const int n = r->shared.count + 1;
@@ -158,7 +153,7 @@ static batten_status find_span_ratio(rows *r)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < n; i++)
         spans[i] = (i < n - 1 ? r->shared.knots[i] : 1) - (i > 0 ? r->shared.knots[i - 1] : 0);
-    qsort(spans, (size_t)n, sizeof *spans, by_value);
+    bat_sort_doubles((size_t)n, spans);
     r->found.span_ratio = spans[0] / spans[n / 2];
     r->found.knot_count = r->shared.count;
     bat_release(spans);
@@ -202,7 +197,8 @@ static batten_status through_rows(rows *r)
     return status;
 }
 
-static batten_status make(rows *r, const batten_job *job, double *v, batten_surface **out)
+static batten_status make_surface(rows *r, const batten_job *job, double *v,
+                                  batten_surface **out)
 {
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < r->count; k++)
@@ -227,7 +223,7 @@ static batten_status make(rows *r, const batten_job *job, double *v, batten_surf
     return status;
 }
 
-static batten_status begin(rows *r)
+static batten_status begin_rows(rows *r)
 {
     batten_status status = check_options(r);
     if (status == BATTEN_OK)
@@ -269,12 +265,12 @@ batten_status batten_surface_skin_rows(int dimension, int row_count, const int *
               .counts = counts,
               .points = points,
               .options = &chosen};
-    status = begin(&r);
+    status = begin_rows(&r);
     double *across = status == BATTEN_OK ? bat_array((size_t)row_count, sizeof *across) : NULL;
     if (status == BATTEN_OK && !across)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = make(&r, job, across, out);
+        status = make_surface(&r, job, across, out);
     if (status == BATTEN_OK && u)
         memcpy(u, r.u, r.first[row_count] * sizeof *u);
     if (status == BATTEN_OK && v)

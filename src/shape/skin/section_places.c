@@ -16,7 +16,7 @@ typedef struct {
     double *u, *length, *speed;
 } ruler;
 
-static batten_status measure(const batten_curve *spine, const double *knots, ruler *r)
+static batten_status measure_spine(const batten_curve *spine, const double *knots, ruler *r)
 {
     const int d = batten_curve_dimension(spine);
     for (int i = 0; i < r->count; i++) {
@@ -41,7 +41,7 @@ static batten_status measure(const batten_curve *spine, const double *knots, rul
 
 /* u between two places where the length is the share x of the piece: the cubic with du / ds = 1
  * / speed. */
-static double between(const ruler *r, int i, double x)
+static double distance_between(const ruler *r, int i, double x)
 {
     const double piece = r->length[i + 1] - r->length[i];
     const double u0 = r->u[i], u1 = r->u[i + 1], y = 1 - x;
@@ -59,7 +59,7 @@ static void find_even(const ruler *r, int count, double *at)
         while (i + 2 < r->count && r->length[i + 1] < s)
             i++;
         const double piece = r->length[i + 1] - r->length[i];
-        at[k] = between(r, i, piece > 0 ? bat_min(1, (s - r->length[i]) / piece) : 0);
+        at[k] = distance_between(r, i, piece > 0 ? bat_min(1, (s - r->length[i]) / piece) : 0);
     }
     at[count - 1] = r->u[r->count - 1];
 }
@@ -76,7 +76,7 @@ static batten_status even_places(const batten_curve *spine, int count, double *a
         knots && r.u && r.length && r.speed ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         batten_curve_spans(spine, knots);
-        status = measure(spine, knots, &r);
+        status = measure_spine(spine, knots, &r);
     }
     if (status == BATTEN_OK)
         find_even(&r, count, at);

@@ -33,7 +33,7 @@ static batten_status check_end(const batten_surface_skin_options *o, const batte
     return BATTEN_OK;
 }
 
-static batten_status check(int count, const batten_surface_skin_options *o)
+static batten_status check_sections(int count, const batten_surface_skin_options *o)
 {
     if (count < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d section%s, and a skin needs 2",
@@ -60,7 +60,7 @@ static batten_status check(int count, const batten_surface_skin_options *o)
 /* ---- the whole ---- */
 
 /* The sections as they shall be met: `placed`. */
-static batten_status prepare(bat_skin *t)
+static batten_status place_sections(bat_skin *t)
 {
     const size_t n = (size_t)t->count;
     t->placed = bat_array(n, sizeof *t->placed);
@@ -188,8 +188,8 @@ batten_status bat_skin_begin(int count, const batten_curve *const *sections,
     const batten_surface_skin_options *o = t->options;
     t->cures = o->creases == BATTEN_CREASES_CURE ||
                (o->creases == BATTEN_CREASES_WITHIN && o->tolerance > 0);
-    const batten_status status = check(count, o);
-    return status == BATTEN_OK ? prepare(t) : status;
+    const batten_status status = check_sections(count, o);
+    return status == BATTEN_OK ? place_sections(t) : status;
 }
 
 void bat_skin_end(bat_skin *t)

@@ -308,7 +308,7 @@ static batten_status make_near(task *t, const batten_curve *unified, batten_surf
     return status;
 }
 
-static batten_status make(task *t, batten_surface **out)
+static batten_status make_blend(task *t, batten_surface **out)
 {
     batten_curve *unified[CURVES] = {NULL};
     const batten_curve *given[CURVES];
@@ -331,7 +331,7 @@ static batten_status make(task *t, batten_surface **out)
 
 /* ---- the call ---- */
 
-static batten_status check(const task *t)
+static batten_status check_blend(const task *t)
 {
     for (int k = 0; k < 2; k++) {
         const batten_surface_blend_end *e = &t->ends[k];
@@ -367,7 +367,7 @@ static batten_status blend_edges(task *t, batten_surface **out)
     }
     t->report->error *= bat_max(1, bat_max(scale[0], scale[1]));
     if (status == BATTEN_OK)
-        status = make(t, &made);
+        status = make_blend(t, &made);
     if (status == BATTEN_OK)
         status = bat_blend_measure(
             &(bat_blend_contact){t->surfaces, t->ends, t->size, t->report}, made);
@@ -401,7 +401,7 @@ batten_status batten_surfaces_blend(const batten_surface *const surfaces[2],
     batten_status status = take_ends(ends, chosen);
     task t = {.surfaces = surfaces, .ends = chosen, .tolerance = tolerance, .report = &found};
     if (status == BATTEN_OK)
-        status = check(&t);
+        status = check_blend(&t);
     if (status != BATTEN_OK)
         return status;
     t.b = bat_array(1, sizeof *t.b);

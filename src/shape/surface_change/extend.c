@@ -21,7 +21,7 @@ typedef struct {
 
 /* ---- turning ---- */
 
-static batten_status swap(batten_surface **surface)
+static batten_status swap_directions(batten_surface **surface)
 {
     batten_surface *changed = NULL;
     const batten_status status = batten_surface_swap(*surface, &changed);
@@ -45,10 +45,10 @@ static bool at_low(batten_edge edge)
     return edge == BATTEN_EDGE_U0 || edge == BATTEN_EDGE_V0;
 }
 
-static batten_status turn_to(batten_surface **surface, batten_edge edge)
+static batten_status turn_edge_to_end(batten_surface **surface, batten_edge edge)
 {
     batten_surface *changed = NULL;
-    batten_status status = across_u(edge) ? swap(surface) : BATTEN_OK;
+    batten_status status = across_u(edge) ? swap_directions(surface) : BATTEN_OK;
     if (status == BATTEN_OK && at_low(edge))
         status = reverse(surface);
     if (status == BATTEN_OK)
@@ -59,7 +59,7 @@ static batten_status turn_to(batten_surface **surface, batten_edge edge)
 static batten_status turn_back(batten_surface **surface, batten_edge edge)
 {
     batten_status status = at_low(edge) ? reverse(surface) : BATTEN_OK;
-    return status == BATTEN_OK && across_u(edge) ? swap(surface) : status;
+    return status == BATTEN_OK && across_u(edge) ? swap_directions(surface) : status;
 }
 
 /* ---- measuring ---- */
@@ -178,7 +178,7 @@ static batten_status find_way(const task *t, double guess, batten_surface **out)
         t->length, way, least);
 }
 
-static batten_status go_on(const task *t, batten_surface **out)
+static batten_status extend_end(const task *t, batten_surface **out)
 {
     double slowest = 0, bend = 0;
     const batten_status status = check_edge(t, &slowest, &bend);
@@ -216,7 +216,7 @@ static batten_status one_side(const task *t, const batten_surface *made, double 
     return BATTEN_OK;
 }
 
-static batten_status measure(const task *t, const batten_surface *made)
+static batten_status measure_extension(const task *t, const batten_surface *made)
 {
     batten_surface_extend_report *r = t->report;
     r->to = batten_surface_domain(made, BATTEN_V).b;
@@ -249,8 +249,8 @@ static batten_status measure(const task *t, const batten_surface *made)
 
 /* ---- the call ---- */
 
-static batten_status check(const batten_surface *surface, batten_edge edge,
-                           batten_extension extension, double length, double tolerance)
+static batten_status check_request(const batten_surface *surface, batten_edge edge,
+                                   batten_extension extension, double length, double tolerance)
 {
     if (!isfinite(length) || !isfinite(tolerance))
         return bat_fail(BATTEN_NOT_FINITE, "an extension by %g within %g", length, tolerance);
@@ -271,19 +271,19 @@ static batten_status check(const batten_surface *surface, batten_edge edge,
     return BATTEN_OK;
 }
 
-static batten_status extend(task *t, batten_edge edge, batten_surface **out)
+static batten_status extend_surface(task *t, batten_edge edge, batten_surface **out)
 {
     batten_surface *made = NULL;
-    batten_status status = turn_to(&t->surface, edge);
+    batten_status status = turn_edge_to_end(&t->surface, edge);
     if (status != BATTEN_OK)
         return status;
     const batten_interval along = batten_surface_domain(t->surface, BATTEN_U);
     t->end = batten_surface_domain(t->surface, BATTEN_V).b;
     for (int i = 0; i < LINES; i++)
         t->u[i] = i + 1 < LINES ? along.a + (along.b - along.a) * i / (LINES - 1) : along.b;
-    status = go_on(t, &made);
+    status = extend_end(t, &made);
     if (status == BATTEN_OK)
-        status = measure(t, made);
+        status = measure_extension(t, made);
     if (status == BATTEN_OK)
         status = turn_back(&made, edge);
     if (at_low(edge))
@@ -301,7 +301,7 @@ batten_status batten_surface_extend(const batten_surface *surface, batten_edge e
 {
     assert(surface && out);
     batten_surface_extend_report found = {.to = 0};
-    batten_status status = check(surface, edge, extension, length, tolerance);
+    batten_status status = check_request(surface, edge, extension, length, tolerance);
     if (status != BATTEN_OK)
         return status;
     task t = {.surface = batten_surface_ref(surface),
@@ -309,7 +309,7 @@ batten_status batten_surface_extend(const batten_surface *surface, batten_edge e
               .length = length,
               .tolerance = tolerance,
               .report = &found};
-    status = extend(&t, edge, out);
+    status = extend_surface(&t, edge, out);
     batten_surface_unref(t.surface);
     if (status == BATTEN_OK && report)
         *report = found;

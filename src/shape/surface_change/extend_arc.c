@@ -50,7 +50,7 @@ static void along_edge(const double *values, int l, int order, double scale, bat
     }
 }
 
-static bat_jet dot(const bat_jet a[3], const bat_jet b[3])
+static bat_jet dot_jets(const bat_jet a[3], const bat_jet b[3])
 {
     return bat_jet_add(bat_jet_add(bat_jet_multiply(a[0], b[0]), bat_jet_multiply(a[1], b[1])),
                        bat_jet_multiply(a[2], b[2]));
@@ -74,13 +74,13 @@ static batten_status evaluate(const void *data, double u, double v, batten_side 
     along_edge(values, 1, order, scale, slope);
     along_edge(values, 2, order, scale, bend);
     /* Lengths and k s^2 in units of `scale`: k s^2 = (bend - (bend . T) T) t^2. */
-    const bat_jet speed2 = dot(slope, slope);
-    const bat_jet part = bat_jet_divide(dot(bend, slope), speed2);
+    const bat_jet speed2 = dot_jets(slope, slope);
+    const bat_jet part = bat_jet_divide(dot_jets(bend, slope), speed2);
     const bat_jet t = bat_jet_subtract(bat_jet_v(v), bat_jet_constant(a->end));
     const bat_jet t2 = bat_jet_multiply(t, t);
     for (int c = 0; c < 3; c++)
         bend[c] = bat_jet_subtract(bend[c], bat_jet_multiply(part, slope[c]));
-    const bat_jet q = bat_jet_multiply(bat_jet_divide(dot(bend, bend), speed2), t2);
+    const bat_jet q = bat_jet_multiply(bat_jet_divide(dot_jets(bend, bend), speed2), t2);
     series(q.d[0], 1, f);
     series(q.d[0], 2, g);
     const bat_jet along = bat_jet_multiply(bat_jet_compose(f, q), t);
@@ -104,7 +104,7 @@ static void free_arcs(void *data)
 
 static const bat_formula formula = {"arcs", evaluate, NULL, free_arcs};
 
-static batten_status make(const batten_surface *surface, double way, batten_surface **out)
+static batten_status make_arcs(const batten_surface *surface, double way, batten_surface **out)
 {
     const bat_nurbs *nurbs = bat_surface_nurbs(surface);
     const bat_axis *along = &nurbs->axes[BATTEN_U];
@@ -147,7 +147,7 @@ batten_status bat_surface_arc_on(const batten_surface *surface, double way, doub
     batten_surface *truth = NULL, *patch = NULL;
     batten_status status = check_weights(bat_surface_nurbs(surface));
     if (status == BATTEN_OK)
-        status = make(surface, way, &truth);
+        status = make_arcs(surface, way, &truth);
     if (status == BATTEN_OK)
         status = batten_surface_to_nurbs(truth, tolerance, &patch, error);
     if (status == BATTEN_OK)

@@ -174,7 +174,7 @@ static batten_status error_at(task *t, double s)
     return BATTEN_OK;
 }
 
-static batten_status fit(task *t)
+static batten_status fit_arcs(task *t)
 {
     batten_status status = BATTEN_OK;
     while (status == BATTEN_OK && t->spine.count < LEAST_STATIONS)
@@ -255,7 +255,7 @@ static batten_status fillet(task *t, const double *start)
     if (status == BATTEN_OK)
         status = check_balls(t);
     if (status == BATTEN_OK)
-        status = fit(t);
+        status = fit_arcs(t);
     if (status == BATTEN_OK)
         status = make_surface(t, &t->out->surface);
     if (status != BATTEN_OK)
@@ -271,7 +271,7 @@ static batten_status fillet(task *t, const double *start)
 
 /* ---- the call ---- */
 
-static batten_status check(const task *t, const double *start)
+static batten_status check_fillet(const task *t, const double *start)
 {
     const double *r = t->rolling.radii;
     if (!isfinite(r[0]) || !isfinite(r[1]) || !isfinite(t->tolerance))
@@ -304,7 +304,7 @@ batten_status batten_surfaces_fillet(const batten_surface *const surfaces[2],
     assert(surfaces && surfaces[0] && surfaces[1] && radii && out);
     batten_surface_fillet made = {0};
     task t = {.rolling = {surfaces, radii, 0}, .tolerance = tolerance, .out = &made};
-    batten_status status = check(&t, start);
+    batten_status status = check_fillet(&t, start);
     if (status != BATTEN_OK)
         return status;
     t.rolling.size = bat_max(bat_surface_nurbs(surfaces[0])->largest,

@@ -14,7 +14,7 @@ typedef struct {
     batten_vec3 contact[2], normal[2];
 } places;
 
-static batten_status look(const bat_rolling *r, const double x[4], places *p)
+static batten_status look_at_offsets(const bat_rolling *r, const double x[4], places *p)
 {
     for (int k = 0; k < 2; k++) {
         double point[3];
@@ -85,7 +85,7 @@ batten_status bat_ball_in_plane(const bat_rolling *r, const double guess[4],
     for (int i = 0; i < NEWTON; i++) {
         places p;
         batten_vec3 tangent;
-        batten_status status = look(r, x, &p);
+        batten_status status = look_at_offsets(r, x, &p);
         if (status != BATTEN_OK)
             return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
         const bool across = find_tangent(&p, &tangent);
@@ -194,8 +194,8 @@ typedef struct {
     double step;
 } march;
 
-static batten_status advance(const march *m, const bat_ball *from, double h, bat_ball *out,
-                             bool *found)
+static batten_status advance_ball(const march *m, const bat_ball *from, double h, bat_ball *out,
+                                  bool *found)
 {
     const batten_vec3 point = bat_vec3_along(from->centre, m->way * h, from->tangent);
     return bat_ball_in_plane(m->rolling, from->x, &point, &from->tangent, out, found);
@@ -210,7 +210,7 @@ static batten_status advance_to_end(const march *m, const bat_ball *from, double
         bat_ball ball;
         bool found = false;
         const double h = low + (high - low) / 2;
-        const batten_status status = advance(m, from, h, &ball, &found);
+        const batten_status status = advance_ball(m, from, h, &ball, &found);
         if (status != BATTEN_OK)
             return status;
         if (found) {
@@ -243,7 +243,7 @@ static batten_status roll(const march *m, bat_spine *s, batten_fillet_end *end)
         const bat_ball *from = &s->balls[s->count - 1];
         bat_ball next = *from;
         bool found = false;
-        batten_status status = advance(m, from, h, &next, &found);
+        batten_status status = advance_ball(m, from, h, &next, &found);
         if (status != BATTEN_OK)
             return status;
         /* Steps turn by less than 11 degrees, and are halved twenty times at most. */

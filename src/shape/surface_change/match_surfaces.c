@@ -87,7 +87,7 @@ batten_status batten_surfaces_near_edges(const batten_surface *first,
 
 /* Turn the surface so that the edge is at the start of u; doing it in the other order turns it
  * back. */
-static batten_status turn(batten_edge edge, bool back, batten_surface **surface)
+static batten_status turn_to_edge(batten_edge edge, bool back, batten_surface **surface)
 {
     const bool swapped = edge == BATTEN_EDGE_V0 || edge == BATTEN_EDGE_V1;
     const bool at_end = edge == BATTEN_EDGE_U1 || edge == BATTEN_EDGE_V1;
@@ -103,14 +103,14 @@ static batten_status turn(batten_edge edge, bool back, batten_surface **surface)
     return status;
 }
 
-static batten_status take(const batten_surface *first, batten_edge edge, int order,
-                          batten_surface **out)
+static batten_status take_surface(const batten_surface *first, batten_edge edge, int order,
+                                  batten_surface **out)
 {
     if (strcmp(batten_surface_kind(first), "nurbs") != 0 || batten_surface_is_rational(first))
         return bat_fail(BATTEN_UNSUPPORTED,
                         "the surface that moves must be a B-spline surface without weights");
     batten_surface *surface = batten_surface_ref(first), *made = NULL;
-    batten_status status = turn(edge, false, &surface);
+    batten_status status = turn_to_edge(edge, false, &surface);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         status = bat_surface_replace(batten_surface_clamp(surface, (batten_direction)k, &made),
                                      &surface, &made);
@@ -160,7 +160,7 @@ static batten_status lay_along(match *m, bool reversed)
 
 /* Refine the surface to the degree and the knots of a curve along the edge, which has its own
  * and more; both over [0, 1]. */
-static batten_status refine(match *m, const batten_curve *common)
+static batten_status refine_along(match *m, const batten_curve *common)
 {
     batten_surface *made = NULL;
     const int by = batten_curve_degree(common) - batten_surface_degree(m->surface, BATTEN_V);
@@ -203,7 +203,7 @@ static batten_status make_common(match *m)
     if (status == BATTEN_OK)
         status = batten_curves_unify(m->order + 2, given, common);
     if (status == BATTEN_OK)
-        status = refine(m, common[0]);
+        status = refine_along(m, common[0]);
     for (int k = 0; k <= m->order && status == BATTEN_OK; k++) {
         batten_curve_unref(m->rows[k]);
         m->rows[k] = batten_curve_ref(common[k + 1]);
@@ -339,16 +339,16 @@ static batten_status compare_at(const batten_surface *first, batten_edge first_e
     return BATTEN_OK;
 }
 
-static batten_status finish(const match *m, batten_edge first_edge,
-                            const batten_surface *second, batten_edge second_edge,
-                            batten_interval along, batten_surface_match_report *report,
-                            batten_surface **out)
+static batten_status finish_match(const match *m, batten_edge first_edge,
+                                  const batten_surface *second, batten_edge second_edge,
+                                  batten_interval along, batten_surface_match_report *report,
+                                  batten_surface **out)
 {
     batten_surface *surface = NULL;
     batten_status status =
         batten_surface_set_domain(m->surface, BATTEN_V, along.a, along.b, &surface);
     if (status == BATTEN_OK)
-        status = turn(first_edge, true, &surface);
+        status = turn_to_edge(first_edge, true, &surface);
     for (int i = 0; i < SAMPLES && status == BATTEN_OK; i++)
         status =
             compare_at(surface, first_edge, second, second_edge, i / (SAMPLES - 1.0), report);
@@ -430,11 +430,11 @@ static batten_status make_polynomial(match *m, double tolerance)
 /* The surface that moves and the ribbon that it takes over, in its direction and over its
  * domain.
  */
-static batten_status prepare(match *m, const batten_surface *first, batten_edge first_edge,
-                             const batten_surface *second, batten_edge second_edge,
-                             double tolerance, bool *reversed)
+static batten_status prepare_match(match *m, const batten_surface *first,
+                                   batten_edge first_edge, const batten_surface *second,
+                                   batten_edge second_edge, double tolerance, bool *reversed)
 {
-    batten_status status = take(first, first_edge, m->order, &m->surface);
+    batten_status status = take_surface(first, first_edge, m->order, &m->surface);
     if (status == BATTEN_OK)
         status = batten_edge_ribbon(second, second_edge, bat_max_int(m->order, 1), tolerance,
                                     m->rows, NULL);
@@ -463,7 +463,7 @@ batten_status batten_surface_match(const batten_surface *first, batten_edge firs
     batten_surface *made = NULL;
     batten_interval along = {0, 1};
     batten_status status =
-        prepare(&m, first, first_edge, second, second_edge, tolerance, &own.reversed);
+        prepare_match(&m, first, first_edge, second, second_edge, tolerance, &own.reversed);
     if (status == BATTEN_OK) {
         along = batten_surface_domain(m.surface, BATTEN_V);
         status = make_common(&m);
@@ -473,7 +473,7 @@ batten_status batten_surface_match(const batten_surface *first, batten_edge firs
     if (status == BATTEN_OK)
         status = move_rows(&m, &own.moved);
     if (status == BATTEN_OK)
-        status = finish(&m, first_edge, second, second_edge, along, &own, &made);
+        status = finish_match(&m, first_edge, second, second_edge, along, &own, &made);
     if (status == BATTEN_OK && !(own.gap <= bat_max(tolerance, BAT_ROUNDING * size_of(second))))
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET, "the edges are %g apart; %g was wanted",
                           own.gap, tolerance);

@@ -125,8 +125,8 @@ static batten_status check_creases(const batten_surface *surface)
     return status;
 }
 
-static batten_status check(const batten_surface *surface, double distance,
-                           const batten_surface_offset_options *options)
+static batten_status check_surface(const batten_surface *surface, double distance,
+                                   const batten_surface_offset_options *options)
 {
     if (!isfinite(distance) || !isfinite(options->tolerance))
         return bat_fail(BATTEN_NOT_FINITE, "an offset by %g within %g", distance,
@@ -162,7 +162,7 @@ static batten_status check_turned(double distance, const batten_surface_offset_r
 
 /* ---- making it ---- */
 
-static batten_status clamp(const batten_surface *surface, batten_surface **out)
+static batten_status clamp_surface(const batten_surface *surface, batten_surface **out)
 {
     batten_surface *half = NULL;
     batten_status status = batten_surface_clamp(surface, BATTEN_U, &half);
@@ -172,9 +172,9 @@ static batten_status clamp(const batten_surface *surface, batten_surface **out)
     return status;
 }
 
-static batten_status make(const batten_surface *surface, double distance,
-                          const batten_surface_offset_options *options,
-                          batten_surface_offset_report *report, batten_surface **out)
+static batten_status make_offset(const batten_surface *surface, double distance,
+                                 const batten_surface_offset_options *options,
+                                 batten_surface_offset_report *report, batten_surface **out)
 {
     batten_surface *truth = NULL;
     batten_status status = check_creases(surface);
@@ -211,11 +211,11 @@ batten_status batten_surface_offset(const batten_surface *surface, double distan
     options = &chosen;
     batten_surface_offset_report found = {.error = 0};
     batten_surface *clamped = NULL, *made = NULL;
-    status = check(surface, distance, options);
+    status = check_surface(surface, distance, options);
     if (status == BATTEN_OK)
-        status = clamp(surface, &clamped);
+        status = clamp_surface(surface, &clamped);
     if (status == BATTEN_OK)
-        status = make(clamped, distance, options, &found, &made);
+        status = make_offset(clamped, distance, options, &found, &made);
     if (report)
         *report = found;
     if (status == BATTEN_OK)

@@ -87,7 +87,8 @@ static double value_of(const search *s, int which, const double kappa[2])
 }
 
 /* From a sample downhill, by steps that are halved when no neighbour is lower. */
-static double descend(const search *s, int which, double value, double at[2], double step[2])
+static double descend_to_extreme(const search *s, int which, double value, double at[2],
+                                 double step[2])
 {
     static const double moves[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     int moved = 0;
@@ -149,8 +150,8 @@ static bool sample(const search *s, double least[3], int place[3][2],
     return any;
 }
 
-static void refine(const search *s, double least[3], int place[3][2],
-                   batten_surface_offset_report *report)
+static void refine_extremes(const search *s, double least[3], int place[3][2],
+                            batten_surface_offset_report *report)
 {
     for (int w = 0; w < 3; w++) {
         double at[2], step[2];
@@ -158,7 +159,7 @@ static void refine(const search *s, double least[3], int place[3][2],
             at[k] = s->lines[k].at[place[w][k]];
             step[k] = s->lines[k].step[place[w][k]] / 2;
         }
-        least[w] = descend(s, w, least[w], at, step);
+        least[w] = descend_to_extreme(s, w, least[w], at, step);
         if (w < 2)
             continue;
         report->at[0] = at[0];
@@ -190,7 +191,7 @@ batten_status bat_offset_curvatures(const batten_surface *surface, double distan
             for (int j = 0; j < s.lines[1].count; j++)
                 s.area = bat_max(s.area, area_at(&s, s.lines[0].at[i], s.lines[1].at[j]));
         if (sample(&s, least, place, report))
-            refine(&s, least, place, report);
+            refine_extremes(&s, least, place, report);
         else
             status = bat_fail(BATTEN_SINGULAR_HERE,
                               "the surface has no normal at any of %d places: it is a curve or "

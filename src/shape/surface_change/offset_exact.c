@@ -27,7 +27,7 @@ typedef struct {
     double *rows;        /* [count_u][count_v][3] */
 } task;
 
-static batten_status prepare(task *t, int k)
+static batten_status factor_direction(task *t, int k)
 {
     const bat_axis *axis = &t->nurbs->axes[k];
     const int p = axis->degree, n = axis->count, width = 2 * p + 1;
@@ -92,7 +92,7 @@ static batten_status sample(task *t)
     return status;
 }
 
-static void solve(task *t)
+static void solve_both(task *t)
 {
     const bat_axis *u = &t->nurbs->axes[0], *v = &t->nurbs->axes[1];
     bat_banded_solve(u->count, u->degree, u->degree, t->lu[0], (size_t)v->count * 3, t->rows);
@@ -121,7 +121,7 @@ static void keep_poles(const task *t, double *points)
     }
 }
 
-static batten_status make(const task *t, batten_surface **out)
+static batten_status make_surface(const task *t, batten_surface **out)
 {
     bat_nurbs *made = NULL;
     const batten_status status = bat_nurbs_copy(t->nurbs, t->nurbs->weights != NULL, &made);
@@ -137,7 +137,7 @@ static batten_status make(const task *t, batten_surface **out)
 }
 
 /* Is it the offset, at places between the abscissae of every patch? */
-static batten_status verify(const task *t, const batten_surface *made, bool *exact)
+static batten_status verify_offset(const task *t, const batten_surface *made, bool *exact)
 {
     const bat_axis *axes = t->nurbs->axes;
     batten_status status = BATTEN_OK;
@@ -161,25 +161,25 @@ static batten_status verify(const task *t, const batten_surface *made, bool *exa
     return status;
 }
 
-static batten_status try(task *t, batten_surface **out)
+static batten_status try_exact(task *t, batten_surface **out)
 {
     const size_t count = (size_t)t->nurbs->axes[0].count * (size_t)t->nurbs->axes[1].count;
     batten_surface *made = NULL;
     bool exact = false;
     t->rows = bat_array3(count, 3, sizeof *t->rows);
-    batten_status status = t->rows ? prepare(t, 0) : BATTEN_OUT_OF_MEMORY;
+    batten_status status = t->rows ? factor_direction(t, 0) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = prepare(t, 1);
+        status = factor_direction(t, 1);
     if (status == BATTEN_SINGULAR_SYSTEM)
         return BATTEN_OK; /* knots that leave nothing to interpolate: there is none */
     if (status == BATTEN_OK)
         status = sample(t);
     if (status != BATTEN_OK)
         return status;
-    solve(t);
-    status = make(t, &made);
+    solve_both(t);
+    status = make_surface(t, &made);
     if (status == BATTEN_OK)
-        status = verify(t, made, &exact);
+        status = verify_offset(t, made, &exact);
     if (status == BATTEN_OK && exact)
         *out = batten_surface_ref(made);
     batten_surface_unref(made);
@@ -195,7 +195,7 @@ batten_status bat_offset_exact(const batten_surface *surface, double distance,
     *out = NULL;
     if (t.nurbs->axes[0].count > MOST_POINTS / t.nurbs->axes[1].count)
         return BATTEN_OK;
-    const batten_status status = try(&t, out);
+    const batten_status status = try_exact(&t, out);
     for (int k = 0; k < 2; k++) {
         bat_release(t.greville[k]);
         bat_release(t.lu[k]);

@@ -21,8 +21,8 @@ static void copy_knots(const batten_curve *curve, bat_nurbs *made, batten_direct
 }
 
 /* The surface with control points product(P[i], Q[j]) and weights w[i] w[j]. */
-static batten_status multiply(const batten_curve *along_u, const batten_curve *along_v,
-                              blend product, const void *context, batten_surface **out)
+static batten_status multiply_curves(const batten_curve *along_u, const batten_curve *along_v,
+                                     blend product, const void *context, batten_surface **out)
 {
     const double *P = along_u->points, *Q = along_v->points;
     const double *wp = along_u->weights, *wq = along_v->weights;
@@ -149,7 +149,7 @@ batten_status batten_surface_translational(const batten_curve *curve, const batt
     if (status != BATTEN_OK)
         return status;
     const batten_vec3 from = bat_vec3_of(path->dimension, start);
-    status = multiply(curve, path, translate, &from, out);
+    status = multiply_curves(curve, path, translate, &from, out);
     return status == BATTEN_OK ? check_area(out, "the curve and the path lie along one line")
                                : status;
 }
@@ -236,7 +236,7 @@ static batten_status swing_both(const batten_curve *profile, const batten_curve 
     if (status == BATTEN_OK && found.least_x == 0 && found.largest_x == 0)
         status = bat_fail(BATTEN_COINCIDENT, "the profile lies on the axis");
     if (status == BATTEN_OK)
-        status = multiply(profile, trajectory, swing, &factor, out);
+        status = multiply_curves(profile, trajectory, swing, &factor, out);
     if (status == BATTEN_OK)
         status = check_area(out, "the profile lies on the axis, or swings within one line");
     if (status == BATTEN_OK && report)
@@ -275,8 +275,8 @@ static batten_status moved(const batten_curve *curve, batten_vec3 along, double 
 }
 
 /* The surface between two copies of a curve, with v from a to b. */
-static batten_status between(const batten_curve *low, const batten_curve *high, double a,
-                             double b, batten_surface **out)
+static batten_status surface_between(const batten_curve *low, const batten_curve *high,
+                                     double a, double b, batten_surface **out)
 {
     batten_surface *plain = NULL;
     batten_status status = batten_surface_ruled(low, high, &plain);
@@ -309,7 +309,7 @@ batten_status batten_surface_tabulated(const batten_curve *curve, batten_vec3 di
     if (status == BATTEN_OK)
         status = moved(space, along, to, &high);
     if (status == BATTEN_OK)
-        status = between(low, high, from, to, out);
+        status = surface_between(low, high, from, to, out);
     if (status == BATTEN_OK)
         status = check_area(out, "the curve lies along its lines");
     batten_curve_unref(high);

@@ -3,6 +3,7 @@
  * and its scale.
  */
 #include "shape/sweep/motion_rails.h"
+#include "base/sort.h"
 #include "numeric/jet3.h"
 #include "numeric/rounding.h"
 #include <batten/nearest.h>
@@ -58,7 +59,7 @@ static batten_status find_height(const between *m, int rail, double height, doub
 }
 
 /* From derivatives of the height in u those of u in the height, times powers of `range`. */
-static void invert(const double *f, double range, double *u)
+static void invert_derivatives(const double *f, double range, double *u)
 {
     const double r = range / f[1];
     const double f2 = f[2] / f[1], f3 = f[3] / f[1], f4 = f[4] / f[1];
@@ -69,7 +70,7 @@ static void invert(const double *f, double range, double *u)
 }
 
 /* Derivatives of a curve whose parameter goes as u[0..4]: the chain rule. */
-static void chain(const double *c, const double *u, double *out)
+static void apply_chain_rule(const double *c, const double *u, double *out)
 {
     for (int k = 0; k < 3; k++) {
         const double c1 = c[3 + k], c2 = c[6 + k], c3 = c[9 + k], c4 = c[12 + k];
@@ -83,7 +84,8 @@ static void chain(const double *c, const double *u, double *out)
 }
 
 /* Point and four derivatives of a rail at the share v of the way. */
-static batten_status look(const between *m, int rail, double v, batten_side side, double *out)
+static batten_status look_at_rail(const between *m, int rail, double v, batten_side side,
+                                  double *out)
 {
     const batten_interval domain = batten_curve_domain(m->rails[rail]);
     double u[5] = {v < 1 ? (1 - v) * domain.a + v * domain.b : domain.b, domain.b - domain.a};
@@ -101,9 +103,9 @@ static batten_status look(const between *m, int rail, double v, batten_side side
         if (!(f[1] > 0))
             return bat_fail(BATTEN_SINGULAR_HERE,
                             "rail %d does not rise at %.17g of its parameters", rail + 1, u[0]);
-        invert(f, m->heights[1] - m->heights[0], u);
+        invert_derivatives(f, m->heights[1] - m->heights[0], u);
     }
-    chain(values, u, out);
+    apply_chain_rule(values, u, out);
     return BATTEN_OK;
 }
 
@@ -170,9 +172,9 @@ static batten_status between_pose(const bat_motion *motion, double v, batten_sid
 {
     const between *m = (const between *)(const void *)motion;
     double rails[2][15], d[15];
-    batten_status status = look(m, 0, v, side, rails[0]);
+    batten_status status = look_at_rail(m, 0, v, side, rails[0]);
     if (status == BATTEN_OK)
-        status = look(m, 1, v, side, rails[1]);
+        status = look_at_rail(m, 1, v, side, rails[1]);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i < 15; i++)
@@ -261,9 +263,9 @@ static batten_status check_length(const between *m, int rail)
 static batten_status gap_at(const between *m, double v, batten_vec3 *gap)
 {
     double rails[2][15];
-    batten_status status = look(m, 0, v, BATTEN_FROM_RIGHT, rails[0]);
+    batten_status status = look_at_rail(m, 0, v, BATTEN_FROM_RIGHT, rails[0]);
     if (status == BATTEN_OK)
-        status = look(m, 1, v, BATTEN_FROM_RIGHT, rails[1]);
+        status = look_at_rail(m, 1, v, BATTEN_FROM_RIGHT, rails[1]);
     *gap = bat_vec3_subtract(bat_vec3_of(3, rails[1]), bat_vec3_of(3, rails[0]));
     return status;
 }
@@ -353,12 +355,6 @@ static batten_status check_meeting(const between *m)
     return BATTEN_OK;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The knots of both rails, as shares of the way. */
 static batten_status lay_breaks(between *m)
 {
@@ -382,7 +378,7 @@ static batten_status lay_breaks(between *m)
                                 : (breaks[count] - domain.a) / (domain.b - domain.a);
         }
     }
-    qsort(breaks, count, sizeof *breaks, by_value);
+    bat_sort_doubles(count, breaks);
     int kept = 0;
     for (size_t i = 0; i < count; i++)
         if (i == 0 || breaks[i] - breaks[kept - 1] > BAT_MEANT_SAME)
@@ -393,7 +389,7 @@ static batten_status lay_breaks(between *m)
     return BATTEN_OK;
 }
 
-static batten_status build(between *m, const bat_rails *rails)
+static batten_status build_motion(between *m, const bat_rails *rails)
 {
     for (int k = 0; k < 2; k++) {
         m->rails[k] = batten_curve_ref(rails->rails[k]);
@@ -428,7 +424,7 @@ batten_status bat_motion_between(const bat_rails *rails, bat_motion **out)
         return BATTEN_OUT_OF_MEMORY;
     m->base.pose = between_pose;
     m->base.free = between_free;
-    const batten_status status = build(m, rails);
+    const batten_status status = build_motion(m, rails);
     if (status == BATTEN_OK)
         *out = &m->base;
     else

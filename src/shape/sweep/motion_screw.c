@@ -55,7 +55,8 @@ static void screw_free(bat_motion *motion)
     bat_release(motion);
 }
 
-static batten_status check(batten_vec3 origin, batten_vec3 axis, double pitch, double angle)
+static batten_status check_screw(batten_vec3 origin, batten_vec3 axis, double pitch,
+                                 double angle)
 {
     if (!isfinite(bat_vec3_norm(origin)) || !isfinite(bat_vec3_norm(axis)) ||
         !isfinite(pitch) || !isfinite(angle))
@@ -76,7 +77,7 @@ static batten_status check(batten_vec3 origin, batten_vec3 axis, double pitch, d
 batten_status bat_motion_screw(batten_vec3 origin, batten_vec3 axis, double pitch, double angle,
                                bat_motion **out)
 {
-    batten_status status = check(origin, axis, pitch, angle);
+    batten_status status = check_screw(origin, axis, pitch, angle);
     if (status != BATTEN_OK)
         return status;
     screw *s = bat_array(1, sizeof *s);

@@ -128,8 +128,8 @@ static batten_status check_options(const batten_surface_sweep_options *o)
     return status;
 }
 
-static batten_status take(bat_spine_motion *m, const batten_curve *spine,
-                          const batten_surface_sweep_options *o)
+static batten_status take_spine(bat_spine_motion *m, const batten_curve *spine,
+                                const batten_surface_sweep_options *o)
 {
     m->kind = o->frames;
     m->has_up = o->up != NULL;
@@ -205,7 +205,7 @@ static batten_status check_turns(const bat_spine_motion *m)
     return BATTEN_OK;
 }
 
-static batten_status build(building *b)
+static batten_status build_motion(building *b)
 {
     bat_spine_motion *m = b->m;
     b->knot_count = batten_curve_spans(m->spine, NULL);
@@ -251,9 +251,9 @@ batten_status bat_motion_along(const batten_curve *spine,
     m->base.free = spine_free;
     m->base.flat = flat;
     building b = {.m = m, .options = options, .report = report};
-    status = take(m, spine, options);
+    status = take_spine(m, spine, options);
     if (status == BATTEN_OK)
-        status = build(&b);
+        status = build_motion(&b);
     bat_release(b.knots);
     if (status == BATTEN_OK)
         *out = &m->base;

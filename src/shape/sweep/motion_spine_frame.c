@@ -13,8 +13,8 @@ enum {
 /* ---- places ---- */
 
 /* Point and derivatives of the spine, [order + 1][3]. */
-static batten_status look(const bat_spine_motion *m, double u, batten_side side, int order,
-                          double *out)
+static batten_status look_at_spine(const bat_spine_motion *m, double u, batten_side side,
+                                   int order, double *out)
 {
     return batten_curve_evaluate_side(m->spine, u, side, order, out);
 }
@@ -23,7 +23,7 @@ batten_status bat_spine_tangent(const bat_spine_motion *m, double u, batten_side
                                 batten_vec3 *point, batten_vec3 *tangent)
 {
     double values[6];
-    const batten_status status = look(m, u, side, 1, values);
+    const batten_status status = look_at_spine(m, u, side, 1, values);
     if (status != BATTEN_OK)
         return status;
     *point = bat_vec3_of(3, values);
@@ -42,7 +42,7 @@ batten_status bat_spine_length(const bat_spine_motion *m, double a, double b, do
     for (int i = 0; i < GAUSS && a < b; i++) {
         double values[6];
         const batten_status status =
-            look(m, a + (b - a) * (nodes[i] + 1) / 2, BATTEN_FROM_RIGHT, 1, values);
+            look_at_spine(m, a + (b - a) * (nodes[i] + 1) / 2, BATTEN_FROM_RIGHT, 1, values);
         if (status != BATTEN_OK)
             return status;
         sum += weights[i] * bat_norm(3, values + 3);
@@ -171,7 +171,7 @@ batten_status bat_spine_frame(const bat_spine_motion *m, int node, double u, bat
                               bat_bare_frame *f)
 {
     double values[18];
-    batten_status status = look(m, u, side, 5, values);
+    batten_status status = look_at_spine(m, u, side, 5, values);
     if (status != BATTEN_OK)
         return status;
     const double speed = bat_norm(3, values + 3);

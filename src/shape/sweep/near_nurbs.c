@@ -61,7 +61,7 @@ static void lay_knots(fitting *f)
     }
 }
 
-static double greville(const fitting *f, int i)
+static double greville_abscissa(const fitting *f, int i)
 {
     double sum = 0;
     if (i == 0)
@@ -93,7 +93,7 @@ static batten_status interpolate(fitting *f)
     const size_t band = 2 * (size_t)q + 1;
     for (int i = 0; i < n; i++) {
         double basis[BATTEN_MAX_DEGREE + 1];
-        const double v = greville(f, i);
+        const double v = greville_abscissa(f, i);
         const int span = bat_knots_span(q, n, f->knots, v, BATTEN_FROM_RIGHT);
         bat_basis(q, f->knots, span, v, 0, basis);
         for (int k = 0; k <= q; k++) {
@@ -163,7 +163,7 @@ static double homogeneous_distance(const fitting *f, const double *made, const d
 }
 
 /* No point of the section is farther off than this. */
-static double distance(const fitting *f, const double *made, const double *truth)
+static double distance_of_rows(const fitting *f, const double *made, const double *truth)
 {
     double worst = 0;
     if (f->width == 4)
@@ -184,12 +184,12 @@ static batten_status measure_span(fitting *f, int s, int places, double *error)
         if (status != BATTEN_OK)
             return status;
         made_at(f, v, f->made_row);
-        *error = bat_max(*error, distance(f, f->made_row, f->true_row));
+        *error = bat_max(*error, distance_of_rows(f, f->made_row, f->true_row));
     }
     return BATTEN_OK;
 }
 
-static batten_status measure(fitting *f, int places)
+static batten_status measure_spans(fitting *f, int places)
 {
     f->worst = 0;
     for (int s = 0; s + 1 < f->mesh_count; s++) {
@@ -211,7 +211,7 @@ static double rounding_of(const fitting *f)
  * added once more for those that lie between. */
 static batten_status measure_last(fitting *f)
 {
-    batten_status status = measure(f, LAST_PLACES);
+    batten_status status = measure_spans(f, LAST_PLACES);
     const double found = f->worst;
     for (int s = 0; s + 1 < f->mesh_count && status == BATTEN_OK; s++) {
         double error = 0;
@@ -314,7 +314,7 @@ static batten_status begin_mesh(fitting *f)
     return count_rows(f) <= MOST_SECTIONS ? BATTEN_OK : too_many_spans(m);
 }
 
-static batten_status one_round(fitting *f, bat_work *work, int places)
+static batten_status refine_once(fitting *f, bat_work *work, int places)
 {
     f->count = count_rows(f);
     const double total = (double)f->count * f->points;
@@ -332,7 +332,7 @@ static batten_status one_round(fitting *f, bat_work *work, int places)
     lay_knots(f);
     status = interpolate(f);
     if (status == BATTEN_OK)
-        status = measure(f, places);
+        status = measure_spans(f, places);
     return status;
 }
 
@@ -343,7 +343,7 @@ static batten_status try_straight(fitting *f, bat_work *work, bool *met)
     f->degree = 1;
     batten_status status = begin_mesh(f);
     if (status == BATTEN_OK)
-        status = one_round(f, work, LAST_PLACES);
+        status = refine_once(f, work, LAST_PLACES);
     if (status == BATTEN_OK && f->tolerance < rounding_of(f))
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
                           "the sweep cannot be within %g: its coordinates, as large as %g, are "
@@ -358,7 +358,7 @@ static batten_status try_straight(fitting *f, bat_work *work, bool *met)
     return status;
 }
 
-static batten_status refine(fitting *f, bat_work *work)
+static batten_status refine_until_near(fitting *f, bat_work *work)
 {
     bool met = false;
     int needed = 0;
@@ -367,7 +367,7 @@ static batten_status refine(fitting *f, bat_work *work)
         return status;
     status = begin_mesh(f);
     while (status == BATTEN_OK && !met) {
-        status = one_round(f, work, PLACES);
+        status = refine_once(f, work, PLACES);
         if (status == BATTEN_OK && f->worst <= f->tolerance)
             status = measure_last(f);
         met = status == BATTEN_OK && f->worst <= f->tolerance;
@@ -434,7 +434,7 @@ static batten_status make_surface(const fitting *f, batten_surface **out)
     return bat_nurbs_finish(made, out);
 }
 
-static void release(fitting *f)
+static void release_fitting(fitting *f)
 {
     bat_release(f->mesh);
     bat_release(f->times);
@@ -446,7 +446,7 @@ static void release(fitting *f)
     bat_release(f->made_row);
 }
 
-static batten_status check(int degree, double tolerance)
+static batten_status check_request(int degree, double tolerance)
 {
     if (degree < 1 || degree > BATTEN_MAX_DEGREE)
         return bat_fail(BATTEN_BAD_DEGREE, "the degree along the path is %d, not 1 to %d",
@@ -462,7 +462,7 @@ batten_status bat_sweep_fit(const bat_sweep *sweep, int degree, double tolerance
                             bat_work *work, batten_surface_sweep_report *report,
                             batten_surface **out)
 {
-    batten_status status = check(degree, tolerance);
+    batten_status status = check_request(degree, tolerance);
     if (status != BATTEN_OK)
         return status;
     fitting f = {.sweep = sweep, .degree = degree, .tolerance = tolerance};
@@ -477,7 +477,7 @@ batten_status bat_sweep_fit(const bat_sweep *sweep, int degree, double tolerance
     status = f.mesh && f.times && f.error && f.true_row && f.made_row ? BATTEN_OK
                                                                       : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = refine(&f, work);
+        status = refine_until_near(&f, work);
     if (status == BATTEN_OK) {
         close_seam(&f);
         status = make_surface(&f, out);
@@ -486,6 +486,6 @@ batten_status bat_sweep_fit(const bat_sweep *sweep, int degree, double tolerance
         report->error = bat_max(report->error, f.worst);
         report->section_count += f.count;
     }
-    release(&f);
+    release_fitting(&f);
     return status;
 }

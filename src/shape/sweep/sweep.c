@@ -204,10 +204,10 @@ static batten_status check_folds(const bat_sweep *s,
 
 /* ---- the sweep ---- */
 
-static batten_status prepare(int count, const batten_curve *const *sections,
-                             const batten_curve *spine,
-                             const batten_surface_sweep_options *options,
-                             batten_surface_sweep_report *report, bat_sweep *sweep)
+static batten_status prepare_sweep(int count, const batten_curve *const *sections,
+                                   const batten_curve *spine,
+                                   const batten_surface_sweep_options *options,
+                                   batten_surface_sweep_report *report, bat_sweep *sweep)
 {
     batten_status status = take_sections(count, sections, options->at, sweep);
     if (status == BATTEN_OK)
@@ -263,7 +263,7 @@ batten_status batten_surfaces_sweep(int count, const batten_curve *const *sectio
     double *ends = NULL;
     batten_surface **made = NULL;
     int parts = 0;
-    status = prepare(count, sections, spine, o, &found, &sweep);
+    status = prepare_sweep(count, sections, spine, o, &found, &sweep);
     if (status == BATTEN_OK) {
         ends = bat_array((size_t)sweep.motion->break_count, sizeof *ends);
         made = bat_array((size_t)sweep.motion->break_count, sizeof *made);
@@ -326,7 +326,7 @@ batten_status batten_surface_sweep_procedural(int count, const batten_curve *con
     const batten_surface_sweep_options *o = &chosen;
     batten_surface_sweep_report report = {.error = 0};
     bat_sweep sweep = {0};
-    status = prepare(count, sections, spine, o, &report, &sweep);
+    status = prepare_sweep(count, sections, spine, o, &report, &sweep);
     for (int i = 1; status == BATTEN_OK && i + 1 < sweep.motion->break_count; i++)
         if (sweep.motion->smoothness[i] < 0)
             status = bat_fail(BATTEN_NOT_COMPATIBLE,

@@ -110,8 +110,8 @@ static batten_status look_at_row(const bat_sweep *s, double u, batten_side side,
 }
 
 /* The derivative k times in u, l times in v, of o + x X + y Y + z Z, after Leibniz. */
-static void combine(const local_section *section, const bat_pose *pose, int k, int l,
-                    double *out)
+static void combine_section(const local_section *section, const bat_pose *pose, int k, int l,
+                            double *out)
 {
     for (int c = 0; c < 3; c++)
         out[c] = k == 0 ? pose->d[l][BAT_POSE_ORIGIN][c] : 0;
@@ -136,8 +136,8 @@ batten_status bat_sweep_evaluate(const bat_sweep *s, double u, double v, batten_
         return status;
     for (int total = 0; total <= order; total++)
         for (int l = 0; l <= total; l++)
-            combine(&section, &pose, total - l, l,
-                    out + 3 * BATTEN_SURFACE_DERIVATIVE(total - l, l));
+            combine_section(&section, &pose, total - l, l,
+                            out + 3 * BATTEN_SURFACE_DERIVATIVE(total - l, l));
     return BATTEN_OK;
 }
 

@@ -65,7 +65,7 @@ static batten_status take_rail(const batten_curve *given,
     return status;
 }
 
-static batten_status check(const batten_surface_two_rails_options *o)
+static batten_status check_section(const batten_surface_two_rails_options *o)
 {
     if (!isfinite(o->tolerance))
         return bat_fail(BATTEN_NOT_FINITE, "the tolerance is %g", o->tolerance);
@@ -81,9 +81,9 @@ static batten_status check(const batten_surface_two_rails_options *o)
 }
 
 /* The motion of the section, whose chord was so long. */
-static batten_status move(const batten_curve *first, const batten_curve *second, double chord,
-                          const batten_surface_two_rails_options *o, bat_motion **out,
-                          double *error)
+static batten_status make_motion(const batten_curve *first, const batten_curve *second,
+                                 double chord, const batten_surface_two_rails_options *o,
+                                 bat_motion **out, double *error)
 {
     batten_curve *rails[2] = {NULL, NULL};
     batten_status status = take_rail(first, o, &rails[0], error);
@@ -119,11 +119,11 @@ batten_status batten_surface_two_rails(const batten_curve *section, const batten
     bat_sweep sweep = {0};
     bat_work work = {job, 0};
     double chord = 0, moved = 0;
-    status = check(o);
+    status = check_section(o);
     if (status == BATTEN_OK)
         status = stretch(section, &sweep.section, &chord);
     if (status == BATTEN_OK)
-        status = move(first, second, chord, o, &sweep.motion, &moved);
+        status = make_motion(first, second, chord, o, &sweep.motion, &moved);
     if (status == BATTEN_OK) {
         sweep.part = (batten_interval){0, 1};
         status = bat_sweep_fit(&sweep, o->degree, o->tolerance - moved, &work, &found, out);
