@@ -146,7 +146,7 @@ static void check_never_quiet(const char *const *numbers, int count)
         const batten_format format = seeds[s].format;
         char path[300];
         size_t size = 0, length = 0;
-        snprintf(path, sizeof path, "%s/fuzz/corpus/%s", TESTS_SOURCE, seeds[s].file);
+        snprintf(path, sizeof path, "%sfuzz/corpus/%s", test_source(""), seeds[s].file);
         const char *text = load_bytes(path, &size);
         char *room = test_array(size + 100, 1);
         const outcome plain = read_and_write(text, format, said_plain);
@@ -207,7 +207,7 @@ TEST(P1_a_reference_to_nothing_is_never_lost_quietly)
         size_t size = 0, length = 0;
         if (seeds[s].format != BATTEN_FORMAT_STEP)
             continue;
-        snprintf(path, sizeof path, "%s/fuzz/corpus/%s", TESTS_SOURCE, seeds[s].file);
+        snprintf(path, sizeof path, "%sfuzz/corpus/%s", test_source(""), seeds[s].file);
         const char *text = load_bytes(path, &size);
         char *room = test_array(size + 100, 1);
         const outcome plain = read_and_write(text, BATTEN_FORMAT_STEP, said_plain);

@@ -408,6 +408,8 @@ int main(int argument_count, char **arguments)
         else
             cmocka_set_test_filter(arguments[i]);
     }
+    const char *program = strrchr(arguments[0], '-');
+    const char *group = room ? room : program ? program + 1 : arguments[0];
     const batten_allocator counting = {counting_resize, counting_release, NULL};
     batten_set_allocator(&counting);
 
@@ -416,9 +418,8 @@ int main(int argument_count, char **arguments)
     for (test_entry *e = entries; e && count < 2048; e = e->next)
         if ((!room || is_in_room(e, room)) && index++ % parts == part - 1)
             tests[count++] = (struct CMUnitTest){e->name, run_entry, NULL, NULL, e};
-    const int failures =
-        _cmocka_run_group_tests(room ? room : TESTS_GROUP, tests, count, NULL, NULL);
-    printf("%s: %d passed, %d failed, %d skipped\n", room ? room : TESTS_GROUP,
+    const int failures = _cmocka_run_group_tests(group, tests, count, NULL, NULL);
+    printf("%s: %d passed, %d failed, %d skipped\n", group,
            (int)count - failures - skipped_count, failures, skipped_count);
     return failures != 0 || (room && count == 0);
 }

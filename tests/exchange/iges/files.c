@@ -9,7 +9,7 @@ static const char *const seeds[] = {"arcs",          "composite", "conics",  "co
 static char *load_seed(int i, size_t *size)
 {
     char path[300];
-    snprintf(path, sizeof path, "%s/fuzz/corpus/iges/%s.igs", TESTS_SOURCE, seeds[i]);
+    snprintf(path, sizeof path, "%sfuzz/corpus/iges/%s.igs", test_source(""), seeds[i]);
     return load_bytes(path, size);
 }
 
