@@ -44,8 +44,8 @@ static void *open_curve(const bench_work *work)
     const bench_curve *curve = &work->curve;
     c->work = work;
     c->out = bench_numbers(work->result_count);
-    must(batten_curve_create(3, curve->degree, curve->count, curve->points, curve->weights,
-                             curve->knots, &c->curve));
+    must(batten_curve_create((batten_points){3, curve->count, curve->points}, curve->degree,
+                             curve->weights, curve->knots, &c->curve));
     return c;
 }
 
@@ -81,8 +81,8 @@ static void *open_sections(const bench_work *work)
     c->uv = bench_numbers(work->count);
     for (size_t i = 0; i < work->count; i++) {
         const bench_curve *section = &work->sections[i];
-        must(batten_curve_create(3, section->degree, section->count, section->points, NULL,
-                                 section->knots, &c->sections[i]));
+        must(batten_curve_create((batten_points){3, section->count, section->points},
+                                 section->degree, NULL, section->knots, &c->sections[i]));
     }
     return c;
 }
@@ -138,11 +138,12 @@ static void run_grid(void *object)
     contest *c = object;
     const size_t n = c->work->count;
     if (c->work->order == 0)
-        must(batten_surface_evaluate_grid(c->surface, n, c->work->u, n, c->work->v, 0, NULL,
-                                          c->out));
+        must(batten_surface_evaluate_grid(
+            c->surface, (batten_uv_grid){n, n, c->work->u, c->work->v}, 0, NULL, c->out));
     else
-        must(batten_surface_normal_grid(c->surface, n, c->work->u, n, c->work->v, NULL, c->out,
-                                        c->normals));
+        must(batten_surface_normal_grid(c->surface,
+                                        (batten_uv_grid){n, n, c->work->u, c->work->v}, NULL,
+                                        c->out, c->normals));
 }
 
 /* The normals of scattered points are their caller's work. */
@@ -184,8 +185,8 @@ static void run_curve_through(void *object)
     options.given = c->work->u;
     batten_curve_unref(c->curve);
     c->curve = NULL;
-    must(batten_curve_interpolate(3, (int)c->work->count, c->work->data, &options, NULL,
-                                  &c->curve));
+    must(batten_curve_interpolate((batten_points){3, (int)c->work->count, c->work->data},
+                                  &options, NULL, &c->curve));
 }
 
 static void gather_curve_through(void *object, double *result)
@@ -204,16 +205,16 @@ static void run_surface_through(void *object)
     options.given_v = c->work->v;
     batten_surface_unref(c->surface);
     c->surface = NULL;
-    must(batten_surface_interpolate(3, n, n, c->work->data, &options, NULL, NULL, NULL, NULL,
-                                    &c->surface));
+    must(batten_surface_interpolate((batten_grid){3, n, n, c->work->data}, &options, NULL,
+                                    (batten_uv_out){NULL, NULL}, NULL, &c->surface));
 }
 
 static void gather_surface_through(void *object, double *result)
 {
     contest *c = object;
     const size_t n = c->work->count;
-    must(batten_surface_evaluate_grid(c->surface, n, c->work->u, n, c->work->v, 0, NULL,
-                                      result));
+    must(batten_surface_evaluate_grid(
+        c->surface, (batten_uv_grid){n, n, c->work->u, c->work->v}, 0, NULL, result));
 }
 
 static void run_skin(void *object)
@@ -221,8 +222,9 @@ static void run_skin(void *object)
     contest *c = object;
     batten_surface_unref(c->surface);
     c->surface = NULL;
-    must(batten_surface_skin((int)c->work->count, (const batten_curve *const *)c->sections,
-                             NULL, NULL, c->uv, NULL, &c->surface));
+    must(batten_surface_skin(
+        (batten_curve_row){(int)c->work->count, (const batten_curve *const *)c->sections}, NULL,
+        NULL, c->uv, NULL, &c->surface));
 }
 
 static void gather_skin(void *object, double *result)
@@ -254,12 +256,13 @@ static void run_function(void *object)
         options.parameters = BATTEN_GIVEN;
         options.given = x;
         options.start.kind = options.end.kind = BATTEN_END_NATURAL;
-        must(batten_curve_interpolate(1, n, y, &options, NULL, &c->curve));
+        must(batten_curve_interpolate((batten_points){1, n, y}, &options, NULL, &c->curve));
         return;
     }
     must(batten_slopes(
         n, x, y, c->work->method == AKIMA ? BATTEN_SLOPE_AKIMA : BATTEN_SLOPE_STEFFEN, c->out));
-    must(batten_curve_from_tangents(1, n, y, x, c->out, NULL, false, &c->curve));
+    must(batten_curve_from_tangents((batten_points){1, n, y}, x, c->out, NULL, false,
+                                    &c->curve));
 }
 
 static void gather_function(void *object, double *result)
@@ -274,8 +277,8 @@ static void run_nonlinear(contest *c, batten_span_family family)
 {
     batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.family = family;
-    must(batten_chain_nonlinear((int)c->work->count, c->work->data, &options, NULL, c->uv, NULL,
-                                &c->chain));
+    must(batten_chain_nonlinear((batten_points){2, (int)c->work->count, c->work->data},
+                                &options, NULL, c->uv, NULL, &c->chain));
 }
 
 static void run_plane(void *object)
@@ -289,10 +292,12 @@ static void run_plane(void *object)
     if (c->work->method == TENSION) {
         batten_chain_tension_options options = batten_chain_tension_defaults();
         options.tension = 2;
-        must(batten_chain_tension(2, n, c->work->data, &options, c->uv, &c->chain));
+        must(batten_chain_tension((batten_points){2, n, c->work->data}, &options, c->uv,
+                                  &c->chain));
     } else if (c->work->method == NU_SPLINE) {
         batten_curve_weighted_options options = batten_curve_weighted_defaults();
-        must(batten_curve_weighted(2, n, c->work->data, &options, c->uv, &c->curve));
+        must(batten_curve_weighted((batten_points){2, n, c->work->data}, &options, c->uv,
+                                   &c->curve));
     } else {
         run_nonlinear(c, c->work->method == LOCAL_CUBIC    ? BATTEN_FAMILY_LOCAL_CUBIC
                          : c->work->method == EULER_SPIRAL ? BATTEN_FAMILY_EULER_SPIRAL
@@ -320,7 +325,7 @@ static void gather_plane(void *object, double *result)
 static void run_length(void *object)
 {
     contest *c = object;
-    must(batten_curve_length(c->curve, 1e-9, c->out, NULL));
+    must(batten_curve_length(c->curve, 1e-9, NULL, c->out));
 }
 
 static void gather_length(void *object, double *result)
@@ -336,8 +341,9 @@ static void run_scattered(void *object)
     options.tolerance = 1e-3;
     batten_surface_unref(c->surface);
     c->surface = NULL;
-    must(batten_surface_scattered(1, (int)c->work->count, c->work->u, c->work->data, &options,
-                                  NULL, NULL, &c->surface));
+    must(batten_surface_scattered(c->work->u,
+                                  (batten_points){1, (int)c->work->count, c->work->data},
+                                  &options, NULL, NULL, &c->surface));
 }
 
 static void gather_scattered(void *object, double *result)
@@ -357,7 +363,8 @@ static void run_triangulation(void *object)
 {
     contest *c = object;
     batten_plane_triangles_release(&c->plane);
-    must(batten_triangulate((int)c->work->count, c->work->u, NULL, &c->plane));
+    must(batten_triangulate((batten_points){2, (int)c->work->count, c->work->u}, NULL,
+                            &c->plane));
 }
 
 static void gather_triangulation(void *object, double *result)
@@ -379,8 +386,8 @@ static void run_triangles(void *object)
     contest *c = object;
     batten_triangles_unref(c->triangles);
     c->triangles = NULL;
-    must(batten_triangles_scattered((int)c->work->count, c->work->u, c->work->data, NULL, NULL,
-                                    NULL, &c->triangles));
+    must(batten_triangles_scattered((batten_points){2, (int)c->work->count, c->work->u},
+                                    c->work->data, NULL, NULL, NULL, &c->triangles));
 }
 
 static void gather_triangles(void *object, double *result)
@@ -389,8 +396,9 @@ static void gather_triangles(void *object, double *result)
     const size_t n = c->work->count;
     double *z = malloc(n * sizeof *z), most = z ? 0 : NAN;
     if (z)
-        must(batten_triangles_over(c->triangles, n, c->work->u, 0, BATTEN_OUTSIDE_REFUSED, NULL,
-                                   z, NULL));
+        must(batten_triangles_over(c->triangles, (batten_batch){n, c->work->u}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL}, NULL,
+                                   z));
     for (size_t i = 0; z && i < n; i++)
         most = fmax(most, fabs(z[i] - c->work->data[i]));
     free(z);

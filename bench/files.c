@@ -96,7 +96,7 @@ static void add_curves(batten_model *model, int n)
         batten_curve *curve = NULL;
         const double points[] = {wave(k),     wave(k + 1), 0, wave(k + 2), wave(k + 3), 0,
                                  wave(k + 4), wave(k + 5), 0, wave(k + 6), wave(k + 7), 0};
-        must(batten_curve_create(3, 3, 4, points, NULL, knots, &curve));
+        must(batten_curve_create((batten_points){3, 4, points}, 3, NULL, knots, &curve));
         add_with_looks(model, k, &(batten_object){.kind = BATTEN_OBJECT_CURVE, .curve = curve});
         batten_curve_unref(curve);
     }

@@ -95,8 +95,8 @@ static void make_border(const kind *face, double radius, batten_curve **flat,
     }
     for (int i = 0; i < POINTS + DEGREE + 1; i++)
         knots[i] = i ? fmin((i - 1) / DEGREE, PIECES) : 0;
-    must(batten_curve_create(2, DEGREE, POINTS, uv[0], NULL, knots, flat));
-    must(batten_curve_create(3, DEGREE, POINTS, xyz[0], NULL, knots, lifted));
+    must(batten_curve_create((batten_points){2, POINTS, uv[0]}, DEGREE, NULL, knots, flat));
+    must(batten_curve_create((batten_points){3, POINTS, xyz[0]}, DEGREE, NULL, knots, lifted));
 }
 
 /* Between two borders. */

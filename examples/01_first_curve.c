@@ -17,10 +17,11 @@ int main(void)
     double parameters[5];
 
     batten_curve *curve = NULL;
-    must(batten_curve_interpolate(2, 5, &points[0][0], NULL, parameters, &curve));
+    must(batten_curve_interpolate((batten_points){2, 5, &points[0][0]}, NULL, parameters,
+                                  &curve));
 
     double length;
-    must(batten_curve_length(curve, 1e-9, &length, NULL));
+    must(batten_curve_length(curve, 1e-9, NULL, &length));
     printf("degree %d, %d control points, length %.6f\n", batten_curve_degree(curve),
            batten_curve_point_count(curve), length);
 

@@ -26,7 +26,7 @@ int main(void)
 
     const batten_fair_options options = batten_fair_defaults(0.006);
     batten_fair_report report;
-    must(batten_fair_points(1, COUNT, y, x, &options, NULL, faired, &report));
+    must(batten_fair_points((batten_points){1, COUNT, y}, x, &options, NULL, &report, faired));
 
     printf("%d points moved, at most %.4f m\n", report.moved_count, report.max_move);
     printf("excess inflections: %d before, %d after\n", report.before.excess_inflections,

@@ -28,8 +28,8 @@ int main(void)
 
     batten_surface *vase = NULL;
     batten_surface_skin_report report;
-    must(batten_surface_skin(COUNT, (const batten_curve *const *)sections, NULL, NULL, NULL,
-                             &report, &vase));
+    must(batten_surface_skin((batten_curve_row){COUNT, (const batten_curve *const *)sections},
+                             NULL, NULL, NULL, &report, &vase));
     printf("%d x %d control points, sections off by %.2g\n",
            batten_surface_point_count(vase, BATTEN_U),
            batten_surface_point_count(vase, BATTEN_V), report.error);

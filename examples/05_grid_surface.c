@@ -27,8 +27,8 @@ int main(void)
 
     batten_surface *surface = NULL;
     batten_surface_interpolate_report report;
-    must(batten_surface_interpolate(3, COUNT_U, COUNT_V, &points[0][0][0], NULL, NULL, NULL,
-                                    NULL, &report, &surface));
+    must(batten_surface_interpolate((batten_grid){3, COUNT_U, COUNT_V, &points[0][0][0]}, NULL,
+                                    NULL, (batten_uv_out){NULL, NULL}, &report, &surface));
     printf("residual %.2g\n", report.error);
 
     for (int i = 0; i <= 4; i++) {

@@ -17,7 +17,7 @@ int main(void)
     const double points[][3] = {{0, 0, 0},   {1, 1, 0},   {3, 1.4, 0},
                                 {5, 0.4, 0}, {6, 0.6, 0}, {7, 1.6, 0}};
     batten_curve *curve = NULL;
-    must(batten_curve_interpolate(3, 6, &points[0][0], NULL, NULL, &curve));
+    must(batten_curve_interpolate((batten_points){3, 6, &points[0][0]}, NULL, NULL, &curve));
 
     batten_model *model = NULL;
     must(batten_model_create(1, &model));

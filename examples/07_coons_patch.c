@@ -23,7 +23,7 @@ static batten_curve *bow(const double a[3], const double b[3], double rise)
         points[6 + k] = b[k];
     }
     batten_curve *curve = NULL;
-    must(batten_curve_create(3, 2, 3, points, NULL, knots, &curve));
+    must(batten_curve_create((batten_points){3, 3, points}, 2, NULL, knots, &curve));
     return curve;
 }
 
@@ -45,7 +45,7 @@ int main(void)
     options.blending_u = options.blending_v = BATTEN_BLENDING_COONS;
     batten_surface *patch = NULL, *spline = NULL;
     must(batten_surface_coons(sides, &options, NULL, &patch));
-    must(batten_surface_to_nurbs(patch, 0, &spline, NULL));
+    must(batten_surface_to_nurbs(patch, 0, NULL, &spline));
 
     double worst = 0;
     for (int i = 0; i <= 100; i++)

@@ -37,6 +37,14 @@ typedef struct batten_fit_report {
                            `robust`, infinite with BATTEN_TUKEY */
 } batten_fit_report;
 
+/** The data of a fit; borrowed for the call. */
+typedef struct batten_fit_data {
+    batten_points points;
+    const double
+        *parameters;       /**< [count], of the points on the curve, as a fit hands them over */
+    const double *weights; /**< [count]; points of weight 0 do not count; or NULL */
+} batten_fit_data;
+
 /** Where the knots of a fit stand. */
 typedef enum batten_knot_choice {
     BATTEN_KNOTS_BY_DATA,      /**< as many data between any two */
@@ -108,7 +116,7 @@ typedef struct batten_curve_least_squares_options {
     batten_robust robust; /**< BATTEN_SQUARES */
     double threshold;     /**< of BATTEN_HUBER and BATTEN_TUKEY; 0: 2 and 7 times the median
                                distance of the fit by BATTEN_ABSOLUTE, near the usual 1.345
-                             and 4.685     standard deviations of normal errors */
+                             and 4.685 standard deviations of normal errors */
 } batten_curve_least_squares_options;
 
 /** Cubic, by chords, knots by data. */
@@ -133,30 +141,30 @@ BATTEN_API batten_curve_least_squares_options batten_curve_least_squares_default
  *
  * Solved by Givens' rotations row by row, so as well as the basis allows. Cost: linear in count
  * and point_count; under conditions the normal equations are a program of at most 1000
- * unknowns, whose cube is the cost. Source: [deBoor01] ch. XIV, [PT97] 9.4, [Hoschek88] for
+ * unknowns, whose cube is the cost.
+ * Source: [deBoor01] ch. XIV, [PT97] 9.4, [Hoschek88] for
  * correction, [GI83] for conditions, [HW77] for weights.
  */
-BATTEN_API batten_status
-batten_curve_least_squares(int dimension, int count, const double *points,
-                           const batten_curve_least_squares_options *options,
-                           double *parameters, batten_fit_report *report, batten_curve **out);
+BATTEN_API batten_status batten_curve_least_squares(
+    batten_points points, const batten_curve_least_squares_options *options, double *parameters,
+    batten_fit_report *report, batten_curve **out);
 
 /**
  * The data that are much farther from a curve than most.
  *
- * @param parameters  of the points on the curve, as a fit hands them over
- * @param weights     [count]; points of weight 0 are none, and do not count; or NULL
- * @param times       an outlier is farther than so many times the median distance, the nearest
+ * @param data  parameters: of the points on the curve, as a fit hands them over
+ *     weights: [count]; points of weight 0 are none, and do not count; or NULL
+ * @param times  an outlier is farther than so many times the median distance, the nearest
  *                    data set aside, as many as there are control points but at most half; 5 is
  *                    some 3.4 standard deviations of a function's normal errors. Distances that
  *                    are rounding are never outliers
  * @param[out] distance  from which on; may be NULL
  * @param[out] outliers  [count] their indices, rising
  * @param[out] outlier_count
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, OUT_OF_MEMORY
  */
-BATTEN_API batten_status batten_curve_outliers(const batten_curve *curve, int count,
-                                               const double *points, const double *parameters,
-                                               const double *weights, double times,
+BATTEN_API batten_status batten_curve_outliers(const batten_curve *curve,
+                                               const batten_fit_data *data, double times,
                                                double *distance, int *outliers,
                                                int *outlier_count);
 
@@ -182,6 +190,7 @@ typedef struct batten_curve_smooth_options {
     bool closed;
 } batten_curve_smooth_options;
 
+/** By validation, second differences, chords; 40 cubic spans for a P-spline. */
 BATTEN_API batten_curve_smooth_options batten_curve_smooth_defaults(void);
 
 /**
@@ -193,13 +202,15 @@ BATTEN_API batten_curve_smooth_options batten_curve_smooth_defaults(void);
  * natural spline (through the means of data with one parameter), infinity the polynomial of
  * degree m - 1 by least squares (a point when periodic). `spans` and `degree` are not used.
  *
+ * @param points  the data
+ * @param options  NULL for the defaults
  * @param[out] parameters [count]; may be NULL
  * @param[out] report lambda, p, freedom and what the fit reached; may be NULL
  * @return as batten_curve_least_squares
  * Cost: linear in count for each lambda that is tried; a given one is one, others some 25.
  * Source: [Reinsch67] for the target, [CW79] for validation, [HdH85] for its trace.
  */
-BATTEN_API batten_status batten_curve_smooth(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_smooth(batten_points points,
                                              const batten_curve_smooth_options *options,
                                              double *parameters, batten_fit_report *report,
                                              batten_curve **out);
@@ -212,8 +223,16 @@ BATTEN_API batten_status batten_curve_smooth(int dimension, int count, const dou
  * = infinity gives the polynomial of degree m - 1. lambda = 0 needs data in all spans. The
  * result is clamped, or periodic. Parameters and errors as for batten_curve_smooth. Source:
  * [EM96].
+ *
+ * @param options  NULL for the defaults
+ * @param[out] parameters  those of the points; may be NULL
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, NOT_INCREASING, BAD_DEGREE,
+ * BAD_KNOTS, BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, NOT_COMPATIBLE, SINGULAR_SYSTEM,
+ * TOLERANCE_NOT_MET, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
  */
-BATTEN_API batten_status batten_curve_p_spline(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_p_spline(batten_points points,
                                                const batten_curve_smooth_options *options,
                                                double *parameters, batten_fit_report *report,
                                                batten_curve **out);
@@ -241,6 +260,7 @@ typedef struct batten_curve_within_options {
     int corner_count;   /**< besides: points that are corners */
     const int *corners; /**< [corner_count], increasing */
 } batten_curve_within_options;
+/** Cubic, by chords, the fewest control points; the tolerance must be set. */
 BATTEN_API batten_curve_within_options batten_curve_within_defaults(void);
 
 /** Distances at the parameters of the data, so no datum is farther from the curve. */
@@ -264,6 +284,7 @@ typedef struct batten_curve_within_report {
  * distances of the result are measured, not guessed. Corners and ends are met to rounding.
  *
  * @param points [count][dimension]; dimension 1: a function, whose parameters are given
+ * @param options  NULL for the defaults
  * @param[out] parameters [count], of the points on the curve: not farther than the tolerance
  *             there. Of a closed curve with corners they begin at a corner. May be NULL
  * @param[out] report may be NULL
@@ -272,10 +293,11 @@ typedef struct batten_curve_within_report {
  * BEZIER), BAD_DEGREE, NOT_FINITE, TOO_FEW_POINTS (2), COINCIDENT (all), NOT_INCREASING;
  * TOLERANCE_NOT_MET with the best that was reached
  * Cost: 64 log2(count) fits for each way at most, of more than 3000 points fewer, each linear
- * in count; BEZIER count log(count) for rows that divide evenly. Source: [LM88] for removal,
+ * in count; BEZIER count log(count) for rows that divide evenly.
+ * Source: [LM88] for removal,
  * [Schneider90] for BEZIER, [Hoschek88] for parameters.
  */
-BATTEN_API batten_status batten_curve_within(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_within(batten_points points,
                                              const batten_curve_within_options *options,
                                              double *parameters,
                                              batten_curve_within_report *report,
@@ -303,9 +325,15 @@ BATTEN_API batten_status batten_curve_within(int dimension, int count, const dou
 BATTEN_API batten_status batten_curve_approximate(const batten_curve *curve, int degree,
                                                   double tolerance, double *error,
                                                   batten_curve **out);
-/** The same for a chain, at equal parameters of the chain, so by arc length where it goes so.
+/**
+ * The same for a chain, at equal parameters of the chain, so by arc length where it goes so.
  * It is made a curve within a sixteenth of the tolerance first, whose bound, that of
- * batten_chain_to_curve, is sampled and counts in the error. */
+ * batten_chain_to_curve, is sampled and counts in the error.
+ *
+ * @param degree  1 to 25
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_ARGUMENT, TOLERANCE_NOT_MET, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_chain_approximate(const batten_chain *chain, int degree,
                                                   double tolerance, double *error,
                                                   batten_curve **out);
@@ -330,7 +358,8 @@ typedef struct batten_curve_even_speed_report {
  * @param[out] report may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT, UNSUPPORTED (a function), COINCIDENT (a curve that is a
  * point), TOLERANCE_NOT_MET, TOO_LARGE
- * Cost: linear in the pieces. Source: [PT97] for the inverse, [dBHS87] for the order, 6.
+ * Cost: linear in the pieces.
+ * Source: [PT97] for the inverse, [dBHS87] for the order, 6.
  */
 BATTEN_API batten_status batten_curve_even_speed(const batten_curve *curve, double tolerance,
                                                  batten_curve_even_speed_report *report,
@@ -353,12 +382,12 @@ typedef struct batten_fitted_line {
  * The line in the plane or in space with the least sum of squared distances (total least
  * squares, by the eigenvectors of the spread).
  * @param points [count][dimension], dimension 2 or 3, count >= 2
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE; COINCIDENT when all points are
  * one; SINGULAR_SYSTEM when they spread alike in several directions
  */
-BATTEN_API batten_status batten_line_fit(int dimension, int count, const double *points,
-                                         batten_fitted_line *line,
-                                         batten_primitive_report *report);
+BATTEN_API batten_status batten_line_fit(batten_points points, batten_primitive_report *report,
+                                         batten_fitted_line *line);
 
 /** What a circle through points minimises. */
 typedef enum batten_circle_method {
@@ -380,14 +409,16 @@ typedef struct batten_fitted_circle {
  * The circle nearest to points of the plane, or in space within the plane nearest to them; the
  * normal is such that the data run counter-clockwise.
  * @param points [count][dimension], dimension 2 or 3, count >= 3
+ * @param method  which of them
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE; SINGULAR_SYSTEM when the points
  * lie on a line
- * Cost: linear in count for each round. Source: [Taubin91], [Pratt87].
+ * Cost: linear in count for each round.
+ * Source: [Taubin91], [Pratt87].
  */
-BATTEN_API batten_status batten_circle_fit(int dimension, int count, const double *points,
-                                           batten_circle_method method,
-                                           batten_fitted_circle *circle,
-                                           batten_primitive_report *report);
+BATTEN_API batten_status batten_circle_fit(batten_points points, batten_circle_method method,
+                                           batten_primitive_report *report,
+                                           batten_fitted_circle *circle);
 
 /** An ellipse in the plane: center + a cos(t) axis + b sin(t) (axis turned left), a >= b; the
  * data lie from t = `start` to `start + angle`. */
@@ -401,13 +432,14 @@ typedef struct batten_fitted_ellipse {
  * The ellipse nearest to points of the plane: Fitzgibbon's direct fit, which is always an
  * ellipse, then the distances at right angles.
  * @param points [count][2], count >= 5
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE; SINGULAR_SYSTEM when the points determine no
  * ellipse (on a line, a parabola or a hyperbola)
  * Source: [FPF99] in the stable form of [HF98].
  */
-BATTEN_API batten_status batten_ellipse_fit(int count, const double *points,
-                                            batten_fitted_ellipse *ellipse,
-                                            batten_primitive_report *report);
+BATTEN_API batten_status batten_ellipse_fit(batten_points points,
+                                            batten_primitive_report *report,
+                                            batten_fitted_ellipse *ellipse);
 
 /**
  * The clothoid nearest to points of the plane, given in their order along it: curvature linear
@@ -415,14 +447,16 @@ BATTEN_API batten_status batten_ellipse_fit(int count, const double *points,
  *
  * @param points [count][2], count >= 4, neighbours apart; between neighbours the curve turns by
  *               less than a right angle
+ * @param[out] report  what was reached; may be NULL
  * @param[out] span  BATTEN_SPAN_SPIRAL, from the foot of the first to that of the last
  * @param[out] lengths [count], arc lengths of the feet from there; may be NULL
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT; TOLERANCE_NOT_MET when the first
  * guess is too far off for rounds to converge
  * Source: the distances at right angles as in [ARW01].
  */
-BATTEN_API batten_status batten_clothoid_fit(int count, const double *points, batten_span *span,
-                                             double *lengths, batten_primitive_report *report);
+BATTEN_API batten_status batten_clothoid_fit(batten_points points, double *lengths,
+                                             batten_primitive_report *report,
+                                             batten_span *span);
 /** How far the points that went are from the polyline through those that stayed, each from the
  * chord that stands for it; model units. */
 typedef struct batten_points_thin_report {
@@ -450,11 +484,12 @@ typedef struct batten_points_thin_report {
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS (none), NOT_FINITE, OVERFLOW
  * (coordinates above 1e150)
  *
- * Cost: count log(count) at most, no recursion. Source: [Ramer72], [DP73].
+ * Cost: count log(count) at most, no recursion.
+ * Source: [Ramer72], [DP73].
  */
-BATTEN_API batten_status batten_points_thin(int dimension, int count, const double *points,
-                                            double tolerance, bool closed, int *kept,
-                                            int *kept_count, batten_points_thin_report *report);
+BATTEN_API batten_status batten_points_thin(batten_points points, double tolerance, bool closed,
+                                            batten_points_thin_report *report, int *kept,
+                                            int *kept_count);
 
 #ifdef __cplusplus
 }

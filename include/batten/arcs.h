@@ -15,6 +15,12 @@
 extern "C" {
 #endif
 
+/** A point and a direction at it, [2] or [3] coordinates; borrowed for the call. */
+typedef struct batten_ray {
+    const double *point;
+    const double *direction; /**< of any length but 0 */
+} batten_ray;
+
 /** Where on the joint circle the arcs meet. */
 typedef enum batten_biarc_joint {
     BATTEN_JOINT_AUTOMATIC,   /**< EQUAL_CHORD; of a C whose end angles differ more than 1 : 3,
@@ -49,25 +55,29 @@ typedef struct batten_biarc {
 /**
  * A biarc between two points of the plane.
  *
- * @param start, end points
- * @param start_direction, end_direction  not 0; their lengths do not matter
- * @param place with JOINT_GIVEN: the angle at the end between chord and joint as a share of the
+ * @param start, end  points
+ *     start_direction, end_direction: not 0; their lengths do not matter
+ * @param place  with JOINT_GIVEN: the angle at the end between chord and joint as a share of the
  *              sum of the angles at start and end, in (0, 1): 1/2 is EQUAL_CHORD
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_FINITE; BAD_ARGUMENT (a direction is 0; place); COINCIDENT;
  * SINGULAR_HERE when the arcs would be full circles (both directions point back along the
  * chord); OVERFLOW
  *
  * Joints other than GIVEN stay a millionth of the chord away from the ends. The arcs end within
- * a few roundings of the larger of coordinates and radii. Source: [Bolton75], [SL] VI.4.
+ * a few roundings of the larger of coordinates and radii.
+ * Source: [Bolton75], [SL] VI.4.
  */
-BATTEN_API batten_status batten_biarc_between(
-    const double start[2], const double start_direction[2], const double end[2],
-    const double end_direction[2], batten_biarc_joint joint, double place, batten_biarc *out);
+BATTEN_API batten_status batten_biarc_between(batten_ray start, batten_ray end,
+                                              batten_biarc_joint joint, double place,
+                                              batten_biarc *out);
 
 /**
  * The place of the joint that belongs to a point near the joint circle, for JOINT_GIVEN: the
  * angles between the chord and the point, seen from both ends, have the same ratio there.
  *
+ * @param start  where it begins
+ * @param end  which end
  * @return also NOT_FOUND when the point does not lie between the ends
  */
 BATTEN_API batten_status batten_biarc_place(const double start[2], const double end[2],
@@ -79,16 +89,16 @@ BATTEN_API batten_status batten_biarc_place(const double start[2], const double 
  * different planes.
  *
  * @param dimension 2 or 3
+ * @param start  where it begins
+ * @param end  which end
  * @param ratio of the first leg to the second, > 0; 1 for equal legs
  * @param[out] out rational of degree 2, its parameter the arc length at the joint and at the
  *             ends; each arc turns by less than pi
  * @return as batten_biarc_between; SINGULAR_HERE when the directions are equal and point across
  * the chord or back
  */
-BATTEN_API batten_status batten_curve_biarc(int dimension, const double *start,
-                                            const double *start_direction, const double *end,
-                                            const double *end_direction, double ratio,
-                                            batten_curve **out);
+BATTEN_API batten_status batten_curve_biarc(int dimension, batten_ray start, batten_ray end,
+                                            double ratio, batten_curve **out);
 
 typedef struct batten_chain_biarcs_options {
     size_t size;
@@ -98,6 +108,7 @@ typedef struct batten_chain_biarcs_options {
                                    three neighbours, whatever their distances */
     bool closed;              /**< the curve closes smoothly; the first point is not repeated */
 } batten_chain_biarcs_options;
+/** The defaults of biarcs: those beside the fields of batten_chain_biarcs_options. */
 BATTEN_API batten_chain_biarcs_options batten_chain_biarcs_defaults(void);
 
 typedef struct batten_chain_biarcs_report {
@@ -123,7 +134,7 @@ typedef struct batten_chain_biarcs_report {
  * Cost: linear in count; two chords are all that a direction looks at.
  * Source: [Bolton75], [MW92], [SL] VI.4.
  */
-BATTEN_API batten_status batten_chain_biarcs(int count, const double *points,
+BATTEN_API batten_status batten_chain_biarcs(batten_points points,
                                              const batten_chain_biarcs_options *options,
                                              double *parameters,
                                              batten_chain_biarcs_report *report,
@@ -132,9 +143,14 @@ BATTEN_API batten_status batten_chain_biarcs(int count, const double *points,
 /**
  * The same in space, with equal legs: a rational curve of degree 2 with a smooth tangent.
  * `joint` and `place` are not used. A span whose ends have equal directions across its chord is
- * refused with SINGULAR_HERE. @param[out] parameters as above, by arc length
+ * refused with SINGULAR_HERE.
+ * @param points  the data
+ * @param options  NULL for the defaults
+ * @param[out] parameters as above, by arc length
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, BAD_ARGUMENT, SINGULAR_HERE,
+ * TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
  */
-BATTEN_API batten_status batten_curve_biarcs(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_biarcs(batten_points points,
                                              const batten_chain_biarcs_options *options,
                                              double *parameters, batten_curve **out);
 
@@ -144,6 +160,8 @@ BATTEN_API batten_status batten_curve_biarcs(int dimension, int count, const dou
  *
  * @param chain of arcs alone, not placed; else BAD_ARGUMENT
  * @param tolerance model units, 0 or more; rounding is always allowed
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_chain_merge_arcs(const batten_chain *chain, double tolerance,
                                                  batten_chain **out);
@@ -178,10 +196,11 @@ typedef struct batten_chain_sequential_arcs_report {
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE (points; a start angle that is infinite);
  * COINCIDENT, OVERFLOW naming the points; SINGULAR_HERE naming the arc that would be a full
  * circle, as its direction points back along the chord
- * Cost: 256 sums over the points without a start angle, then one. Source: [SL] VI.6.
+ * Cost: 256 sums over the points without a start angle, then one.
+ * Source: [SL] VI.6.
  */
 BATTEN_API batten_status batten_chain_sequential_arcs(
-    int count, const double *points, double start_angle, double *angles, double *parameters,
+    batten_points points, double start_angle, double *angles, double *parameters,
     batten_chain_sequential_arcs_report *report, batten_chain **out);
 typedef enum batten_arcs_join {
     BATTEN_ARCS_SMOOTH, /**< the fewest that turn only at corners of the curve; of points
@@ -214,6 +233,7 @@ typedef struct batten_arcs_options {
                         small as can be, within 2 per cent; true */
     bool closed;   /**< of points: the first is also the last; it is not repeated */
 } batten_arcs_options;
+/** The defaults of arc splines: those beside the fields of batten_arcs_options. */
 BATTEN_API batten_arcs_options batten_arcs_defaults(void);
 
 typedef struct batten_arcs_report {
@@ -256,7 +276,8 @@ typedef struct batten_arcs_report {
  * Cost: PLAIN and BIARCS about 15 trials for each, each of some 30 evaluations; with `spread`
  * and few arcs up to ten times that. SMOOTH 10,000 trial arcs for each, around a closed curve
  * up to 24 times; 10 KB for each arc. Where more than 10,000 are needed from corner to corner
- * it takes biarcs. Source: [MW95], [Bolton75]; [DRS08] for the search from place to place; the
+ * it takes biarcs.
+ * Source: [MW95], [Bolton75]; [DRS08] for the search from place to place; the
  * leans as its second coordinate and the measure of the error are our own.
  */
 BATTEN_API batten_status batten_arcs_from_curve(const batten_curve *curve,
@@ -282,8 +303,15 @@ BATTEN_API batten_status batten_arcs_from_curve(const batten_curve *curve,
 BATTEN_API batten_status batten_arcs_from_curve_exact(const batten_curve *curve,
                                                       batten_chain **out);
 
-/** The same for a plane chain that is not placed: it is converted within a hundredth of the
- * tolerance first, and the rest used for the arcs. `at` is a parameter of the chain. */
+/**
+ * The same for a plane chain that is not placed: it is converted within a hundredth of the
+ * tolerance first, and the rest used for the arcs. `at` is a parameter of the chain.
+ *
+ * @param options  NULL for the defaults
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, SINGULAR_HERE, TOLERANCE_NOT_MET, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_arcs_from_chain(const batten_chain *chain,
                                                 const batten_arcs_options *options,
                                                 batten_arcs_report *report, batten_chain **out);
@@ -296,12 +324,14 @@ BATTEN_API batten_status batten_arcs_from_chain(const batten_chain *chain,
  * and `most` are as for curves, but there are no corners.
  *
  * @param points [count][2], 2 or more, 3 or more when closed; neighbours apart
+ * @param options  NULL for the defaults
  * @param[out] parameters [count], of the places on the chain nearest to the points; may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return also TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, SINGULAR_HERE where the points turn back
  * Cost: about count log(count) distances.
  * Source: [MW92] for biarcs within a band.
  */
-BATTEN_API batten_status batten_arcs_from_points(int count, const double *points,
+BATTEN_API batten_status batten_arcs_from_points(batten_points points,
                                                  const batten_arcs_options *options,
                                                  double *parameters, batten_arcs_report *report,
                                                  batten_chain **out);
@@ -329,6 +359,7 @@ typedef struct batten_curve_conics_options {
     double weight; /**< of SINGLE: below 1 an ellipse, 1 a parabola, above 1 a hyperbola; 0:
                       chord / sum of the legs, which gives the circle where there is one */
 } batten_curve_conics_options;
+/** The defaults of conic pieces: those beside the fields of batten_curve_conics_options. */
 BATTEN_API batten_curve_conics_options batten_curve_conics_defaults(void);
 
 typedef struct batten_curve_conics_report {
@@ -366,7 +397,7 @@ typedef struct batten_curve_conics_report {
  * Two points without tangents give their chord. Cost: linear in count.
  * Source: [SL] VI.5, [PT97] 9.3.3 for single conics; the shares from the data are our own.
  */
-BATTEN_API batten_status batten_curve_conics(int count, const double *points,
+BATTEN_API batten_status batten_curve_conics(batten_points points,
                                              const batten_curve_conics_options *options,
                                              double *parameters,
                                              batten_curve_conics_report *report,

@@ -92,7 +92,11 @@ BATTEN_API void batten_set_allocator(const batten_allocator *allocator);
 
 /* ---- for those who write further libraries upon the kernel ---- */
 
-/** Keep a sentence as this thread's message and return `status`: `return batten_fail(...)`. */
+/**
+ * Keep a sentence as this thread's message and return `status`: `return batten_fail(...)`.
+ *
+ * @param format  as printf
+ */
 BATTEN_API batten_status batten_fail(batten_status status, const char *format, ...)
     BATTEN_PRINTF(2, 3);
 
@@ -103,8 +107,13 @@ BATTEN_API void *batten_array(size_t count, size_t size);
 /** The same for `count_u * count_v` items of `size` bytes. */
 BATTEN_API void *batten_array3(size_t count_u, size_t count_v, size_t size);
 
-/** Resize a block of batten_array (or NULL) to `count` items; new bytes are not zeroed. On
- * failure NULL, and the old block is untouched. */
+/**
+ * Resize a block of batten_array (or NULL) to `count` items; new bytes are not zeroed. On
+ * failure NULL, and the old block is untouched.
+ *
+ * @param memory  from batten_array, or NULL
+ * @param[out] size  of the data, bytes
+ */
 BATTEN_API void *batten_resize(void *memory, size_t count, size_t size);
 
 /** Give back memory that the library handed over; NULL is welcome. */
@@ -144,23 +153,50 @@ typedef struct batten_note {
 /** A list of notes, at most `limit`, then counted. */
 typedef struct batten_notes batten_notes;
 
-/** @param limit  how many are kept, 0 or more */
+/**
+ * @param limit  how many are kept, 0 or more
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_notes_create(int limit, batten_notes **out);
+/** Release notes; NULL is welcome. */
 BATTEN_API void batten_notes_free(batten_notes *notes);
 
-/** Add one; NULL notes and lack of memory are borne silently (the latter is counted).
- * @param file, entity  copied; NULL counts as "" */
+/**
+ * Add one; NULL notes and lack of memory are borne silently (the latter is counted).
+ * @param[out] line  the result
+ * @param file, entity  copied; NULL counts as ""
+ * @param format  as printf
+ */
 BATTEN_API void batten_notes_add(batten_notes *notes, const char *file, int line,
                                  const char *entity, const char *format, ...)
     BATTEN_PRINTF(5, 6);
 
-/** The same, as a remark: something worth knowing that is no warning. */
+/**
+ * The same, as a remark: something worth knowing that is no warning.
+ *
+ * @param notes  gets what there is to say; may be NULL
+ * @param file  its name
+ * @param[out] line  the result
+ * @param entity  of the file
+ * @param format  as printf
+ */
 BATTEN_API void batten_notes_remark(batten_notes *notes, const char *file, int line,
                                     const char *entity, const char *format, ...)
     BATTEN_PRINTF(5, 6);
 
-BATTEN_API int batten_notes_count(const batten_notes *notes);   /**< those that are kept */
-BATTEN_API int batten_notes_dropped(const batten_notes *notes); /**< those beyond the limit */
+/** How many notes are kept; those beyond the limit are counted by batten_notes_dropped. */
+BATTEN_API int batten_notes_count(const batten_notes *notes);   /**
+ * < those that are kept
+ *
+ * @param notes  gets what there is to say; may be NULL
+ */
+BATTEN_API int batten_notes_dropped(const batten_notes *notes); /**
+ * < those beyond the limit
+ *
+ * @param notes  gets what there is to say; may be NULL
+ * @param index  from 0
+ */
 BATTEN_API const batten_note *batten_notes_at(const batten_notes *notes, int index);
 
 #ifdef __cplusplus

@@ -10,6 +10,12 @@
 extern "C" {
 #endif
 
+/** A point of the plane and a direction at it. */
+typedef struct batten_heading {
+    const double *point; /**< [2] */
+    double angle;        /**< radians from x */
+} batten_heading;
+
 typedef enum batten_span_family {
     BATTEN_FAMILY_LOCAL_CUBIC,   /**< a cubic function over each chord */
     BATTEN_FAMILY_LOCAL_TENSION, /**< a function in tension over each chord */
@@ -39,6 +45,7 @@ typedef struct batten_chain_nonlinear_options {
                                inflection, or as much as there can be: see inflections_added */
     int max_steps;          /**< of Newton; 50 */
 } batten_chain_nonlinear_options;
+/** The defaults of elastica and their like: those beside the fields of batten_chain_nonlinear_options. */
 BATTEN_API batten_chain_nonlinear_options batten_chain_nonlinear_defaults(void);
 
 typedef struct batten_chain_nonlinear_report {
@@ -63,10 +70,11 @@ typedef struct batten_chain_nonlinear_report {
  * not do
  *
  * Breaks of the chain: those of point i are found in `parameters` [count], may be NULL.
- * Cost: linear in count for each step. Source: [SL] ch. VI; Euler spirals [BF15], HOBBY
+ * Cost: linear in count for each step.
+ * Source: [SL] ch. VI; Euler spirals [BF15], HOBBY
  * [Hobby86].
  */
-BATTEN_API batten_status batten_chain_nonlinear(int count, const double *points,
+BATTEN_API batten_status batten_chain_nonlinear(batten_points points,
                                                 const batten_chain_nonlinear_options *options,
                                                 double *angles, double *parameters,
                                                 batten_chain_nonlinear_report *report,
@@ -81,6 +89,7 @@ typedef struct batten_chain_mehlum_options {
     double tolerance; /**< model units: more arcs, span by span, until none is farther from the
                            elastica; 0: `arcs` everywhere */
 } batten_chain_mehlum_options;
+/** The defaults of Mehlum's arcs: those beside the fields of batten_chain_mehlum_options. */
 BATTEN_API batten_chain_mehlum_options batten_chain_mehlum_defaults(void);
 
 typedef struct batten_chain_mehlum_report {
@@ -105,10 +114,11 @@ typedef struct batten_chain_mehlum_report {
  * @param[out] report may be NULL
  * @return as batten_chain_nonlinear; also BAD_ARGUMENT (arcs, tolerance), TOLERANCE_NOT_MET
  * naming the span that so few arcs cannot follow, or that needs more than 10000
- * Cost: that of the elastica, and some ten evaluations of it for each arc. Source: [Mehlum64],
+ * Cost: that of the elastica, and some ten evaluations of it for each arc.
+ * Source: [Mehlum64],
  * [Mehlum74]; the directions between the points, which make the order three, are our own.
  */
-BATTEN_API batten_status batten_chain_mehlum(int count, const double *points,
+BATTEN_API batten_status batten_chain_mehlum(batten_points points,
                                              const batten_chain_mehlum_options *options,
                                              double *angles, double *parameters,
                                              batten_chain_mehlum_report *report,
@@ -126,9 +136,8 @@ BATTEN_API batten_status batten_chain_mehlum(int count, const double *points,
  * directions stand to the chord at more than 0.98 pi: there is then none that is near
  * Source: [BF15].
  */
-BATTEN_API batten_status batten_spiral_hermite(const double *start, double start_angle,
-                                               const double *end, double end_angle, int *steps,
-                                               double *error, batten_span *out);
+BATTEN_API batten_status batten_spiral_hermite(batten_heading start, batten_heading end,
+                                               int *steps, double *error, batten_span *out);
 /** What is to be least, along arc length s. */
 typedef enum batten_energy {
     BATTEN_ENERGY_BENDING,  /**< the integral of k^2: a thin elastic strip */
@@ -151,6 +160,7 @@ typedef struct batten_curve_minimum_energy_options {
                             NULL: free */
     int max_steps;                                 /**< of Newton; 200 */
 } batten_curve_minimum_energy_options;
+/** The defaults of least energy: those beside the fields of batten_curve_minimum_energy_options. */
 BATTEN_API batten_curve_minimum_energy_options batten_curve_minimum_energy_defaults(void);
 
 typedef struct batten_curve_minimum_energy_report {
@@ -173,23 +183,23 @@ typedef struct batten_curve_minimum_energy_report {
  * to exist, `batten_chain_nonlinear` with ELASTICA has it exactly; this one also knows space,
  * tension and variation.
  *
- * @param dimension 2 or 3
- * @param points    [count][dimension], 2 or more, 3 or more when closed; neighbours apart
- * @param options   NULL for the defaults
- * @param[out] parameters [count], all but arc lengths; closed: the curve ends at the first
+ * @param points  dimension: 2 or 3
+ *     [count][dimension], 2 or more, 3 or more when closed; neighbours apart
+ * @param options  NULL for the defaults
+ * @param[out] parameters  [count], all but arc lengths; closed: the curve ends at the first
  * point again; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  may be NULL
  * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT; INCOMPLETE when
  * max_steps did not reach the least, or the curve grows without end: then give directions at
  * the ends or a tension
  *
  * Cost: linear in count times pieces for each step, some 5 microseconds a piece; mostly 5 to 20
- * steps. Source: [MS92], [Horn83].
+ * steps.
+ * Source: [MS92], [Horn83].
  */
 BATTEN_API batten_status batten_curve_minimum_energy(
-    int dimension, int count, const double *points,
-    const batten_curve_minimum_energy_options *options, double *parameters,
-    batten_curve_minimum_energy_report *report, batten_curve **out);
+    batten_points points, const batten_curve_minimum_energy_options *options,
+    double *parameters, batten_curve_minimum_energy_report *report, batten_curve **out);
 /** What a point asks of the curve; of the ends of an open curve the kind does not count. */
 typedef enum batten_spiro_kind {
     BATTEN_SPIRO_SMOOTH, /**< direction, curvature and its first two derivatives by arc length
@@ -219,6 +229,7 @@ typedef struct batten_chain_spiro_options {
     bool closed;                    /**< the first point is not repeated */
     int max_steps;                  /**< of Newton; 200 */
 } batten_chain_spiro_options;
+/** The defaults of spiro: those beside the fields of batten_chain_spiro_options. */
 BATTEN_API batten_chain_spiro_options batten_chain_spiro_defaults(void);
 
 typedef struct batten_chain_spiro_report {
@@ -254,7 +265,7 @@ typedef struct batten_chain_spiro_report {
  * Cost: linear in count for each step, about 2 microseconds a point; mostly 7 to 15 steps.
  * Source: the equations of [Levien09], ch. 8; solved by Newton's method from Euler spirals.
  */
-BATTEN_API batten_status batten_chain_spiro(int count, const double *points,
+BATTEN_API batten_status batten_chain_spiro(batten_points points,
                                             const batten_chain_spiro_options *options,
                                             double *parameters,
                                             batten_chain_spiro_report *report,

@@ -30,6 +30,8 @@ typedef struct batten_curves_blend_report {
 /**
  * The ends of two curves that are nearest to each other; of several pairs the first of end and
  * start, end and end, start and start, start and end.
+ *
+ * @param second  the other
  * @return BATTEN_OK; NOT_COMPATIBLE when their dimensions differ
  */
 BATTEN_API batten_status batten_curves_nearest_ends(const batten_curve *first,
@@ -47,7 +49,9 @@ BATTEN_API batten_status batten_curves_nearest_ends(const batten_curve *first,
  * bends so sharply that v would turn by more than 4 radians it
  * is less. The joins are measured afterwards.
  *
+ * @param first_end  which end of the first
  * @param first, second of the same dimension, 2 or 3
+ * @param second_end  which end of the second
  * @param[out] report may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT (continuity, bulge), UNSUPPORTED (functions), NOT_COMPATIBLE,
  * COINCIDENT (the ends are one point), SINGULAR_HERE (an end without speed, where more than G0
@@ -101,7 +105,8 @@ typedef struct batten_surfaces_blend_report {
  * edges are the same, or both points); SINGULAR_HERE (a surface stands still across its edge);
  * TOLERANCE_NOT_MET, BAD_DEGREE, OVERFLOW
  *
- * Cost: linear in the control points. Source: [Filip89].
+ * Cost: linear in the control points.
+ * Source: [Filip89].
  */
 BATTEN_API batten_status batten_surfaces_blend(const batten_surface *const surfaces[2],
                                                const batten_surface_blend_end ends[2],
@@ -171,20 +176,29 @@ BATTEN_API batten_status batten_curve_fillet(const batten_curve *curve, int radi
 
 /**
  * Cut off the corner between two curves by a line.
- * @param before, behind lengths along the curves that go, model units, > 0
- * @param tolerance for the gap between the curves, and for the lengths; > 0
- * @param[out] u as in batten_curves_fillet_report; may be NULL
- * @param[out] line from first(u[0]) to second(u[1])
+ * @param lengths  before, behind: lengths along the curves that go, model units, > 0
+ * @param tolerance  for the gap between the curves, and for the lengths; > 0
+ * @param[out] u  as in batten_curves_fillet_report; may be NULL
+ * @param[out] line  from first(u[0]) to second(u[1])
  * @return BATTEN_OK; BAD_ARGUMENT; UNSUPPORTED; NOT_COMPATIBLE when the curves do not meet;
  * NOT_FOUND when one is too short; COINCIDENT when the line would be a point
  */
 BATTEN_API batten_status batten_curves_chamfer(const batten_curve *first,
-                                               const batten_curve *second, double before,
-                                               double behind, double tolerance, double u[2],
-                                               batten_curve **line);
-/** Cut off all corners of a curve of 2 or 3 dimensions; as batten_curve_fillet. */
-BATTEN_API batten_status batten_curve_chamfer(const batten_curve *curve, double before,
-                                              double behind, double tolerance,
+                                               const batten_curve *second,
+                                               const double lengths[2], double tolerance,
+                                               double u[2], batten_curve **line);
+/**
+ * Cut off all corners of a curve of 2 or 3 dimensions; as batten_curve_fillet.
+ *
+ * @param lengths  model units, before and behind the corner
+ * @param tolerance  model units, above 0
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, UNSUPPORTED, NOT_COMPATIBLE, NOT_FOUND,
+ * OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_curve_chamfer(const batten_curve *curve,
+                                              const double lengths[2], double tolerance,
                                               batten_corners_report *report,
                                               batten_curve **out);
 /** Why a fillet ends. */
@@ -207,6 +221,7 @@ typedef struct batten_surface_fillet {
     int stations;
     batten_fillet_end ends[2]; /**< at the least u and at the greatest */
 } batten_surface_fillet;
+/** Release what a fillet of surfaces holds, and empty it. */
 BATTEN_API void batten_surface_fillet_release(batten_surface_fillet *fillet);
 
 /**
@@ -224,6 +239,7 @@ BATTEN_API void batten_surface_fillet_release(batten_surface_fillet *fillet);
  * @param start    [4] u and v on the first, on the second surface, from where the ball is
  *                 sought; NULL: where the offsets are nearest
  * @param tolerance model units, > 0
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT, NOT_FINITE, UNSUPPORTED; NOT_FOUND, with the distance of the
  * offsets; SINGULAR_HERE when the ball does not fit into a hollow, with place and radius;
  * TOLERANCE_NOT_MET

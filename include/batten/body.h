@@ -8,8 +8,9 @@
  *
  *     vertices   points in space
  *     edges      a curve in space from one vertex to another
- *     uses       of an edge by a loop, one way or the other, with the curve in the parameters
- * of the face loops      uses, head to tail, around a face; an edge of two faces has two uses
+ *     uses       of an edge by a loop, forwards or reversed, with the curve in the parameters
+ *                of the face
+ *     loops      uses, head to tail, around a face; an edge of two faces has two uses
  *     faces      a surface and the loops that bound what counts of it
  *     shells     faces that belong together
  *
@@ -89,10 +90,15 @@ typedef struct batten_body_parts {
  *
  * Checked are the indices, that uses of a loop meet in their vertices, dimensions, and that
  * numbers are finite; whether curves lie on their surfaces is for batten_body_check.
+ *
+ * @param parts  all of it is copied
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT naming the part that does not fit; NOT_FINITE
  */
 BATTEN_API batten_status batten_body_create(const batten_body_parts *parts, batten_body **out);
+/** One more reference to a body, from borrowed to yours. */
 BATTEN_API batten_body *batten_body_ref(const batten_body *body);
+/** Give a reference to a body back; NULL is welcome. */
 BATTEN_API void batten_body_unref(batten_body *body);
 /** Valid as long as the body. */
 BATTEN_API const batten_body_parts *batten_body_view(const batten_body *body);
@@ -104,13 +110,24 @@ BATTEN_API const batten_body_parts *batten_body_view(const batten_body *body);
  * Cost: of faces whose surface reaches beyond the box of all edges, some hundred evaluations
  * where they are not plane. */
 BATTEN_API batten_box batten_body_box(const batten_body *body);
-/** A map that mirrors turns the loops and sides of faces, so that outside stays outside. */
+/**
+ * A map that mirrors turns the loops and sides of faces, so that outside stays outside.
+ *
+ * @param body  any body
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_body_transform(const batten_body *body,
                                                const batten_affine *map, batten_body **out);
-/** One face that is the whole of a NURBS surface, with its border as edges: opposite borders
+/**
+ * One face that is the whole of a NURBS surface, with its border as edges: opposite borders
  * that are the same curve are one edge (a seam), borders that are one point have no curve (a
  * pole). It is traced.
- * @param tolerance model units, > 0, for what is the same */
+ * @param name  copied
+ * @param tolerance model units, > 0, for what is the same
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_body_from_surface(const char *name,
                                                   const batten_surface *surface,
                                                   double tolerance, batten_body **out);
@@ -155,8 +172,10 @@ typedef struct batten_body_trace_report {
  * side of the face is where its neighbours say so, with a note.
  *
  * @param tolerance model units, > 0
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param notes     each face that fails, and why; may be NULL
  * @param report    may be NULL
+ * @param[out] out  the result; as it was when the function fails
  * @return BAD_ARGUMENT (tolerance), OUT_OF_MEMORY, CANCELLED or INCOMPLETE; a face that cannot
  * be traced is no failure
  *
@@ -198,6 +217,7 @@ typedef struct batten_body_measures {
  *
  * @param precision relative, > 0; one below the rounding of the numbers is met as far as they
  * can
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @return BATTEN_OK; BAD_ARGUMENT (precision); TOLERANCE_NOT_MET when the precision is not
  * reached after about 4 million evaluations for a face, loops of a face cross, or faces could
  * not be traced, which then are not measured: the measures are set then; OVERFLOW
@@ -234,6 +254,7 @@ typedef struct batten_body_faults {
  * found by halving, and places where loops meet in a vertex; loops that touch between vertices
  * without crossing may be left out.
  * @param tolerance model units, > 0
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param notes each fault with the face or edge and the number; may be NULL
  * @return BATTEN_OK, however bad the body is; BAD_ARGUMENT (tolerance), CANCELLED ...
  * Cost: n log n for n edges; of bodies that are not traced the search for nearest places.

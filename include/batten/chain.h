@@ -44,39 +44,89 @@ typedef struct batten_span {
     double tension;      /**< TENSION: sigma >= 0, one by the unit of the parameter */
 } batten_span;
 
+/** What a chain is made from; all of it is copied. */
+typedef struct batten_chain_parts {
+    int dimension; /**< 2; when all spans are in tension 1 to 3 */
+    int count;
+    const batten_span *spans; /**< [count] */
+    const double *breaks;     /**< [count + 1], increasing */
+    bool closed;              /**< the last span ends where the first begins */
+} batten_chain_parts;
+
 /**
  * Make a chain; everything is copied.
  *
- * @param dimension 2 for plane kinds; 1..3 when all spans are TENSION
- * @param spans     [count], each beginning where the one before ends, within `tolerance`
- * @param breaks    [count + 1], increasing; NULL: from 0, by the lengths of the spans
- * @param closed    the last span ends at the first; then any parameter is taken, by periods
- * @param tolerance model units, 0 or more; infinity: gaps are not looked at
+ * @param parts  dimension: 2 for plane kinds; 1..3 when all spans are TENSION
+ *     spans: [count], each beginning where the one before ends, within `tolerance`
+ *     breaks: [count + 1], increasing; NULL: from 0, by the lengths of the spans
+ *     closed: the last span ends at the first; then any parameter is taken, by periods
+ * @param tolerance  model units, 0 or more; infinity: gaps are not looked at
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT (no span, kinds and dimension, lengths, tolerance),
  * NOT_FINITE, NOT_INCREASING, NOT_COMPATIBLE (a gap, named with its size), OVERFLOW,
  * TOO_LARGE, OUT_OF_MEMORY
  */
-BATTEN_API batten_status batten_chain_create(int dimension, int count, const batten_span *spans,
-                                             const double *breaks, bool closed,
-                                             double tolerance, batten_chain **out);
-/** A plane chain (dimension 2) put into space, into the xy-plane of a frame; dimension 3. */
+BATTEN_API batten_status batten_chain_create(const batten_chain_parts *parts, double tolerance,
+                                             batten_chain **out);
+/**
+ * A plane chain (dimension 2) put into space, into the xy-plane of a frame; dimension 3.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_chain_place(const batten_chain *chain,
                                             const batten_frame *frame, batten_chain **out);
 /** One more reference to the same chain. */
 BATTEN_API batten_chain *batten_chain_ref(const batten_chain *chain);
-/** Give one reference back; NULL is welcome. */
+/**
+ * Give one reference back; NULL is welcome.
+ *
+ * @param chain  any chain
+ */
 BATTEN_API void batten_chain_unref(batten_chain *chain);
 
+/**
+ * The number of coordinates: 2, 3 once placed in space, 1 of a function.
+ *
+ * @param chain  any chain
+ */
 BATTEN_API int batten_chain_dimension(const batten_chain *chain);
+/** How many spans the chain has. */
 BATTEN_API int batten_chain_span_count(const batten_chain *chain);
-/** In the plane of the chain when it was placed. */
+/**
+ * In the plane of the chain when it was placed.
+ *
+ * @param index  from 0
+ */
 BATTEN_API const batten_span *batten_chain_span(const batten_chain *chain, int index);
-BATTEN_API const double *batten_chain_breaks(const batten_chain *chain); /**< [count + 1] */
+/**
+ * The parameters at which spans begin and end, [span count + 1], increasing.
+ *
+ * @param chain  any chain
+ */
+BATTEN_API const double *batten_chain_breaks(const batten_chain *chain); /**
+ * < [count + 1]
+ *
+ * @param chain  any chain
+ */
 BATTEN_API batten_interval batten_chain_domain(const batten_chain *chain);
+/**
+ * Whether the last span ends where the first begins.
+ *
+ * @param chain  any chain
+ */
 BATTEN_API bool batten_chain_is_closed(const batten_chain *chain);
-/** The frame in which it was placed; false when it was not. */
+/**
+ * The frame in which it was placed; false when it was not.
+ *
+ * @param chain  any chain
+ */
 BATTEN_API bool batten_chain_frame(const batten_chain *chain, batten_frame *frame);
-/** Are all spans arcs and lines? */
+/**
+ * Are all spans arcs and lines?
+ *
+ * @param chain  any chain
+ */
 BATTEN_API bool batten_chain_is_arcs(const batten_chain *chain);
 
 /**
@@ -91,25 +141,57 @@ BATTEN_API bool batten_chain_is_arcs(const batten_chain *chain);
  */
 BATTEN_API batten_status batten_chain_evaluate_side(const batten_chain *chain, double u,
                                                     batten_side side, int order, double *out);
-/** The same from the right; at the end of the domain, from the left. */
+/**
+ * The same from the right; at the end of the domain, from the left.
+ *
+ * @param chain  any chain
+ * @param u  a parameter in the domain
+ * @param order  of the highest derivative
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, OVERFLOW
+ */
 BATTEN_API batten_status batten_chain_evaluate(const batten_chain *chain, double u, int order,
                                                double *out);
 
-/** The chain under a map that keeps shapes (rotation, mirror, translation, one scale for all
- * axes); else BAD_ARGUMENT. A plane chain must stay in its plane. The breaks stay. */
+/**
+ * The chain under a map that keeps shapes (rotation, mirror, translation, one scale for all
+ * axes); else BAD_ARGUMENT. A plane chain must stay in its plane. The breaks stay.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, NOT_INCREASING, BAD_DEGREE,
+ * BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, UNSUPPORTED, NOT_COMPATIBLE, SINGULAR_SYSTEM,
+ * TOLERANCE_NOT_MET, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_chain_transform(const batten_chain *chain,
                                                 const batten_affine *map, batten_chain **out);
 
-/** The part from a to b inside the domain, a < b: open, with the parameters it had; a span that
- * is cut stays of its kind. @return also OUT_OF_DOMAIN, NOT_FINITE */
+/**
+ * The part from a to b inside the domain, a < b: open, with the parameters it had; a span that
+ * is cut stays of its kind.
+ *
+ * @param chain  any chain
+ * @param[out] out  the result; as it was when the function fails
+ * @return also OUT_OF_DOMAIN, NOT_FINITE
+ */
 BATTEN_API batten_status batten_chain_subrange(const batten_chain *chain, double a, double b,
                                                batten_chain **out);
-/** The chain run backwards: the domain [a, b] becomes [-b, -a], the point at u is found at -u.
+/**
+ * The chain run backwards: the domain [a, b] becomes [-b, -a], the point at u is found at -u.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, NOT_INCREASING, BAD_DEGREE,
+ * BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, UNSUPPORTED, NOT_COMPATIBLE, SINGULAR_SYSTEM,
+ * TOLERANCE_NOT_MET, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_chain_reverse(const batten_chain *chain, batten_chain **out);
-/** Join end to start. Both are open, of one dimension and, when placed, in the same frame bit
+/**
+ * Join end to start. Both are open, of one dimension and, when placed, in the same frame bit
  * for bit; the ends are within `tolerance`, and stay where they are. The second domain is moved
- * to follow the first. @return also NOT_COMPATIBLE */
+ * to follow the first.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return also NOT_COMPATIBLE
+ */
 BATTEN_API batten_status batten_chain_join(const batten_chain *first,
                                            const batten_chain *second, double tolerance,
                                            batten_chain **out);
@@ -127,7 +209,8 @@ BATTEN_API batten_status batten_chain_join(const batten_chain *first,
  *             piece, and at least the largest gap between two spans that was let pass when the
  *             chain was made; 0 when exact. May be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, TOO_LARGE (1 million pieces), OVERFLOW
- * Cost: linear in the number of pieces. Source: [dBHS87] for the order, 6.
+ * Cost: linear in the number of pieces.
+ * Source: [dBHS87] for the order, 6.
  */
 BATTEN_API batten_status batten_chain_to_curve(const batten_chain *chain, double tolerance,
                                                double *error, batten_curve **out);

@@ -21,6 +21,7 @@ typedef struct batten_curve_continuity_options {
                             What bulges by less than `gap` over the size counts as straight */
     double derivative; /**< difference of derivatives over the larger; 1e-6 */
 } batten_curve_continuity_options;
+/** The defaults of continuity: those beside the fields of batten_curve_continuity_options. */
 BATTEN_API batten_curve_continuity_options batten_curve_continuity_defaults(void);
 
 /**
@@ -55,7 +56,10 @@ typedef struct batten_continuity {
 /**
  * The join of an end of one curve with an end of another: L runs towards the end named of
  * `first`, R away from that of `second`.
+ * @param first_end  which end of the first
+ * @param second_end  which end of the second
  * @param options NULL for the defaults
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_COMPATIBLE when their dimensions differ
  * Source: [BD89] for the beta form.
  */
@@ -70,6 +74,17 @@ typedef struct batten_continuities {
     int count;
     batten_continuity *at;
 } batten_continuities;
+
+/**
+ * How a curve continues at each of its inner knots, and of a closed curve at its seam.
+ *
+ * @param curve  any curve
+ * @param options  tolerances; NULL for the defaults
+ * @param[out] out  one entry for each knot that may be rough
+ * @return BATTEN_OK, OUT_OF_MEMORY; as batten_curves_continuity
+ *
+ * Cost: linear in the knots.
+ */
 BATTEN_API batten_status batten_curve_continuity(const batten_curve *curve,
                                                  const batten_curve_continuity_options *options,
                                                  batten_continuities *out);
@@ -84,6 +99,13 @@ typedef enum batten_match_mover {
     BATTEN_MATCH_MOVES_BOTH
 } batten_match_mover;
 
+/** How two curves are to meet. */
+typedef struct batten_match {
+    batten_match_kind kind;
+    int order;
+    batten_match_mover mover;
+} batten_match;
+
 /**
  * Make the end of one curve and the start of another join smoothly, by moving the order + 1
  * control points next to the join of one of them or of both.
@@ -94,16 +116,18 @@ typedef enum batten_match_mover {
  * (both move: to the mean of the curvatures). Weights and knots stay; periodic curves become
  * clamped.
  *
- * @param order  0..2 GEOMETRIC, 0..3 PARAMETRIC; the degrees must be `order` or more
- * @param[out] moved the longest way of a control point; may be NULL
+ * @param first  one of two
+ * @param how  order: 0..2 GEOMETRIC, 0..3 PARAMETRIC; the degrees must be `order` or more
+ * @param[out] moved  the longest way of a control point; may be NULL
+ * @param[out] first_out  the first curve as it is then
+ * @param[out] second_out  the second one
  * @return BATTEN_OK; BAD_ARGUMENT, BAD_DEGREE; NOT_COMPATIBLE; SINGULAR_HERE when an end has no
  * tangent, or the tangents are opposite when both move; TOLERANCE_NOT_MET when the result,
  * measured, does not join as asked
  */
 BATTEN_API batten_status batten_curves_match(const batten_curve *first,
-                                             const batten_curve *second, batten_match_kind kind,
-                                             int order, batten_match_mover mover, double *moved,
-                                             batten_curve **first_out,
+                                             const batten_curve *second, batten_match how,
+                                             double *moved, batten_curve **first_out,
                                              batten_curve **second_out);
 /** What a match did, and how well the surfaces then join. */
 typedef struct batten_surface_match_report {
@@ -115,8 +139,16 @@ typedef struct batten_surface_match_report {
     bool reversed;    /**< the edges run against each other */
 } batten_surface_match_report;
 
-/** The edges of two surfaces whose ends are nearest to each other, and the larger distance of
- * an end from its partner; of equal ones the first. */
+/**
+ * The edges of two surfaces whose ends are nearest to each other, and the larger distance of
+ * an end from its partner; of equal ones the first.
+ *
+ * @param second  the other
+ * @param[out] first_edge  of the first
+ * @param[out] second_edge  of the second
+ * @param[out] gap  model units; may be NULL
+ * @return BATTEN_OK, NOT_COMPATIBLE
+ */
 BATTEN_API batten_status batten_surfaces_near_edges(const batten_surface *first,
                                                     const batten_surface *second,
                                                     batten_edge *first_edge,
@@ -142,10 +174,11 @@ BATTEN_API batten_status batten_surfaces_near_edges(const batten_surface *first,
  * TOLERANCE_NOT_MET when the edges, measured, are farther apart than that
  * Source: [Farin02] ch. 15 and 16.
  */
-BATTEN_API batten_status batten_surface_match(
-    const batten_surface *first, batten_edge first_edge, const batten_surface *second,
-    batten_edge second_edge, int order, double tolerance, batten_surface_match_report *report,
-    batten_surface **out);
+BATTEN_API batten_status batten_surface_match(batten_surface_edge first,
+                                              batten_surface_edge second, int order,
+                                              double tolerance,
+                                              batten_surface_match_report *report,
+                                              batten_surface **out);
 
 #ifdef __cplusplus
 }

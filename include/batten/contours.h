@@ -38,6 +38,12 @@ typedef struct batten_surface_field {
     batten_vec3 direction, point, eye; /**< as the kind says */
 } batten_surface_field;
 
+/** The values whose contours are wanted, borrowed for the call. */
+typedef struct batten_levels {
+    int count;
+    const double *at; /**< [count] */
+} batten_levels;
+
 /**
  * A field at points of a surface in space.
  * @param uv [count][2]
@@ -100,6 +106,8 @@ typedef struct batten_contours {
  *
  * @param levels [level_count], increasing
  * @param tolerance model units, above 0
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_COMPATIBLE (no surface in space), BAD_ARGUMENT (direction 0, tolerance
  * not above 0), TOLERANCE_NOT_MET (a tolerance below 1e-11 of the diagonal of the surface: its
  * points are not known so well), NOT_FINITE, NOT_INCREASING, TOO_LARGE (more than a million
@@ -110,28 +118,62 @@ typedef struct batten_contours {
  */
 BATTEN_API batten_status batten_surface_contours(const batten_surface *surface,
                                                  const batten_surface_field *field,
-                                                 int level_count, const double *levels,
-                                                 double tolerance, const batten_job *job,
-                                                 batten_contours *out);
-/** The same with cubics instead of chords, for small tolerances: their number goes with the
- * fourth root. Each has the tangents of the contour at its ends and is measured at 3 places. */
+                                                 batten_levels levels, double tolerance,
+                                                 const batten_job *job, batten_contours *out);
+/**
+ * The same with cubics instead of chords, for small tolerances: their number goes with the
+ * fourth root. Each has the tangents of the contour at its ends and is measured at 3 places.
+ *
+ * @param surface  any surface
+ * @param field  what is drawn
+ * @param levels  the values wanted
+ * @param tolerance  model units, above 0
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, NOT_INCREASING, BAD_ARGUMENT, NOT_COMPATIBLE,
+ * TOLERANCE_NOT_MET, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_smooth_contours(const batten_surface *surface,
                                                         const batten_surface_field *field,
-                                                        int level_count, const double *levels,
-                                                        double tolerance, const batten_job *job,
+                                                        batten_levels levels, double tolerance,
+                                                        const batten_job *job,
                                                         batten_contours *out);
-/** The same on Bezier triangles in space: lines go on from one to the next where they share
+/**
+ * The same on Bezier triangles in space: lines go on from one to the next where they share
  * both corners of an edge. `parameters` are the barycentric coordinates of corners 1 and 2,
  * each in the triangle that the point was found in; those of critical points too. TOO_LARGE
- * likewise. */
+ * likewise.
+ *
+ * @param field  what is drawn
+ * @param levels  the values wanted
+ * @param tolerance  model units, above 0
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, NOT_INCREASING, BAD_ARGUMENT, NOT_COMPATIBLE,
+ * TOLERANCE_NOT_MET, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_contours(const batten_triangles *triangles,
                                                    const batten_surface_field *field,
-                                                   int level_count, const double *levels,
-                                                   double tolerance, const batten_job *job,
-                                                   batten_contours *out);
+                                                   batten_levels levels, double tolerance,
+                                                   const batten_job *job, batten_contours *out);
+
+/**
+ * The contours of a field over Bezier triangles, as batten_surface_smooth_contours.
+ *
+ * @param triangles  of dimension 3, or 1 over a domain
+ * @param field  what is drawn
+ * @param levels  the values wanted
+ * @param tolerance  model units, above 0
+ * @param job  threads, progress, cancelling; NULL for one thread
+ * @param[out] out  release with batten_contours_release
+ * @return as batten_triangles_contours
+ *
+ * Cost: as batten_triangles_contours.
+ */
 BATTEN_API batten_status batten_triangles_smooth_contours(
-    const batten_triangles *triangles, const batten_surface_field *field, int level_count,
-    const double *levels, double tolerance, const batten_job *job, batten_contours *out);
+    const batten_triangles *triangles, const batten_surface_field *field, batten_levels levels,
+    double tolerance, const batten_job *job, batten_contours *out);
+/** Release contours, and empty them. */
 BATTEN_API void batten_contours_release(batten_contours *contours);
 /** Highest degree of a curve that is made implicit. */
 #define BATTEN_IMPLICIT_DEGREE 8
@@ -162,20 +204,36 @@ typedef struct batten_implicit_from_curve_report {
  * than once or has a point where all of X, Y and weight vanish: then f is 0 everywhere);
  * UNSUPPORTED above degree 8; TOLERANCE_NOT_MET when substitution misses by 1e-6 of the size
  *
- * Cost of a value: degree^3 / 3. Source: [SAG84], in the form of [BG04].
+ * Cost of a value: degree^3 / 3.
+ * Source: [SAG84], in the form of [BG04].
  */
 BATTEN_API batten_status batten_implicit_from_curve(const batten_curve *curve,
                                                     batten_implicit_from_curve_report *report,
                                                     batten_implicit **out);
-/** NULL is welcome. */
+/**
+ * NULL is welcome.
+ *
+ * @param implicit  looked at only
+ */
 BATTEN_API void batten_implicit_free(batten_implicit *implicit);
-/** f at a point, in model units. @param[out] gradient [2], without a unit; or NULL */
+/** f at a point, in model units.
+ * @param implicit  looked at only
+ * @param x  first coordinate
+ * @param y  second coordinate
+ * @param[out] gradient [2], without a unit; or NULL */
 BATTEN_API double batten_implicit_value(const batten_implicit *implicit, double x, double y,
                                         double *gradient);
-/** The parameter of a point of the curve, also outside its domain: from the null vector of the
+/**
+ * The parameter of a point of the curve, also outside its domain: from the null vector of the
  * matrix.
+ *
+ * @param implicit  looked at only
+ * @param x  first coordinate
+ * @param y  second coordinate
+ * @param u  a parameter in the domain
  * @return SINGULAR_HERE where the curve crosses itself or the point is not on it (by 1e-6 of
- * its size) */
+ * its size)
+ */
 BATTEN_API batten_status batten_implicit_invert(const batten_implicit *implicit, double x,
                                                 double y, double *u);
 
@@ -207,18 +265,35 @@ typedef struct batten_trace {
  * through its cells; between them points are set on the curve by Newton's method until chords
  * are within `tolerance`. Branches that no grid line meets are not found, and where two
  * branches come nearer than a cell they may be linked the wrong way.
+ * @param field  what is drawn
+ * @param context  handed to the field as it is
  * @param window    low and high x and y, low < high
  * @param cells     in either direction, 2 .. 2000
  * @param tolerance of chords, model units, > 0
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT; NOT_FINITE, with the place, when a value is not finite
  * Cost: cells^2 values. Release with batten_trace_release.
  */
 BATTEN_API batten_status batten_trace_field(batten_field field, const void *context,
                                             batten_box window, int cells, double tolerance,
                                             batten_trace *out);
+
+/**
+ * The zeros of an implicit curve in a window, as batten_trace_field.
+ *
+ * @param implicit  as made by batten_implicit_from_curve
+ * @param window  of x and y
+ * @param cells  of the grid along the longer side
+ * @param tolerance  model units, above 0
+ * @param[out] out  release with batten_trace_release
+ * @return as batten_trace_field
+ *
+ * Cost: as batten_trace_field.
+ */
 BATTEN_API batten_status batten_implicit_trace(const batten_implicit *implicit,
                                                batten_box window, int cells, double tolerance,
                                                batten_trace *out);
+/** Release a trace, and empty it. */
 BATTEN_API void batten_trace_release(batten_trace *trace);
 
 #ifdef __cplusplus

@@ -33,6 +33,20 @@ typedef enum batten_edge {
     BATTEN_EDGE_U0
 } batten_edge;
 
+/** An edge of a surface. */
+typedef struct batten_surface_edge {
+    const batten_surface *surface;
+    batten_edge edge;
+} batten_surface_edge;
+
+/** What is wanted of a ribbon. */
+typedef struct batten_ribbon_wish {
+    int order;          /**< 0: the edge; 1: and the slope; 2: and the second derivative */
+    const double *ends; /**< [2][d] inward derivatives wanted at the ends, those of the boundary
+                             curves beside it; NULL with order 0 */
+    double tolerance;   /**< model units */
+} batten_ribbon_wish;
+
 /**
  * A boundary curve C(t) and, as curves over the same domain, the derivatives of the surface
  * across it, towards its inside: the vector that C gains for a unit of the parameter across.
@@ -57,8 +71,8 @@ typedef struct batten_ribbon {
  * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, BAD_DEGREE ...
  */
 BATTEN_API batten_status batten_edge_ribbon(const batten_surface *surface, batten_edge edge,
-                                            int order, double tolerance, batten_curve **curves,
-                                            double *error);
+                                            int order, double tolerance, double *error,
+                                            batten_curve **curves);
 
 /** One curve's place in a loop. */
 typedef struct batten_loop_place {
@@ -188,7 +202,8 @@ typedef struct batten_surface_coons_report {
  * rational, or the rational curves along each direction share their weights; else, and with
  * Gregory's twists, one within the tolerance. With a tolerance above 0 knots of different
  * curves that are nearer than 1e-9 become one, and the error says how far the surface moved by
- * that. Cost of a point: one of each line and function. Source: [Coons67], [Coons74], [SL] V.2.
+ * that. Cost of a point: one of each line and function.
+ * Source: [Coons67], [Coons74], [SL] V.2.
  */
 BATTEN_API batten_status batten_surface_coons(const batten_ribbon sides[4],
                                               const batten_surface_coons_options *options,
@@ -198,8 +213,10 @@ BATTEN_API batten_status batten_surface_coons(const batten_ribbon sides[4],
 /**
  * The bicubic patch of what is known at its corners, or, with other functions, the same.
  *
+ * @param dimension  coordinates of each point, 1 to 3
  * @param corners [2][2][4][d]: at (i, j) the point, r_u, r_v and the twist r_uv
  * @param family  not linear; with cubic functions one bicubic span
+ * @param[out] out  the result; as it was when the function fails
  * @return a NURBS surface over [0, 1] x [0, 1]
  * Source: [Coons67], [SL] V.2.
  */
@@ -215,6 +232,7 @@ BATTEN_API batten_status batten_surface_corner_patch(int dimension, const double
  * where its neighbours meet. V0 begins with the first curve, in its direction.
  *
  * @param counts [4] curves of V0, U1, V1, U0; NULL: 1 each, or 1, 1, 1, 0 of three curves
+ * @param tolerance  model units, above 0
  * @param[out] places [count], the loop; may be NULL
  * @param[out] sides [4] by batten_edge, in the directions that batten_surface_coons expects
  * @return also BAD_ARGUMENT when the counts do not add up
@@ -233,9 +251,7 @@ BATTEN_API batten_status batten_boundary_sides(int count, const batten_curve *co
  * boundary curves need not have their speeds. With curvatures there is one factor for the whole
  * edge, a, and a^2 for them: the boundary curves beside it must fit.
  *
- * @param order  0: the edge; 1: and the slope; 2: and the second derivative
- * @param ends   [2][d] inward derivatives wanted at the ends, those of the boundary curves
- * beside it; NULL with order 0
+ * @param wish  how many derivatives, with which at the ends, within which tolerance
  * @param[out] ribbon [order + 1] the edge as the surface has it, in the direction of the curve
  * and over [0, 1], and the derivatives across
  * @param[out] angle_error [2] sine of the angle between ends and tangent plane; may be NULL
@@ -245,10 +261,9 @@ BATTEN_API batten_status batten_boundary_sides(int count, const batten_curve *co
  * `ends` leave the surface to different sides
  */
 BATTEN_API batten_status batten_ribbon_along(const batten_surface *surface,
-                                             const batten_curve *curve, int order,
-                                             const double *ends, double tolerance,
-                                             batten_curve **ribbon, double *angle_error,
-                                             double *error);
+                                             const batten_curve *curve, batten_ribbon_wish wish,
+                                             double *angle_error, double *error,
+                                             batten_curve **ribbon);
 
 /* ---- networks ---- */
 
@@ -266,15 +281,25 @@ typedef struct batten_surface_coons_network_options {
 /** Coons' functions, Adini's twists. */
 BATTEN_API batten_surface_coons_network_options batten_surface_coons_network_defaults(void);
 
+/** A net of curves that cross; borrowed for the call. */
+typedef struct batten_curve_net {
+    int count_u, count_v;               /**< of the parameters, 2 or more of each */
+    const double *u;                    /**< [count_u] increasing: where along_v stand */
+    const double *v;                    /**< [count_v] increasing: where along_u stand */
+    const batten_curve *const *along_u; /**< [count_v], with the domain [u[0], last u] */
+    const batten_curve *const *along_v; /**< [count_u], with the domain [v[0], last v] */
+} batten_curve_net;
+
 /**
  * The net of Coons patches over a grid of curves, as one B-spline surface.
  *
  * It passes through all curves. Slopes across an edge are blended from those of the curves at
  * its ends, with the twists: so neighbours share them.
  *
- * @param u, v   [count_u], [count_v] increasing: parameters of the crossings, 2 or more
- * @param along_u [count_v] curves with the domain [u[0], last u]; curve j is at v[j]
- * @param along_v [count_u] the same along v
+ * @param given  u, v: [count_u], [count_v] increasing: parameters of the crossings, 2 or more
+ *     along_u: [count_v] curves with the domain [u[0], last u]; curve j is at v[j]
+ *     along_v: [count_u] the same along v
+ * @param options  NULL for the defaults
  * @param[out] gap  the largest distance of two curves at their crossing; may be NULL
  * @return NOT_COMPATIBLE naming the curves and the gap; UNSUPPORTED for rational curves;
  * TOO_LARGE before any work ...
@@ -283,23 +308,22 @@ BATTEN_API batten_surface_coons_network_options batten_surface_coons_network_def
  * themselves are less smooth. Cost: linear in the number of control points.
  */
 BATTEN_API batten_status batten_surface_coons_network(
-    int count_u, const double *u, int count_v, const double *v,
-    const batten_curve *const *along_u, const batten_curve *const *along_v,
-    const batten_surface_coons_network_options *options, double *gap, batten_surface **out);
+    const batten_curve_net *given, const batten_surface_coons_network_options *options,
+    double *gap, batten_surface **out);
 
 /**
  * The same over a grid of points: its curves are the cubic splines through the rows and through
  * the columns.
  *
  * Selesnick's twists take their curvatures from the bicubic spline through the points.
- * @param points [count_u][count_v][dimension]
- * @param[out] u, v parameters of the grid lines, 0 .. 1; may be NULL
+ * @param points  [count_u][count_v][dimension]
+ * @param options  NULL for the defaults
+ * @param[out] uv  u, v: parameters of the grid lines, 0 .. 1; may be NULL
  * @return also COINCIDENT, naming the line of the grid
  */
-BATTEN_API batten_status
-batten_surface_coons_grid(int dimension, int count_u, int count_v, const double *points,
-                          const batten_surface_coons_network_options *options, double *u,
-                          double *v, batten_surface **out);
+BATTEN_API batten_status batten_surface_coons_grid(
+    batten_grid points, const batten_surface_coons_network_options *options, batten_uv_out uv,
+    batten_surface **out);
 
 #ifdef __cplusplus
 }

@@ -27,10 +27,12 @@ typedef enum batten_frame_kind {
  * the world which lies most across the tangent (x before y before z). A fixed frame keeps both
  * axes all along.
  * @param at [count] increasing, in the domain of the spine
+ * @param kind  which of them
  * @param[out] frames [count]
  * @return BATTEN_OK; SINGULAR_HERE without a tangent, or, Frenet, where the spine is straight;
  * NOT_COMPATIBLE, closing, where the spine does not close with one tangent; OUT_OF_DOMAIN,
- * NOT_INCREASING Source: [WJZL08], with 64 double reflections for each span of
+ * NOT_INCREASING
+ * Source: [WJZL08], with 64 double reflections for each span of
  * the spine.
  */
 BATTEN_API batten_status batten_curve_frames(const batten_curve *spine, int count,
@@ -41,13 +43,15 @@ BATTEN_API batten_status batten_curve_frames(const batten_curve *spine, int coun
  * Rotation-minimising frames as exact as wanted: the double reflections of each span are
  * doubled until no frame turns by more than `tolerance`. As their error falls with the fourth
  * power of the step, the frames are then some fifteen times better than that.
+ * @param spine  the curve along which they stand
+ * @param count  how many
  * @param tolerance radians, > 0
  * @param[out] error the last turn, radians; may be NULL
  * @return as batten_curve_frames; BAD_ARGUMENT; TOLERANCE_NOT_MET at 16384 steps for each span
  */
 BATTEN_API batten_status batten_curve_minimising_frames(const batten_curve *spine, int count,
                                                         const double *at, double tolerance,
-                                                        batten_frame *frames, double *error);
+                                                        double *error, batten_frame *frames);
 /**
  * By which angle a rotation-minimising frame is turned about the tangent after one round of a
  * closed curve, radians in (-pi, pi]. Where curvature never vanishes it is minus the total
@@ -57,7 +61,7 @@ BATTEN_API batten_status batten_curve_minimising_frames(const batten_curve *spin
  * tangent
  */
 BATTEN_API batten_status batten_curve_holonomy(const batten_curve *curve, double tolerance,
-                                               double *angle, double *error);
+                                               double *error, double *angle);
 /** What a curve does at one parameter. In the plane `binormal` is (0, 0, 1) and curvature
  * signed: positive where the curve turns left; in space curvature is never negative. */
 typedef struct batten_curve_local {
@@ -69,32 +73,65 @@ typedef struct batten_curve_local {
     double torsion;        /**< 1 / length; 0 in the plane */
 } batten_curve_local;
 
-/** @return BATTEN_SINGULAR_HERE where the first derivative vanishes; then `out` has the point,
+/**
+ * @param u  a parameter in the domain
+ * @param side  from which side at a knot
+ * @return BATTEN_SINGULAR_HERE where the first derivative vanishes; then `out` has the point,
  * the tangent from the first derivative that does not vanish, and 0 for the rest. In space
- * normal and binormal are 0 where the curve is straight. */
+ * normal and binormal are 0 where the curve is straight.
+ */
 BATTEN_API batten_status batten_curve_local_at(const batten_curve *curve, double u,
                                                batten_side side, batten_curve_local *out);
 
-/** The same of a chain, as batten_curve_local_at; u as the chain goes. */
+/**
+ * The same of a chain, as batten_curve_local_at; u as the chain goes.
+ *
+ * @param side  from which side at a knot
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, SINGULAR_HERE
+ */
 BATTEN_API batten_status batten_chain_local_at(const batten_chain *chain, double u,
                                                batten_side side, batten_curve_local *out);
 
-/** All inflections of a plane curve: sign changes of curvature, also those at knots and at the
+/**
+ * All inflections of a plane curve: sign changes of curvature, also those at knots and at the
  * seam of a periodic curve. Of a function (dimension 1) those of its second derivative. Sign
  * changes within the rounding of the control points are none, so a straight line has no
- * inflections. */
+ * inflections.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_COMPATIBLE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_inflections(const batten_curve *curve,
                                                   batten_parameters *out);
-/** All local extrema of curvature (in the plane signed) inside the domain, also those at knots
- * where its rate changes sign. Of a function those of its second derivative. */
+/**
+ * All local extrema of curvature (in the plane signed) inside the domain, also those at knots
+ * where its rate changes sign. Of a function those of its second derivative.
+ *
+ * @param curve  any curve
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_curvature_extrema(const batten_curve *curve,
                                                         batten_parameters *out);
-/** All places where curvature is 0 to rounding, the inflections among them, and of a straight
- * piece its ends. */
+/**
+ * All places where curvature is 0 to rounding, the inflections among them, and of a straight
+ * piece its ends.
+ *
+ * @param curve  any curve
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_COMPATIBLE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_flat_points(const batten_curve *curve,
                                                   batten_parameters *out);
-/** All places where the first derivative is 0: its square within the rounding of the span, so a
- * speed below some 1e-8 of the largest there is 0. Cusps are among them. */
+/**
+ * All places where the first derivative is 0: its square within the rounding of the span, so a
+ * speed below some 1e-8 of the largest there is 0. Cusps are among them.
+ *
+ * @param curve  any curve
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_standstills(const batten_curve *curve,
                                                   batten_parameters *out);
 
@@ -110,7 +147,9 @@ typedef struct batten_tooth {
  * where curvature does.
  *
  * @param per_span parts of each span
+ * @param scale  length of a tooth for curvature 1
  * @param[out] teeth [spans * (per_span + 1)] with spans = batten_curve_spans(curve, NULL) - 1
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, SINGULAR_HERE, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_curve_comb(const batten_curve *curve, int per_span,
                                            double scale, batten_tooth *teeth);
@@ -122,15 +161,26 @@ typedef struct batten_surface_local {
     double kappa1, kappa2; /**< principal curvatures, kappa1 >= kappa2 */
     batten_vec3 direction1, direction2; /**< principal directions; any at an umbilic */
 } batten_surface_local;
-/** @return BATTEN_SINGULAR_HERE where Su and Sv do not span a plane but the normal has a limit;
- * then `out` has the point, the normal, and 0 for the rest. */
+/**
+ * @param surface  any surface
+ * @param u  a parameter in the domain
+ * @param v  a parameter in the domain
+ * @return BATTEN_SINGULAR_HERE where Su and Sv do not span a plane but the normal has a limit;
+ * then `out` has the point, the normal, and 0 for the rest.
+ */
 BATTEN_API batten_status batten_surface_local_at(const batten_surface *surface, double u,
                                                  double v, batten_surface_local *out);
-/** Gaussian and mean curvature on a grid. @param[out] gaussian, mean [count_u][count_v]; either
- * may be NULL; singular points are NaN. */
+/**
+ * Gaussian and mean curvature on a grid.
+ * @param surface  any surface
+ * @param places  the parameters
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] gaussian, mean [count_u][count_v]; either
+ * may be NULL; singular points are NaN.
+ * @return BATTEN_OK, NOT_COMPATIBLE
+ */
 BATTEN_API batten_status batten_surface_curvature_grid(const batten_surface *surface,
-                                                       size_t count_u, const double *u,
-                                                       size_t count_v, const double *v,
+                                                       batten_uv_grid places,
                                                        const batten_job *job, double *gaussian,
                                                        double *mean);
 

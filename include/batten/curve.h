@@ -25,7 +25,36 @@ typedef struct batten_curves {
     int count;
     batten_curve **at;
 } batten_curves;
+/** Give the references of all curves back and release the row. */
 BATTEN_API void batten_curves_release(batten_curves *curves);
+
+/** A row of curves, borrowed for the call. */
+typedef struct batten_curve_row {
+    int count;
+    const batten_curve *const *at;
+} batten_curve_row;
+
+/** The degree and the knots of a function, or of one direction of a tensor-product surface. */
+typedef struct batten_axis {
+    int degree;
+    int point_count;
+    const double
+        *knots; /**< [point_count + degree + 1]; periodic: one period, [point_count + 1] */
+    bool periodic;
+} batten_axis;
+
+/** The pieces of a piecewise polynomial, or of one direction of a patchwork. */
+typedef struct batten_pieces {
+    int degree;
+    int count;
+    const double *breaks; /**< [count + 1], increasing; NULL: 0, 1, 2 ... */
+} batten_pieces;
+
+/** A knot and how many times of it. */
+typedef struct batten_knot {
+    double at; /**< equal to the knot */
+    int times;
+} batten_knot;
 
 /** Found parameters, increasing; release `at` with batten_release. */
 typedef struct batten_parameters {
@@ -41,19 +70,20 @@ typedef enum batten_side { BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT } batten_side;
 /**
  * Make a curve from its control points and knots; the arrays are copied.
  *
- * @param dimension    d, 1..3
- * @param degree       p, 1..25
- * @param point_count  n, at least p + 1
- * @param points       [n][d], finite
- * @param weights      [n], finite and positive; NULL for a polynomial curve
- * @param knots        [n + p + 1], finite, never decreasing; U[p] < U[n]; no knot inside the
+ * @param points  dimension: d, 1..3
+ *     point_count: n, at least p + 1
+ *     [n][d], finite
+ * @param degree  p, 1..25
+ * @param weights  [n], finite and positive; NULL for a polynomial curve
+ * @param knots  [n + p + 1], finite, never decreasing; U[p] < U[n]; no knot inside the
  *                     domain more than p times, none at all more than p + 1 times
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, TOO_FEW_POINTS, NOT_FINITE, BAD_KNOTS,
  * BAD_WEIGHT, TOO_LARGE or OUT_OF_MEMORY
  */
-BATTEN_API batten_status batten_curve_create(int dimension, int degree, int point_count,
-                                             const double *points, const double *weights,
-                                             const double *knots, batten_curve **out);
+BATTEN_API batten_status batten_curve_create(batten_points points, int degree,
+                                             const double *weights, const double *knots,
+                                             batten_curve **out);
 
 /**
  * Make a periodic curve from one period.
@@ -65,39 +95,102 @@ BATTEN_API batten_status batten_curve_create(int dimension, int degree, int poin
  * the domain [U[p], U[n]] is [knots[0], knots[m]]; wrapped point i is points[i modulo m]; and
  * point i has its influence on [U[i], U[i + p + 1]] = [knots[i - p], knots[i + 1]]. No knot may
  * stand more than p times, the seam included. Errors as batten_curve_create.
+ *
+ * @param degree  1 to 25
+ * @param weights  one for each point, above 0, or NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_WEIGHT,
+ * BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
  */
-BATTEN_API batten_status batten_curve_create_periodic(int dimension, int degree,
-                                                      int point_count, const double *points,
+BATTEN_API batten_status batten_curve_create_periodic(batten_points points, int degree,
                                                       const double *weights,
                                                       const double *knots, batten_curve **out);
 
 /** One more reference to the same curve. */
 BATTEN_API batten_curve *batten_curve_ref(const batten_curve *curve);
-/** Give one reference back; NULL is welcome. */
+/**
+ * Give one reference back; NULL is welcome.
+ *
+ * @param curve  any curve
+ */
 BATTEN_API void batten_curve_unref(batten_curve *curve);
 
 /* ---- properties ---- */
 
+/**
+ * The number of coordinates of its points, 1 to 3; 1 is a function of its parameter.
+ *
+ * @param curve  any curve
+ */
 BATTEN_API int batten_curve_dimension(const batten_curve *curve);
+/**
+ * The degree p, 1 to 25.
+ *
+ * @param curve  any curve
+ */
 BATTEN_API int batten_curve_degree(const batten_curve *curve);
+/** How many control points there are; of a periodic curve those of one period. */
 BATTEN_API int batten_curve_point_count(const batten_curve *curve);
+/**
+ * How many knots there are, each as often as its multiplicity.
+ *
+ * @param curve  any curve
+ */
 BATTEN_API int batten_curve_knot_count(const batten_curve *curve);
-BATTEN_API const double *batten_curve_points(const batten_curve *curve);  /**< [n][d] */
-BATTEN_API const double *batten_curve_weights(const batten_curve *curve); /**< [n], or NULL */
-BATTEN_API const double *batten_curve_knots(const batten_curve *curve);   /**< [n + p + 1] */
+/**
+ * The control points, [point_count][dimension], never premultiplied by weights; borrowed.
+ *
+ * @param curve  any curve
+ */
+BATTEN_API const double *batten_curve_points(const batten_curve *curve);  /**
+ * < [n][d]
+ *
+ * @param curve  any curve
+ */
+BATTEN_API const double *batten_curve_weights(const batten_curve *curve); /**
+ * < [n], or NULL
+ *
+ * @param curve  any curve
+ */
+BATTEN_API const double *batten_curve_knots(const batten_curve *curve);   /**
+ * < [n + p + 1]
+ *
+ * @param curve  any curve
+ */
 BATTEN_API bool batten_curve_is_rational(const batten_curve *curve);
+/** Whether the knots repeat: the curve has no ends. */
 BATTEN_API bool batten_curve_is_periodic(const batten_curve *curve);
-/** Does the first knot stand p + 1 times at both ends of the domain? */
+/**
+ * Does the first knot stand p + 1 times at both ends of the domain?
+ *
+ * @param curve  any curve
+ */
 BATTEN_API bool batten_curve_is_clamped(const batten_curve *curve);
+/**
+ * The closed interval of valid parameters.
+ *
+ * @param curve  any curve
+ */
 BATTEN_API batten_interval batten_curve_domain(const batten_curve *curve);
-/** Do the end points lie within `tolerance` of each other? */
+/**
+ * Do the end points lie within `tolerance` of each other?
+ *
+ * @param curve  any curve
+ */
 BATTEN_API bool batten_curve_is_closed(const batten_curve *curve, double tolerance);
 /** The box of the control points that bear on the domain: contains the curve. */
 BATTEN_API batten_box batten_curve_box(const batten_curve *curve);
-/** Greville abscissa of control point i: (U[i+1] + ... + U[i+p]) / p. */
+/**
+ * Greville abscissa of control point i: (U[i+1] + ... + U[i+p]) / p.
+ *
+ * @param curve  any curve
+ */
 BATTEN_API double batten_curve_greville(const batten_curve *curve, int i);
-/** Distinct knots of the domain, both ends included. @param[out] knots
- * [batten_curve_point_count + 1] at most, or NULL to count. @return how many */
+/** Distinct knots of the domain, both ends included.
+ * @param curve  any curve
+ * @param[out] knots
+ * [batten_curve_point_count + 1] at most, or NULL to count.
+ * @return how many */
 BATTEN_API int batten_curve_spans(const batten_curve *curve, double *knots);
 
 /* ---- evaluation ---- */
@@ -121,7 +214,15 @@ BATTEN_API int batten_curve_spans(const batten_curve *curve, double *knots);
  */
 BATTEN_API batten_status batten_curve_evaluate(const batten_curve *curve, double u, int order,
                                                double *out);
-/** The same, with the derivatives taken from the named side at a knot. */
+/**
+ * The same, with the derivatives taken from the named side at a knot.
+ *
+ * @param curve  any curve
+ * @param u  a parameter in the domain
+ * @param order  of the highest derivative
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_evaluate_side(const batten_curve *curve, double u,
                                                     batten_side side, int order, double *out);
 /** What a curve is beyond its domain. */
@@ -130,13 +231,22 @@ typedef enum batten_beyond {
     BATTEN_BEYOND_CONTINUE, /**< its last span goes on, a polynomial: grows fast */
     BATTEN_BEYOND_LINEAR    /**< its tangent at the end, with its speed */
 } batten_beyond;
-/** The same as batten_curve_evaluate inside the domain; beyond it as asked for. Periodic curves
- * take any u anyway. @return also UNSUPPORTED for a rational curve that shall CONTINUE */
+/**
+ * The same as batten_curve_evaluate inside the domain; beyond it as asked for. Periodic curves
+ * take any u anyway.
+ *
+ * @param order  of the highest derivative
+ * @param[out] out  the result; as it was when the function fails
+ * @return also UNSUPPORTED for a rational curve that shall CONTINUE
+ */
 BATTEN_API batten_status batten_curve_evaluate_beyond(const batten_curve *curve, double u,
                                                       batten_beyond beyond, int order,
                                                       double *out);
 /**
  * Many parameters at once, in any order: the same bits as one by one, much faster.
+ * @param curve  any curve
+ * @param u  a parameter in the domain
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out [count][order + 1][d]; of no use after a failure, whose message names the
  * index
  */
@@ -153,29 +263,39 @@ BATTEN_API batten_status batten_curve_evaluate_many(const batten_curve *curve, s
 /**
  * Insert a knot `times` times; with the times it stands there, p at most inside the domain, p +
  * 1 at its ends. Periodic curves stay periodic (any u is reduced to the period).
+ *
+ * @param curve  any curve
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT (times), NOT_FINITE, OUT_OF_DOMAIN or BAD_KNOTS (too often)
  * Source: [Boehm80].
  */
 BATTEN_API batten_status batten_curve_insert_knot(const batten_curve *curve, double u,
                                                   int times, batten_curve **out);
-/** Insert many knots at once: cost n + count p. Rules as for batten_curve_insert_knot.
- * @param knots [count], never decreasing (else NOT_INCREASING), inside the domain */
+/**
+ * Insert many knots at once: cost n + count p. Rules as for batten_curve_insert_knot.
+ * @param curve  any curve
+ * @param knots [count], never decreasing (else NOT_INCREASING), inside the domain
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
+ * BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_refine(const batten_curve *curve, int count,
                                              const double *knots, batten_curve **out);
 /**
  * Remove a knot up to `times` times as long as the curve moves by no more than `tolerance`. A
  * periodic curve becomes clamped.
  *
- * @param u         a knot inside the domain; else NOT_FOUND
- * @param tolerance model units, 0 or more; of a rational curve the bound takes the smallest
+ * @param knot  u: a knot inside the domain; else NOT_FOUND
+ * @param tolerance  model units, 0 or more; of a rational curve the bound takes the smallest
  * weight and the largest coordinate into account, so it may be far too careful
  * @param[out] removed  how often it could be removed; may be NULL
- * @param[out] error    a bound on how far the curve moved; may be NULL
+ * @param[out] error  a bound on how far the curve moved; may be NULL
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, OVERFLOW, NOT_FOUND, OUT_OF_MEMORY
  * Source: [Tiller92], with all equations checked.
  */
-BATTEN_API batten_status batten_curve_remove_knot(const batten_curve *curve, double u,
-                                                  int times, double tolerance, int *removed,
-                                                  double *error, batten_curve **out);
+BATTEN_API batten_status batten_curve_remove_knot(const batten_curve *curve, batten_knot knot,
+                                                  double tolerance, int *removed, double *error,
+                                                  batten_curve **out);
 /**
  * Remove knots while the whole curve moves by no more than `tolerance`, at equal parameters; a
  * periodic curve becomes clamped. One by one first, where movements are added up span by span;
@@ -183,14 +303,25 @@ BATTEN_API batten_status batten_curve_remove_knot(const batten_curve *curve, dou
  * squares and compared with it on its own knots. Both ends stay to the bit.
  *
  * @param tolerance as for batten_curve_remove_knot; with 0 only knots go that move nothing
+ * @param[out] removed  how many went
  * @param[out] error a bound: the largest control point of the difference; may be NULL
- * Cost: 128 log2(n) banded solutions at most. Source: [LM87], [LM88].
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
+ * Cost: 128 log2(n) banded solutions at most.
+ * Source: [LM87], [LM88].
  */
 BATTEN_API batten_status batten_curve_remove_knots(const batten_curve *curve, double tolerance,
                                                    int *removed, double *error,
                                                    batten_curve **out);
-/** Raise the degree by `by` >= 0, to 25 at most (else BAD_DEGREE); every distinct knot stands
- * so many times more. Periodic curves stay periodic. Source: [Prautzsch84]. */
+/**
+ * Raise the degree by `by` >= 0, to 25 at most (else BAD_DEGREE); every distinct knot stands
+ * so many times more. Periodic curves stay periodic.
+ *
+ * @param curve  any curve
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_WEIGHT,
+ * BAD_ARGUMENT, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * Source: [Prautzsch84].
+ */
 BATTEN_API batten_status batten_curve_elevate(const batten_curve *curve, int by,
                                               batten_curve **out);
 /**
@@ -199,44 +330,95 @@ BATTEN_API batten_status batten_curve_elevate(const batten_curve *curve, int by,
  * both ends; inner knots stand once less for each degree, but once at least. The reverse of
  * elevation.
  * @param[out] error a bound on how far the curve moved; may be NULL
+ * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_WEIGHT, BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_curve_reduce(const batten_curve *curve, int degree,
                                              double tolerance, double *error,
                                              batten_curve **out);
-/** Cut at u, inside the domain. Both parts keep their parameters, are clamped at both ends, and
- * share the point at the cut bit for bit. */
+/**
+ * Cut at u, inside the domain. Both parts keep their parameters, are clamped at both ends, and
+ * share the point at the cut bit for bit.
+ *
+ * @param curve  any curve
+ * @param[out] left  the part below
+ * @param[out] right  the part above
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_split(const batten_curve *curve, double u,
                                             batten_curve **left, batten_curve **right);
-/** The part from a to b, a < b, clamped. Of a periodic curve b may lie beyond the end of the
- * domain, up to one period from a. */
+/**
+ * The part from a to b, a < b, clamped. Of a periodic curve b may lie beyond the end of the
+ * domain, up to one period from a.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_subrange(const batten_curve *curve, double a, double b,
                                                batten_curve **out);
-/** Join end to start. The ends must be within `tolerance` (else NOT_COMPATIBLE) and meet
+/**
+ * Join end to start. The ends must be within `tolerance` (else NOT_COMPATIBLE) and meet
  * halfway; degrees and rationality are unified, the second domain is moved to follow the first
  * (BAD_KNOTS when knots fall together there), the joining knot is kept p times. At most 1
- * million points. */
+ * million points.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_WEIGHT,
+ * BAD_ARGUMENT, NOT_COMPATIBLE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_join(const batten_curve *first,
                                            const batten_curve *second, double tolerance,
                                            batten_curve **out);
-/** The curve run backwards. Knots change their sign, which is exact: the domain [a, b] becomes
+/**
+ * The curve run backwards. Knots change their sign, which is exact: the domain [a, b] becomes
  * [-b, -a], the point at u is found at -u, and reversing twice gives the same bits. Call
- * batten_curve_set_domain where another domain is wanted. */
+ * batten_curve_set_domain where another domain is wanted.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_reverse(const batten_curve *curve, batten_curve **out);
-/** Map the domain linearly to [a, b], a < b. Points and weights keep their bits; knots that
+/**
+ * Map the domain linearly to [a, b], a < b. Points and weights keep their bits; knots that
  * could not be told apart in the new domain are refused with BAD_KNOTS. Periodic stays
- * periodic. */
+ * periodic.
+ *
+ * @param curve  any curve
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_set_domain(const batten_curve *curve, double a, double b,
                                                  batten_curve **out);
-/** Replace u by (a u + b) / (c u + d); ad - bc > 0 and c u + d > 0 on all knots, else
- * BAD_ARGUMENT. The result is rational; a periodic curve becomes clamped. */
+/**
+ * Replace u by (a u + b) / (c u + d); ad - bc > 0 and c u + d > 0 on all knots, else
+ * BAD_ARGUMENT. The result is rational; a periodic curve becomes clamped.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_KNOTS, BAD_WEIGHT, BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_moebius(const batten_curve *curve, double a, double b,
                                               double c, double d, batten_curve **out);
-/** The clamped form: also what a periodic curve becomes for formats that know no other. */
+/**
+ * The clamped form: also what a periodic curve becomes for formats that know no other.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_clamp(const batten_curve *curve, batten_curve **out);
-/** The same curve with all weights 1 instead of none. */
+/**
+ * The same curve with all weights 1 instead of none.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_to_rational(const batten_curve *curve,
                                                   batten_curve **out);
-/** The curve in 1..3 dimensions: coordinates are dropped, or added as 0. */
+/**
+ * The curve in 1..3 dimensions: coordinates are dropped, or added as 0.
+ *
+ * @param dimension  coordinates of each point, 1 to 3
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension,
                                                    batten_curve **out);
 /**
@@ -245,15 +427,25 @@ BATTEN_API batten_status batten_curve_to_dimension(const batten_curve *curve, in
  *
  * @param[out] axis 0, 1 or 2, the last of several; -1 for none, and when the curve has fewer
  * than 3 dimensions: then the curve comes back as it is. batten_frame_across is the plane.
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_curve_flatten(const batten_curve *curve, int *axis,
                                               batten_curve **out);
-/** A curve with control point `index` replaced, of a periodic curve with all its copies.
- * @param point [d] */
+/**
+ * A curve with control point `index` replaced, of a periodic curve with all its copies.
+ * @param point [d]
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_with_point(const batten_curve *curve, int index,
                                                  const double *point, batten_curve **out);
-/** The curve under an affine map, of which the first d rows and columns count; OVERFLOW when a
- * point leaves the numbers. */
+/**
+ * The curve under an affine map, of which the first d rows and columns count; OVERFLOW when a
+ * point leaves the numbers.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_transform(const batten_curve *curve,
                                                 const batten_affine *map, batten_curve **out);
 /**
@@ -273,33 +465,65 @@ BATTEN_API batten_status batten_curves_unify(int count, const batten_curve *cons
 
 /* ---- other forms ---- */
 
-/** Every knot of the domain p times: control points k p .. k p + p are the Bezier points of
- * piece k. */
+/**
+ * Every knot of the domain p times: control points k p .. k p + p are the Bezier points of
+ * piece k.
+ *
+ * @param curve  any curve
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_to_bezier(const batten_curve *curve, batten_curve **out);
-/** From Bezier pieces that share their end points.
- * @param points [piece_count * p + 1][d]; weights the same or NULL; breaks [piece_count + 1] */
-BATTEN_API batten_status batten_curve_from_bezier(int dimension, int degree, int piece_count,
+/**
+ * From Bezier pieces that share their end points.
+ * @param dimension  coordinates of each point, 1 to 3
+ * @param points [piece_count * p + 1][d]; weights the same or NULL; breaks [piece_count + 1]
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
+ * BAD_WEIGHT, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_curve_from_bezier(int dimension, batten_pieces pieces,
                                                   const double *points, const double *weights,
-                                                  const double *breaks, batten_curve **out);
-/** From points and derivatives at increasing parameters: degree 2 k - 1 where k values are
- * given at each, inner knots k times. @param values [count][k][d], the point, first, second ...
- * derivative; k = 1..4 */
+                                                  batten_curve **out);
+/**
+ * From points and derivatives at increasing parameters: degree 2 k - 1 where k values are
+ * given at each, inner knots k times.
+ * @param dimension  coordinates of each point, 1 to 3
+ * @param values [count][k][d], the point, first, second ...
+ * derivative; k = 1..4
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
+ * BAD_WEIGHT, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_from_hermite(int dimension, int count, int k,
                                                    const double *parameters,
                                                    const double *values, batten_curve **out);
-/** From polynomial pieces in powers of (u - breaks[i]).
+/**
+ * From polynomial pieces in powers of (u - breaks[i]).
+ * @param dimension  coordinates of each point, 1 to 3
  * @param coefficients [piece_count][degree + 1][d], constant term first; pieces that do not
- * join within `tolerance` are an error */
-BATTEN_API batten_status batten_curve_from_power(int dimension, int degree, int piece_count,
-                                                 const double *breaks,
+ * join within `tolerance` are an error
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
+ * BAD_WEIGHT, BAD_ARGUMENT, NOT_COMPATIBLE, TOO_LARGE, OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_curve_from_power(int dimension, batten_pieces pieces,
                                                  const double *coefficients, double tolerance,
                                                  batten_curve **out);
-/** The graph (u, f(u)) of a polynomial curve of one dimension, in the plane; clamped.
- * @return BATTEN_BAD_ARGUMENT for other dimensions, UNSUPPORTED for rational curves */
+/**
+ * The graph (u, f(u)) of a polynomial curve of one dimension, in the plane; clamped.
+ *
+ * @param function  asked for values
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_BAD_ARGUMENT for other dimensions, UNSUPPORTED for rational curves
+ */
 BATTEN_API batten_status batten_curve_from_function(const batten_curve *function,
                                                     batten_curve **out);
-/** The reverse, for a polynomial curve. Count the pieces with batten_curve_spans() - 1.
- * @param[out] coefficients [pieces][p + 1][d] */
+/**
+ * The reverse, for a polynomial curve. Count the pieces with batten_curve_spans() - 1.
+ * @param[out] coefficients [pieces][p + 1][d]
+ * @return BATTEN_OK, UNSUPPORTED, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_to_power(const batten_curve *curve, double *coefficients);
 
 #ifdef __cplusplus

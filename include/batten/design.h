@@ -74,14 +74,23 @@ typedef struct batten_feature {
 
 /** Features first, then outputs, in the order of the manual. */
 BATTEN_API int batten_feature_count(void);
+/** The feature of this index, 0 .. batten_feature_count() - 1. */
 BATTEN_API const batten_feature *batten_feature_at(int index);
-/** The title under which the manual shows it: "Curves through points". */
+/**
+ * The title under which the manual shows it: "Curves through points".
+ *
+ * @param index  from 0
+ */
 BATTEN_API const char *batten_feature_group(int index);
 /** NULL when there is none of that name. */
 BATTEN_API const batten_feature *batten_feature_find(const char *name);
 /** The known name nearest to a misspelt one, or NULL. */
 BATTEN_API const char *batten_feature_nearest(const char *name);
-/** The JSON Schema of design files, made from the table; release with batten_release. */
+/**
+ * The JSON Schema of design files, made from the table; release with batten_release.
+ *
+ * @param[out] json  release with batten_release
+ */
 BATTEN_API batten_status batten_design_schema(char **json);
 
 /* ---- the document ---- */
@@ -96,6 +105,7 @@ typedef struct batten_design_options {
     const char *provided_file; /**< a feature that reads this path, as it is written there, */
     const batten_model *provided; /**< takes this model instead of the file; NULL for none */
 } batten_design_options;
+/** The defaults of design files: those beside the fields of batten_design_options. */
 BATTEN_API batten_design_options batten_design_defaults(void);
 
 /**
@@ -104,28 +114,58 @@ BATTEN_API batten_design_options batten_design_defaults(void);
  * @param text     UTF-8, `length` bytes; it is copied
  * @param options  NULL for the defaults
  * @param notes    may be NULL, here and below
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_BAD_FORMAT when there was an error, BATTEN_TOO_LARGE over a limit; the message
  * is the first one
  */
 BATTEN_API batten_status batten_design_parse(const char *text, size_t length,
                                              const batten_design_options *options,
                                              batten_notes *notes, batten_design **out);
-/** The same from a file, whose folder is that of the design. Also BATTEN_FILE_ERROR. */
+/**
+ * The same from a file, whose folder is that of the design. Also BATTEN_FILE_ERROR.
+ *
+ * @param path  of a file, UTF-8
+ * @param allow_outside  whether it may read files outside its folder
+ * @param notes  gets what there is to say; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_design_open(const char *path, bool allow_outside,
                                             batten_notes *notes, batten_design **out);
-/** NULL is welcome. */
+/**
+ * NULL is welcome.
+ *
+ * @param design  as parsed
+ */
 BATTEN_API void batten_design_free(batten_design *design);
-/** The text as it stands: loaded and saved it is the same bytes. It ends with a zero byte;
- * `length` may be NULL. Valid until the next edit. */
+/**
+ * The text as it stands: loaded and saved it is the same bytes. It ends with a zero byte;
+ * `length` may be NULL. Valid until the next edit.
+ *
+ * @param design  as parsed
+ */
 BATTEN_API const char *batten_design_text(const batten_design *design, size_t *length);
 /** The parameters of the design, in the order of its text. */
 BATTEN_API int batten_design_parameter_count(const batten_design *design);
+/**
+ * The name of a parameter, borrowed from the design.
+ *
+ * @param index  from 0
+ */
 BATTEN_API const char *batten_design_parameter_name(const batten_design *design, int index);
-/** The files that its features read, in the order of its text; one as often as it is named. */
+/**
+ * The files that its features read, in the order of its text; one as often as it is named.
+ *
+ * @param design  as parsed
+ */
 BATTEN_API int batten_design_file_count(const batten_design *design);
-/** The path of such a file as it is opened, beside the design; release with batten_release.
+/**
+ * The path of such a file as it is opened, beside the design; release with batten_release.
+ *
+ * @param index  from 0
  * @return also BATTEN_BAD_ARGUMENT when it leaves the folder of the design, and
- * BATTEN_FILE_ERROR when it is not there: then it is not read */
+ * BATTEN_FILE_ERROR when it is not there: then it is not read
+ */
 BATTEN_API batten_status batten_design_file_path(const batten_design *design, int index,
                                                  char **path);
 /** How many metres one unit of the design is: the unit of all its results. */
@@ -138,6 +178,7 @@ BATTEN_API double batten_design_unit_metres(const batten_design *design);
  * @param path  "parameters.beam", "features.hull.degree", "features.hull.skin", "units"
  * @param value as one would write it: "3.4 m", "[1, 2, 3]"; quotes are added where YAML needs
  * them
+ * @param notes  gets what there is to say; may be NULL
  * @return BATTEN_NOT_FOUND when there is no such place, BATTEN_UNSUPPORTED for a value in
  * several lines, else as batten_design_parse for the new text. On failure the design is as
  * before.
@@ -169,6 +210,8 @@ typedef struct batten_feature_result {
  * until an edit reaches them. A feature that fails ends those that need it; the others are
  * evaluated all the same.
  *
+ * @param design  as parsed
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @return the first failure, its message beginning with file, line, column and feature;
  * BATTEN_PARTLY_READ when nothing failed but a file was read in part (its notes say what was
  * left out); BATTEN_NOT_FOUND when there is no such feature; BATTEN_CANCELLED,
@@ -176,28 +219,71 @@ typedef struct batten_feature_result {
  */
 BATTEN_API batten_status batten_design_evaluate(batten_design *design, const char *feature,
                                                 const batten_job *job, batten_notes *notes);
-/** How many features were evaluated since the last edit that reached them, also those that
- * failed. */
+/**
+ * How many features were evaluated since the last edit that reached them, also those that
+ * failed.
+ *
+ * @param design  as parsed
+ */
 BATTEN_API int batten_design_result_count(const batten_design *design);
-/** In the order of evaluation. */
+/**
+ * In the order of evaluation.
+ *
+ * @param design  as parsed
+ * @param index  from 0
+ */
 BATTEN_API const batten_feature_result *batten_design_result_at(const batten_design *design,
                                                                 int index);
-/** The result of one feature, or NULL when it was not evaluated. */
+/**
+ * The result of one feature, or NULL when it was not evaluated.
+ *
+ * @param design  as parsed
+ */
 BATTEN_API const batten_feature_result *batten_design_result(const batten_design *design,
                                                              const char *feature);
 
+/** How many outputs the design writes. */
 BATTEN_API int batten_design_output_count(const batten_design *design);
-/** The file name of an output as written in the design. */
+/**
+ * The file name of an output as written in the design.
+ *
+ * @param index  from 0
+ */
 BATTEN_API const char *batten_design_output_name(const batten_design *design, int index);
-/** The operation that makes it: "check", "picture", "lines-plan"; "write" for a bare file. */
+/**
+ * The operation that makes it: "check", "picture", "lines-plan"; "write" for a bare file.
+ *
+ * @param design  as parsed
+ * @param index  from 0
+ */
 BATTEN_API const char *batten_design_output_operation(const batten_design *design, int index);
-/** False when the output was made and its report says that a bound is not met. */
+/**
+ * False when the output was made and its report says that a bound is not met.
+ *
+ * @param design  as parsed
+ * @param index  from 0
+ */
 BATTEN_API bool batten_design_output_holds(const batten_design *design, int index);
-/** False when the output was made, and says less than there is: faces are not measured. */
+/**
+ * False when the output was made, and says less than there is: faces are not measured.
+ *
+ * @param design  as parsed
+ * @param index  from 0
+ */
 BATTEN_API bool batten_design_output_is_whole(const batten_design *design, int index);
-/** Make one output: the bytes of its file; what it needs is evaluated first, but for what
+/**
+ * Make one output: the bytes of its file; what it needs is evaluated first, but for what
  * failed since the last edit: that is said, and batten_design_evaluate tries it again. Nothing
- * is written: save the bytes with batten_save_file, and release them with batten_release. */
+ * is written: save the bytes with batten_save_file, and release them with batten_release.
+ *
+ * @param design  as parsed
+ * @param index  from 0
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param notes  gets what there is to say; may be NULL
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
+ * @return BATTEN_OK, NOT_FOUND, CANCELLED, OUT_OF_MEMORY, PARTLY_READ
+ */
 BATTEN_API batten_status batten_design_output(batten_design *design, int index,
                                               const batten_job *job, batten_notes *notes,
                                               char **data, size_t *size);

@@ -31,7 +31,11 @@ typedef enum batten_format {
     BATTEN_FORMAT_OFF    /**< .off, meshes; read */
 } batten_format;
 
-/** "iges", "step" ... */
+/**
+ * "iges", "step" ...
+ *
+ * @param format  as printf
+ */
 BATTEN_API const char *batten_format_name(batten_format format);
 typedef struct batten_format_facts {
     batten_format format;
@@ -40,9 +44,17 @@ typedef struct batten_format_facts {
     const char *endings[4]; /**< of file names; NULL beyond the last */
     bool is_read, is_written;
 } batten_format_facts;
-/** False when there is no such format. */
+/**
+ * False when there is no such format.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ */
 BATTEN_API bool batten_format_about(batten_format format, batten_format_facts *out);
-/** By the ending of a file name; BATTEN_FORMAT_AUTO when it says nothing. */
+/**
+ * By the ending of a file name; BATTEN_FORMAT_AUTO when it says nothing.
+ *
+ * @param path  of a file, UTF-8
+ */
 BATTEN_API batten_format batten_format_from_name(const char *path);
 
 /** What a reader may use; over a limit: BATTEN_TOO_LARGE, naming it. */
@@ -57,6 +69,7 @@ typedef struct batten_limits {
     size_t points;       /**< points per object, 10 M */
     int notes;           /**< 1,000 */
 } batten_limits;
+/** The limits that readers keep: those beside the fields of batten_limits. */
 BATTEN_API batten_limits batten_limits_defaults(void);
 
 typedef struct batten_read_options {
@@ -65,11 +78,16 @@ typedef struct batten_read_options {
     const batten_limits *limits; /**< NULL for the defaults */
     const char *file_name;       /**< for messages; "" */
 } batten_read_options;
+/** The defaults of readers: those beside the fields of batten_read_options. */
 BATTEN_API batten_read_options batten_read_defaults(void);
 
 /**
  * Read bytes into a model.
  *
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param notes  receives what was odd; may be NULL
  * @return BATTEN_OK; BATTEN_PARTLY_READ, with a model, when entities were left out (each has a
  * note); BATTEN_BAD_FORMAT, BATTEN_UNSUPPORTED, BATTEN_TOO_LARGE ... without one
@@ -78,7 +96,16 @@ BATTEN_API batten_status batten_read_memory(const char *data, size_t size,
                                             const batten_read_options *options,
                                             const batten_job *job, batten_notes *notes,
                                             batten_model **out);
-/** The same from a file. */
+/**
+ * The same from a file.
+ *
+ * @param path  of a file, UTF-8
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param notes  gets what there is to say; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, UNSUPPORTED, BAD_FORMAT, PARTLY_READ
+ */
 BATTEN_API batten_status batten_read_file(const char *path, const batten_read_options *options,
                                           const batten_job *job, batten_notes *notes,
                                           batten_model **out);
@@ -106,29 +133,48 @@ typedef struct batten_write_options {
     bool eighths;             /**< tables of offsets in feet, inches and eighths, "1-7-4" */
     bool commas;              /**< points: commas between the coordinates, not blanks */
 } batten_write_options;
+/** The defaults of writers: those beside the fields of batten_write_options. */
 BATTEN_API batten_write_options batten_write_defaults(void);
 
-/** What the name of a file says: its format, when the options name none (that of points for a
+/**
+ * What the name of a file says: its format, when the options name none (that of points for a
  * model without tables in .csv, .tsv or .txt), and commas in .csv.
- * @return false when the ending names no format, and nothing else does */
+ *
+ * @param path  of a file, UTF-8
+ * @return false when the ending names no format, and nothing else does
+ */
 BATTEN_API bool batten_write_choose(const char *path, const batten_model *model,
                                     batten_write_options *options);
 
 /** The model as it comes into a file of that format: instances placed, triangles as patches,
  * shapes as meshes where the format has no others, and without the objects that it does not
  * hold; the writers of tables, points and G-code choose themselves.
+ * @param options  NULL for the defaults
  * @param notes what was approximated or left out; may be NULL
  * @return BATTEN_OK; UNSUPPORTED when nothing of the model would be in the file, or the format
  * is not written; as batten_mesh_from_body */
 BATTEN_API batten_status batten_write_prepare(const batten_model *model,
                                               const batten_write_options *options,
                                               batten_notes *notes, batten_model **out);
-/** @param[out] data, size  the bytes; release with batten_release
- * @param notes what was approximated or left out; may be NULL */
+/**
+ * @param options  NULL for the defaults
+ * @param[out] data, size  the bytes; release with batten_release
+ * @param notes what was approximated or left out; may be NULL
+ * @param model  looked at only
+ * @return BATTEN_OK, BAD_ARGUMENT, UNSUPPORTED, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_write_memory(const batten_model *model,
                                              const batten_write_options *options,
                                              batten_notes *notes, char **data, size_t *size);
-/** Write to a file by batten_save_file. */
+/**
+ * Write to a file by batten_save_file.
+ *
+ * @param model  looked at only
+ * @param path  of a file, UTF-8
+ * @param options  NULL for the defaults
+ * @param notes  gets what there is to say; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT, UNSUPPORTED, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_write_file(const batten_model *model, const char *path,
                                            const batten_write_options *options,
                                            batten_notes *notes);
@@ -144,6 +190,7 @@ typedef struct batten_write_gcode_options {
     int decimals;        /**< 0..9; -1: 4 for millimetres, 5 for inches */
     double greatest_radius; /**< of an arc, which the control takes; infinity: any; 0: 10 m */
 } batten_write_gcode_options;
+/** The defaults of G-code: those beside the fields of batten_write_gcode_options. */
 BATTEN_API batten_write_gcode_options batten_write_gcode_defaults(void);
 
 /**

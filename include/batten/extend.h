@@ -21,6 +21,12 @@ typedef enum batten_extension {
                              no new join at all; far out it may go anywhere */
 } batten_extension;
 
+/** How a curve or a surface is made longer. */
+typedef struct batten_lengthening {
+    batten_extension kind;
+    double tolerance; /**< model units */
+} batten_lengthening;
+
 typedef struct batten_curve_extend_report {
     batten_continuity join; /**< of the given curve with what was added, in the direction away
                                  from the curve */
@@ -37,11 +43,11 @@ typedef struct batten_curve_extend_report {
  * end: the new part of its domain is as long as speed asks for. Degrees and rationality are
  * raised where the new part needs it.
  *
- * @param curve     of 2 or 3 dimensions; not periodic
- * @param length    model units, > 0; an ARC may go around once, 2 pi of its radius
- * @param tolerance of a SPIRAL from the clothoid, and of the length of a NATURAL extension;
+ * @param curve  of 2 or 3 dimensions; not periodic
+ * @param length  model units, > 0; an ARC may go around once, 2 pi of its radius
+ * @param how  tolerance: of a SPIRAL from the clothoid, and of the length of a NATURAL extension;
  * model units, > 0
- * @param[out] report may be NULL
+ * @param[out] report  may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT (length, tolerance, more than once around), NOT_FINITE,
  * UNSUPPORTED (a function; make its graph first), NOT_COMPATIBLE (a periodic curve has no end),
  * SINGULAR_HERE (the end has no speed; NATURAL needs none), BAD_WEIGHT (NATURAL meets a place
@@ -50,18 +56,22 @@ typedef struct batten_curve_extend_report {
  * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_extend(const batten_curve *curve, batten_curve_end end,
-                                             batten_extension extension, double length,
-                                             double tolerance,
+                                             batten_lengthening how, double length,
                                              batten_curve_extend_report *report,
                                              batten_curve **out);
 /**
  * The same to a parameter outside the domain, which becomes the new end. A LINE, ARC or SPIRAL
  * is as long as the speed of the end times the way of the parameter.
+ * @param curve  any curve
+ * @param how  the kind, and the tolerance
  * @param u beyond the end named; else OUT_OF_DOMAIN
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, UNSUPPORTED,
+ * NOT_COMPATIBLE, SINGULAR_HERE, TOLERANCE_NOT_MET, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_curve_extend_to(const batten_curve *curve, batten_curve_end end,
-                                                batten_extension extension, double u,
-                                                double tolerance,
+                                                batten_lengthening how, double u,
                                                 batten_curve_extend_report *report,
                                                 batten_curve **out);
 typedef struct batten_surface_extend_report {
@@ -88,21 +98,21 @@ typedef struct batten_surface_extend_report {
  * degree - 1 at the old edge; a rational one whose weights change along the edge as well as
  * across it has a full knot there, and only G1.
  *
- * @param surface NURBS, in space; not periodic across the edge
+ * @param surface  NURBS, in space; not periodic across the edge
  * @param length  model units, > 0; an ARC may go around once
- * @param tolerance of an ARC, model units, > 0; else not used
- * @param[out] report may be NULL
+ * @param how  tolerance: of an ARC, model units, > 0; else not used
+ * @param[out] report  may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT, NOT_FINITE; UNSUPPORTED (SPIRAL, other kinds of surfaces, an
  * ARC at an edge with different weights); NOT_COMPATIBLE (periodic); SINGULAR_HERE (the edge is
  * a point, or stands still across, with the place); BAD_WEIGHT (it cannot go on that far);
  * TOLERANCE_NOT_MET, OVERFLOW
  *
  * Cost: linear in the control points; about 40 evaluations for each of 33 lines and each of
- * some ten trials of the length. Source: [PT97] 5.2 for knots moved, [Farin02].
+ * some ten trials of the length.
+ * Source: [PT97] 5.2 for knots moved, [Farin02].
  */
 BATTEN_API batten_status batten_surface_extend(const batten_surface *surface, batten_edge edge,
-                                               batten_extension extension, double length,
-                                               double tolerance,
+                                               batten_lengthening how, double length,
                                                batten_surface_extend_report *report,
                                                batten_surface **out);
 /**
@@ -110,6 +120,7 @@ BATTEN_API batten_status batten_surface_extend(const batten_surface *surface, ba
  * the part goes over the seam; it keeps the parameters of its first half. With a = b it is the
  * whole curve, begun at a.
  * @param tolerance model units, 0 or more; for the ends, which meet halfway
+ * @param[out] out  the result; as it was when the function fails
  * @return as batten_curve_subrange; NOT_COMPATIBLE when b <= a and the curve is open;
  * BAD_ARGUMENT (tolerance)
  */

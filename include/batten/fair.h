@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/** The numbers behind the word "fair"; fairing.md section 1. */
+/** The numbers behind the word "fair". */
 typedef struct batten_fairness {
     int inflections;        /**< of the curve; in space: of no meaning, 0 */
     int excess_inflections; /**< beyond those that the data themselves require */
@@ -39,9 +39,11 @@ typedef struct batten_fairness {
  * @param points its data [count][dimension], from which the required inflections are counted:
  * the changes of side to which the polygon turns; of a function the values at its distinct
  * knots. NULL: none are required
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, NOT_COMPATIBLE, SINGULAR_HERE, OUT_OF_MEMORY
  */
-BATTEN_API batten_status batten_curve_fairness(const batten_curve *curve, int count,
-                                               const double *points, batten_fairness *out);
+BATTEN_API batten_status batten_curve_fairness(const batten_curve *curve, batten_points points,
+                                               batten_fairness *out);
 
 /**
  * Judge a chain. A plane one, placed in space or not, is judged in its plane.
@@ -53,9 +55,11 @@ BATTEN_API batten_status batten_curve_fairness(const batten_curve *curve, int co
  *
  * @param points its data [count][dimension of the chain], as for batten_curve_fairness; those
  * of a function stand at the breaks
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, NOT_COMPATIBLE, OUT_OF_MEMORY
  */
-BATTEN_API batten_status batten_chain_fairness(const batten_chain *chain, int count,
-                                               const double *points, batten_fairness *out);
+BATTEN_API batten_status batten_chain_fairness(const batten_chain *chain, batten_points points,
+                                               batten_fairness *out);
 
 typedef enum batten_fair_order {
     BATTEN_FAIR_WORST_FIRST, /**< release the duck under the largest force */
@@ -81,6 +85,7 @@ typedef struct batten_fair_options {
                             is not rounded; 25 degrees */
 } batten_fair_options;
 
+/** The defaults of fairing: no point moves farther than `within`, model units. */
 BATTEN_API batten_fair_options batten_fair_defaults(double within);
 
 /** One move of one point, so that a user can undo it. */
@@ -102,6 +107,7 @@ typedef struct batten_fair_report {
     batten_fair_move
         *suspects; /**< [suspect_count], with the suggested place; not carried out */
 } batten_fair_report;
+/** Release the moves and the suspects of a report. */
 BATTEN_API void batten_fair_report_release(batten_fair_report *report);
 
 /**
@@ -132,6 +138,8 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  *
  * @param points      [count][dimension], count >= 2
  * @param parameters  [count] increasing, or NULL for chord length (not with dimension 1)
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] faired [count][dimension]
  * @param[out] report may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, COINCIDENT,
@@ -140,11 +148,10 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  * Cost: linear in count (worst first: count for each move).
  * Source: [SL] ch. VII; [NW06] ch. 19 for the method.
  */
-BATTEN_API batten_status batten_fair_points(int dimension, int count, const double *points,
-                                            const double *parameters,
+BATTEN_API batten_status batten_fair_points(batten_points points, const double *parameters,
                                             const batten_fair_options *options,
-                                            const batten_job *job, double *faired,
-                                            batten_fair_report *report);
+                                            const batten_job *job, batten_fair_report *report,
+                                            double *faired);
 
 /** Which families of a table are faired. */
 typedef enum batten_fair_families {
@@ -172,6 +179,12 @@ typedef enum batten_fair_families {
  * `order`, `relaxation`, `max_moves` and `stop_when_fair` have no meaning here.
  *
  * Moves and suspects of the report name station and point; from and to are (x, y, z).
+ *
+ * @param families  which lines are fair
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, SINGULAR_HERE, TOLERANCE_NOT_MET, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_fair_offset_table(const batten_offset_table *offsets,
                                                   batten_fair_families families,

@@ -41,6 +41,7 @@ BATTEN_API batten_status batten_gregory_field(const double *edge, const double *
  * @param points [4][4][3] Bezier points, i along u; the inner four are not looked at
  * @param inner  [2][2][2][3] at (1 + i, 1 + j): the point as the edge v = j sees it, that as
  * the edge u = i sees it; they are blended by the distances from both
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE
  *
  * Slopes are continuous everywhere; at a corner second derivatives depend on the direction of
@@ -58,6 +59,7 @@ BATTEN_API batten_status batten_surface_gregory(const double *points, const doub
  * @param edges [3][5][3] Bezier points of the edges from corner 0 to 1, 1 to 2, 2 to 0
  * @param inner [3][2][3] the points next to corner i: as the edge that leaves it sees it, as
  * the edge that comes to it does
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE; NOT_COMPATIBLE when edges do not end where the next begins
  * Source: [WM96], [LSNC09].
  */
@@ -97,8 +99,8 @@ BATTEN_API batten_status batten_surface_gregory_between(int count,
  */
 BATTEN_API batten_status batten_surface_to_smooth_nurbs(const batten_surface *surface,
                                                         double tolerance, double angle,
-                                                        batten_surface **out, double *error,
-                                                        double *angle_error);
+                                                        double *error, double *angle_error,
+                                                        batten_surface **out);
 typedef enum batten_triangle_method {
     /** Nielson: along the lines from each side to its opposite corner. With slopes of cubic
      * precision. Kind "side-vertex". */
@@ -129,9 +131,11 @@ typedef enum batten_triangle_method {
  * and within 1e-6 of them in both parameters are those at that distance.
  *
  * @param ribbons   three curves of dimension 3 without kinks
+ * @param method  which of them
  * @param tolerance  of the corners, in model units; the loop may be open by so much there
  * @param angle_tolerance  in radians: how far a curve may leave the tangent plane of its
  * neighbour's ribbon at a corner
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_COMPATIBLE naming the corner and the gap, or the angle; COINCIDENT;
  * SINGULAR_HERE where slopes are given and a curve has no tangent at a corner, or a ribbon no
  * tangent plane; BAD_ARGUMENT for other dimensions or a curve with a kink
@@ -169,6 +173,7 @@ typedef struct batten_surface_fill_options {
     batten_fill_form form; /**< BATTEN_FILL_SPLIT */
     bool may_fold;         /**< a fill that folds over is given, too; false */
 } batten_surface_fill_options;
+/** The defaults of n-sided fills: those beside the fields of batten_surface_fill_options. */
 BATTEN_API batten_surface_fill_options batten_surface_fill_defaults(void);
 
 /** What a fill reached along one edge: measured on the surfaces, at 17 places of each span. */
@@ -278,10 +283,10 @@ BATTEN_API batten_status batten_surface_fill(int count, const batten_ribbon *sid
  * @param[out] surface which one; -1 for none
  * @return as batten_edge_ribbon
  */
-BATTEN_API batten_status batten_ribbon_beside(const batten_curve *curve, int count,
-                                              const batten_surface *const *surfaces, int order,
-                                              double tolerance, batten_curve **curves,
-                                              int *surface);
+BATTEN_API batten_status batten_ribbon_beside(const batten_curve *curve,
+                                              batten_surface_row surfaces, int order,
+                                              double tolerance, int *surface,
+                                              batten_curve **curves);
 
 #ifdef __cplusplus
 }

@@ -31,6 +31,7 @@ typedef struct batten_surface_gordon_options {
     const char *const *profile_names; /**< [profile_count] for messages, or NULL */
     const char *const *guide_names;   /**< [guide_count], or NULL */
 } batten_surface_gordon_options;
+/** The defaults of Gordon surfaces: those beside the fields of batten_surface_gordon_options. */
 BATTEN_API batten_surface_gordon_options batten_surface_gordon_defaults(void);
 
 /** Two curves of a family that are one, at the seam of closed ones: the first is used. */
@@ -101,10 +102,11 @@ typedef struct batten_surface_gordon_report {
  * twice. A profile may be a point; where all guides end in one point and no profile is given, a
  * pole is made there. Rational curves are made polynomial.
  *
- * @param profile_count, guide_count  1 or more; 2 with poles and the seam of closed ones
+ * @param profiles  profile_count, guide_count: 1 or more; 2 with poles and the seam of closed ones
  * counted
- * @param options its tolerance must be set
- * @param[out] report may be NULL
+ * @param options  its tolerance must be set
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] report  may be NULL
  * @return BATTEN_OK; NOT_COMPATIBLE with how many pairs miss each other and the three widest
  * gaps, or naming two curves that meet twice, or whose
  * order differs; COINCIDENT; TOO_FEW_POINTS; BAD_ARGUMENT; NOT_FINITE; UNSUPPORTED (dimension
@@ -114,12 +116,15 @@ typedef struct batten_surface_gordon_report {
  * as batten_surface_skin; then points_u points_v (profile_count + guide_count). Source:
  * [Gordon69], [Gordon71]; [PT97] 10.5.
  */
-BATTEN_API batten_status batten_surface_gordon(
-    int profile_count, const batten_curve *const *profiles, int guide_count,
-    const batten_curve *const *guides, const batten_surface_gordon_options *options,
-    const batten_job *job, batten_surface_gordon_report *report, batten_surface **out);
+BATTEN_API batten_status batten_surface_gordon(batten_curve_row profiles,
+                                               batten_curve_row guides,
+                                               const batten_surface_gordon_options *options,
+                                               const batten_job *job,
+                                               batten_surface_gordon_report *report,
+                                               batten_surface **out);
 
-/** The diagonal of the box round the control points of all curves. @param count 1 or more */
+/** The diagonal of the box round the control points of all curves.
+ * @param count 1 or more */
 BATTEN_API double batten_network_size(int count, const batten_curve *const *curves);
 
 /**
@@ -128,6 +133,7 @@ BATTEN_API double batten_network_size(int count, const batten_curve *const *curv
  *
  * @param tolerance model units, > 0: curves that come so near to each other meet
  * @param names [count] for messages, or NULL
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] family [count]: 0 for profiles, the family of the first curve, 1 for guides
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_COMPATIBLE naming a curve that meets no other, with
  * the distance of the nearest, or two that cross and would be of one family, or two parts that

@@ -41,6 +41,7 @@ typedef struct batten_surface_interpolate_options {
                            looked at; or NULL */
 } batten_surface_interpolate_options;
 
+/** Cubic, centripetal, averaged knots; not-a-knot ends where knots are at the data. */
 BATTEN_API batten_surface_interpolate_options batten_surface_interpolate_defaults(void);
 
 /** What a grid interpolation found out about its data. */
@@ -64,18 +65,21 @@ typedef struct batten_surface_interpolate_report {
  * second differences over the grid, as sums for the integral of Suu^2 + 2 Suv^2 + Svv^2, least:
  * a plane with gaps stays plane. SINGULAR_SYSTEM when the others do not determine them.
  *
- * @param points [count_u][count_v][dimension]
- * @param[out] u, v  parameters of the grid lines [count_u], [count_v]; may be NULL
- * @param[out] report may be NULL
+ * @param points  [count_u][count_v][dimension]
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] uv  u, v: parameters of the grid lines [count_u], [count_v]; may be NULL
+ * @param[out] report  may be NULL
  * @return as batten_curve_interpolate; the message names the direction
  *
  * Cost: linear in the number of points; each direction is factored once. Gaps: their number
- * times the square of those in two lines. Source: [deBoor01] ch. XVII, [PT97] 9.2.5.
+ * times the square of those in two lines.
+ * Source: [deBoor01] ch. XVII, [PT97] 9.2.5.
  */
 BATTEN_API batten_status batten_surface_interpolate(
-    int dimension, int count_u, int count_v, const double *points,
-    const batten_surface_interpolate_options *options, const batten_job *job, double *u,
-    double *v, batten_surface_interpolate_report *report, batten_surface **out);
+    batten_grid points, const batten_surface_interpolate_options *options,
+    const batten_job *job, batten_uv_out uv, batten_surface_interpolate_report *report,
+    batten_surface **out);
 
 /* ---- twists of nets ---- */
 
@@ -95,13 +99,23 @@ typedef struct batten_twist_shape {
     const double *gaussian;  /**< curvature, 1 / length^2 */
 } batten_twist_shape;
 
+/** A rectangular net of points and derivatives, borrowed for the call. */
+typedef struct batten_net {
+    int dimension;
+    int count_u, count_v;
+    const double *u, *v;   /**< [count_u], [count_v], increasing; 2 or more of each */
+    const double *points;  /**< [count_u][count_v][dimension] */
+    const double *su, *sv; /**< [count_u][count_v][dimension], the derivatives there */
+} batten_net;
+
 /**
  * Twists at the points of a rectangular net.
  *
- * @param u, v    [count_u], [count_v], increasing; 2 or more of each
- * @param points, su, sv [count_u][count_v][d], the points and their derivatives
- * @param shape   with SELESNICK, and d = 3; else NULL
- * @param[out] twists [count_u][count_v][d]
+ * @param method  which of them
+ * @param given  u, v: [count_u], [count_v], increasing; 2 or more of each
+ *     points, su, sv: [count_u][count_v][d], the points and their derivatives
+ * @param shape  with SELESNICK, and d = 3; else NULL
+ * @param[out] twists  [count_u][count_v][d]
  * @param[out] clamped  SELESNICK: at how many points the curvature asked for cannot be, and the
  * nearest was taken; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, NOT_INCREASING, TOO_LARGE ...
@@ -111,11 +125,9 @@ typedef struct batten_twist_shape {
  * count_v min(count_u, count_v)^2.
  * Source: [BFFH88], [AC61] for Adini's, [Selesnick81], [HS87].
  */
-BATTEN_API batten_status batten_net_twists(batten_twists method, int dimension, int count_u,
-                                           const double *u, int count_v, const double *v,
-                                           const double *points, const double *su,
-                                           const double *sv, const batten_twist_shape *shape,
-                                           double *twists, int *clamped);
+BATTEN_API batten_status batten_net_twists(batten_twists method, const batten_net *given,
+                                           const batten_twist_shape *shape, int *clamped,
+                                           double *twists);
 /** A method for curves: points [count][dimension], at increasing parameters [count] (closed:
  * [count + 1]). Knots, degree and number of control points must depend on the parameters alone,
  * control points linearly on the points. */
@@ -130,36 +142,38 @@ typedef struct batten_line_method {
  * Parameters for the lines of a grid: in each direction from 0 to 1, the average of those that
  * its lines would have alone; lines that are a single point are left out.
  *
- * @param points [count_u][count_v][dimension]
+ * @param points  [count_u][count_v][dimension]
+ * @param kind  which of them
  * @param closed_u, closed_v  also give the step from the last line back to the first
- * @param[out] u, v [count_u], [count_v]; closed: one more
- * @param[out] spread [2] the largest |own - average| of a line of points, in steps, in u and in
+ * @param[out] uv  u, v: [count_u], [count_v]; closed: one more
+ * @param[out] spread  [2] the largest |own - average| of a line of points, in steps, in u and in
  * v; above 0.5 skinning is better; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT naming the two lines
  * Source: [PT97] 9.2.5.
  */
-BATTEN_API batten_status batten_grid_parametrize(int dimension, int count_u, int count_v,
-                                                 const double *points,
+BATTEN_API batten_status batten_grid_parametrize(batten_grid points,
                                                  batten_parametrization kind, bool closed_u,
-                                                 bool closed_v, double *u, double *v,
-                                                 double *spread);
+                                                 bool closed_v, double *spread,
+                                                 batten_uv_out uv);
 
 /**
  * The tensor product of two methods.
  *
- * @param points [count_u][count_v][dimension], finite
- * @param u, v   parameters of the grid lines, increasing; closed: one more
+ * @param points  [count_u][count_v][dimension], finite
+ * @param uv  u, v: parameters of the grid lines, increasing; closed: one more
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] error  the largest distance of a point from the surface at its parameters; may be
  * NULL
  * @return BATTEN_OK, what the methods report (naming the line), NOT_COMPATIBLE when the curves
  * of a method have different knots, UNSUPPORTED when they are rational, TOO_LARGE ... Cost:
  * count_v times the method along u, and for each control point that this gives once the method
- * along v. Source: [deBoor01] ch. XVII.
+ * along v.
+ * Source: [deBoor01] ch. XVII.
  */
-BATTEN_API batten_status batten_surface_tensor(
-    int dimension, int count_u, int count_v, const double *points, const double *u,
-    const double *v, const batten_line_method *along_u, const batten_line_method *along_v,
-    const batten_job *job, double *error, batten_surface **out);
+BATTEN_API batten_status batten_surface_tensor(batten_grid points, batten_uv uv,
+                                               const batten_line_method *const along[2],
+                                               const batten_job *job, double *error,
+                                               batten_surface **out);
 
 /** Nu-splines in both directions: bicubics that are drawn into chosen grid lines. */
 typedef struct batten_surface_nu_options {
@@ -170,36 +184,53 @@ typedef struct batten_surface_nu_options {
     const double *nus_v; /**< [count_v] */
     const double *u, *v; /**< parameters of the grid lines; NULL: chord lengths, averaged */
 } batten_surface_nu_options;
+/** The defaults of nu-spline surfaces: those beside the fields of batten_surface_nu_options. */
 BATTEN_API batten_surface_nu_options batten_surface_nu_defaults(void);
 
-/** The tensor product of nu-splines with natural ends: a bicubic surface, C1. Without nu the
- * natural bicubic spline, C2. @return as batten_surface_tensor. Source: [Nielson74]. */
-BATTEN_API batten_status batten_surface_nu(int dimension, int count_u, int count_v,
-                                           const double *points,
+/**
+ * The tensor product of nu-splines with natural ends: a bicubic surface, C1. Without nu the
+ * natural bicubic spline, C2.
+ *
+ * @param points  the data
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  the result; as it was when the function fails
+ * @return as batten_surface_tensor.
+ * Source: [Nielson74].
+ */
+BATTEN_API batten_status batten_surface_nu(batten_grid points,
                                            const batten_surface_nu_options *options,
                                            const batten_job *job, batten_surface **out);
 
 /**
  * The tensor product of curves of the class of Catmull and Rom: local, no equations.
- * @param u, v  parameters of the grid lines; NULL: centripetal, averaged
- * @param along_u, along_v  their alpha and `given` are not used
+ * @param uv  u, v: parameters of the grid lines; NULL: centripetal, averaged
+ * @param along  along_u, along_v: their alpha and `given` are not used
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] error  the largest distance of a point from the surface; 0 but for rounding when
  * both pass their points; may be NULL
- * @return as batten_surface_tensor. Source: [CR74].
+ * @return as batten_surface_tensor.
+ * Source: [CR74].
  */
 BATTEN_API batten_status batten_surface_catmull_rom(
-    int dimension, int count_u, int count_v, const double *points, const double *u,
-    const double *v, const batten_curve_catmull_rom_options *along_u,
-    const batten_curve_catmull_rom_options *along_v, const batten_job *job, double *error,
-    batten_surface **out);
+    batten_grid points, batten_uv uv, const batten_curve_catmull_rom_options *const along[2],
+    const batten_job *job, double *error, batten_surface **out);
 
-/** The uniform B-spline surface of a net, with the ends of batten_curve_uniform in each
+/**
+ * The uniform B-spline surface of a net, with the ends of batten_curve_uniform in each
  * direction.
- * @param points [count_u][count_v][dimension] @return as batten_surface_tensor and
- * batten_curve_uniform. Source: [Coons74], [Riesenfeld73]. */
-BATTEN_API batten_status batten_surface_uniform(int dimension, int count_u, int count_v,
-                                                const double *points, int degree_u,
-                                                int degree_v, batten_polygon_end ends_u,
+ * @param points [count_u][count_v][dimension]
+ * @param degree_u  1 to 25
+ * @param degree_v  1 to 25
+ * @param ends_u  how the lines along u end
+ * @param ends_v  how the lines along v end
+ * @param[out] out  the result; as it was when the function fails
+ * @return as batten_surface_tensor and
+ * batten_curve_uniform.
+ * Source: [Coons74], [Riesenfeld73].
+ */
+BATTEN_API batten_status batten_surface_uniform(batten_grid points, int degree_u, int degree_v,
+                                                batten_polygon_end ends_u,
                                                 batten_polygon_end ends_v,
                                                 batten_surface **out);
 
@@ -212,6 +243,7 @@ typedef struct batten_surface_tension_options {
     const double *tensions_v;
     const double *u, *v; /**< parameters of the grid lines; NULL: chord lengths */
 } batten_surface_tension_options;
+/** The defaults of surfaces in tension: those beside the fields of batten_surface_tension_options. */
 BATTEN_API batten_surface_tension_options batten_surface_tension_defaults(void);
 
 /**
@@ -221,12 +253,14 @@ BATTEN_API batten_surface_tension_options batten_surface_tension_defaults(void);
  * drawn tight.
  *
  * It is no NURBS; batten_surface_to_nurbs comes near it.
+ *
+ * @param options  NULL for the defaults
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, and as batten_chain_tension, naming the line
  * Cost: linear in the number of points; a point of the surface 16 products for each coordinate.
  * Source: [Schweikert66], [Cline74].
  */
-BATTEN_API batten_status batten_surface_tension(int dimension, int count_u, int count_v,
-                                                const double *points,
+BATTEN_API batten_status batten_surface_tension(batten_grid points,
                                                 const batten_surface_tension_options *options,
                                                 batten_surface **out);
 /** Why lattices were not halved again. */
@@ -300,6 +334,7 @@ typedef struct batten_surface_fit_grid_options {
                            until no datum is farther; 0 */
 } batten_surface_fit_grid_options;
 
+/** The defaults of grid fits: those beside the fields of batten_surface_fit_grid_options. */
 BATTEN_API batten_surface_fit_grid_options batten_surface_fit_grid_defaults(void);
 
 /**
@@ -311,17 +346,18 @@ BATTEN_API batten_surface_fit_grid_options batten_surface_fit_grid_defaults(void
  * a rim share the rim. With a tolerance the fewest control points are sought that meet it,
  * TOLERANCE_NOT_MET when none do.
  *
- * @param points [count_u][count_v][dimension]
- * @param options NULL for the defaults
- * @param[out] u, v  parameters of the grid lines [count_u], [count_v]; may be NULL
- * @param[out] report may be NULL
+ * @param points  [count_u][count_v][dimension]
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] uv  u, v: parameters of the grid lines [count_u], [count_v]; may be NULL
+ * @param[out] report  may be NULL
  * @return as batten_curve_least_squares; the message names the direction; TOO_LARGE
- * Cost: linear in the number of data. Source: [PT97] 9.4.4, [Dierckx93].
+ * Cost: linear in the number of data.
+ * Source: [PT97] 9.4.4, [Dierckx93].
  */
-BATTEN_API batten_status batten_surface_fit_grid(int dimension, int count_u, int count_v,
-                                                 const double *points,
+BATTEN_API batten_status batten_surface_fit_grid(batten_grid points,
                                                  const batten_surface_fit_grid_options *options,
-                                                 const batten_job *job, double *u, double *v,
+                                                 const batten_job *job, batten_uv_out uv,
                                                  batten_surface_fit_report *report,
                                                  batten_surface **out);
 
@@ -337,14 +373,19 @@ BATTEN_API batten_status batten_surface_fit_grid(int dimension, int count_u, int
  *
  * Each direction may have 400 control points, and not more than lines of the grid.
  *
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] uv  the parameters of the lines; either may be NULL
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
  * @return as batten_surface_fit_grid; BAD_ARGUMENT (order, amount), TOO_LARGE
  * Cost: the cube of the control points of a direction to begin, then for each lambda their
- * product. Source: [EM96], [Dierckx93], [CW79].
+ * product.
+ * Source: [EM96], [Dierckx93], [CW79].
  */
 BATTEN_API batten_status batten_surface_smooth_grid(
-    int dimension, int count_u, int count_v, const double *points,
-    const batten_surface_fit_grid_options *options, const batten_job *job, double *u, double *v,
-    batten_surface_fit_report *report, batten_surface **out);
+    batten_grid points, const batten_surface_fit_grid_options *options, const batten_job *job,
+    batten_uv_out uv, batten_surface_fit_report *report, batten_surface **out);
 
 #ifdef __cplusplus
 }

@@ -39,15 +39,16 @@ typedef enum batten_parametrization {
  * Parameters for points, beginning at 0.
  *
  * @param points  [count][dimension]
+ * @param kind  which of them
  * @param closed  also give the step from the last point back to the first
  * @param[out] parameters  [count], or [count + 1] when closed; increasing
  * @return BATTEN_COINCIDENT naming the first pair of neighbours that coincide (uniform steps do
- * not mind), BATTEN_NOT_FINITE, BATTEN_TOO_FEW_POINTS or BATTEN_OVERFLOW Source: [Lee89],
+ * not mind), BATTEN_NOT_FINITE, BATTEN_TOO_FEW_POINTS or BATTEN_OVERFLOW
+ * Source: [Lee89],
  * [FN89].
  */
-BATTEN_API batten_status batten_parametrize(int dimension, int count, const double *points,
-                                            batten_parametrization kind, bool closed,
-                                            double *parameters);
+BATTEN_API batten_status batten_parametrize(batten_points points, batten_parametrization kind,
+                                            bool closed, double *parameters);
 
 /** What holds at one end of a cubic spline. */
 typedef enum batten_end_kind {
@@ -111,12 +112,13 @@ BATTEN_API batten_curve_interpolate_options batten_curve_interpolate_defaults(vo
  * points, and their domain begins half a step before the first.
  *
  * Cost: linear in count. The result is checked: it passes every point within 8 eps of the
- * largest coordinate of data and control points, else TOLERANCE_NOT_MET. Source: [deBoor01] ch.
+ * largest coordinate of data and control points, else TOLERANCE_NOT_MET.
+ * Source: [deBoor01] ch.
  * IV, XIII; [PT97] 9.2; [Xin77] for fair ends.
  */
-BATTEN_API batten_status batten_curve_interpolate(
-    int dimension, int count, const double *points,
-    const batten_curve_interpolate_options *options, double *parameters, batten_curve **out);
+BATTEN_API batten_status
+batten_curve_interpolate(batten_points points, const batten_curve_interpolate_options *options,
+                         double *parameters, batten_curve **out);
 
 /** What the points of a function say about its cubic spline. */
 typedef struct batten_convexity {
@@ -134,8 +136,10 @@ typedef struct batten_convexity {
  * @param x, y  [count], x increasing, 2 or more
  * @param start, end  as for batten_curve_interpolate, but not NOT_A_KNOT, FAIR or CURVATURE;
  * NULL: natural
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, OVERFLOW, BAD_ARGUMENT
- * Cost: linear; nothing is solved. Source: [SL] II.3, after Wang Rishuang.
+ * Cost: linear; nothing is solved.
+ * Source: [SL] II.3, after Wang Rishuang.
  */
 BATTEN_API batten_status batten_spline_convexity(int count, const double *x, const double *y,
                                                  const batten_end *start, const batten_end *end,
@@ -174,17 +178,17 @@ BATTEN_API batten_curve_weighted_options batten_curve_weighted_defaults(void);
  * with one large nu a point gets a corner, where P' comes to 0. Negative nu loosen the point
  * and are allowed while there is a least. A closed curve comes back as a periodic one.
  *
- * @param dimension  1..3
- * @param points     [count][dimension], at least two; closed: at least three, each once
- * @param options    NULL for the defaults
- * @param[out] parameters [count], those of the points; may be NULL
+ * @param points  dimension: 1..3
+ *     [count][dimension], at least two; closed: at least three, each once
+ * @param options  NULL for the defaults
+ * @param[out] parameters  [count], those of the points; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT (weights, ends), NOT_FINITE, TOO_FEW_POINTS, COINCIDENT,
  * NOT_INCREASING, SINGULAR_SYSTEM (nu too negative), OVERFLOW, TOLERANCE_NOT_MET
  *
  * Cost: linear in count. The equations are checked for the slopes found.
  * Source: [Nielson74], [Salkauskas84], [Foley87].
  */
-BATTEN_API batten_status batten_curve_weighted(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_weighted(batten_points points,
                                                const batten_curve_weighted_options *options,
                                                double *parameters, batten_curve **out);
 typedef enum batten_quadratic_kind {
@@ -232,9 +236,10 @@ BATTEN_API batten_curve_quadratic_options batten_curve_quadratic_defaults(void);
  * NOT_COMPATIBLE (parameters that are no mid-points, with the knot), OVERFLOW,
  * TOLERANCE_NOT_MET (a point is missed by more than rounding)
  *
- * Cost: linear in count. Source: [Marsden74], [deBoor01] ch. VI.
+ * Cost: linear in count.
+ * Source: [Marsden74], [deBoor01] ch. VI.
  */
-BATTEN_API batten_status batten_curve_quadratic(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_quadratic(batten_points points,
                                                 const batten_curve_quadratic_options *options,
                                                 double *parameters, batten_curve **out);
 /** What the points are. */
@@ -255,16 +260,19 @@ typedef enum batten_beta_use {
  * speed at the joints, the shape is smooth.
  *
  * @param points [count][dimension]; open: at least two; closed: at least three, each once
+ * @param use  what the points are
  * @param beta1  above 0
  * @param beta2  0 or more
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT (the betas), NOT_FINITE, TOO_FEW_POINTS, OVERFLOW,
  * SINGULAR_SYSTEM, TOLERANCE_NOT_MET (a joint that misses its point by more than rounding)
  *
- * Cost: linear in count. Source: [Barsky88].
+ * Cost: linear in count.
+ * Source: [Barsky88].
  */
-BATTEN_API batten_status batten_curve_beta(int dimension, int count, const double *points,
-                                           batten_beta_use use, double beta1, double beta2,
-                                           bool closed, batten_curve **out);
+BATTEN_API batten_status batten_curve_beta(batten_points points, batten_beta_use use,
+                                           double beta1, double beta2, bool closed,
+                                           batten_curve **out);
 typedef enum batten_constraint_kind {
     BATTEN_CONSTRAINT_VALUE, /**< normal . P >= bound + rate u: the side of a line or plane */
     BATTEN_CONSTRAINT_SLOPE, /**< normal . P' >= bound: never back, with bound 0 */
@@ -299,6 +307,7 @@ typedef struct batten_curve_constrained_options {
     int constraint_count;
     const batten_constraint *constraints;
 } batten_curve_constrained_options;
+/** The defaults of splines under conditions: those beside the fields of batten_curve_constrained_options. */
 BATTEN_API batten_curve_constrained_options batten_curve_constrained_defaults(void);
 
 typedef struct batten_curve_constrained_report {
@@ -317,23 +326,23 @@ typedef struct batten_curve_constrained_report {
  * every parameter; more checks ask less of the curve than is needed, and it comes nearer to
  * the best that there is.
  *
- * @param dimension 1 (a function of given parameters), 2 or 3
- * @param points    [count][dimension], 2 or more
- * @param options   NULL for the defaults
- * @param[out] parameters [count], may be NULL
- * @param[out] report     may be NULL
+ * @param points  dimension: 1 (a function of given parameters), 2 or 3
+ *     [count][dimension], 2 or more
+ * @param options  NULL for the defaults
+ * @param[out] parameters  [count], may be NULL
+ * @param[out] report  may be NULL
  * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT; NOT_COMPATIBLE
  * naming the point or constraint that contradicts the others; SINGULAR_SYSTEM when the curve is
  * not determined; TOO_LARGE beyond 1000 unknowns, dimension (count - 1) pieces or so;
  * INCOMPLETE
  *
  * Cost: the cube of the number of unknowns, and for each constraint that presses the square of
- * their number times the unknowns: for some dozens of points. Source: [Wielinga74]; [GI83].
+ * their number times the unknowns: for some dozens of points.
+ * Source: [Wielinga74]; [GI83].
  */
-BATTEN_API batten_status
-batten_curve_constrained(int dimension, int count, const double *points,
-                         const batten_curve_constrained_options *options, double *parameters,
-                         batten_curve_constrained_report *report, batten_curve **out);
+BATTEN_API batten_status batten_curve_constrained(
+    batten_points points, const batten_curve_constrained_options *options, double *parameters,
+    batten_curve_constrained_report *report, batten_curve **out);
 /** What tension is added for, where the tension given is too little. */
 typedef enum batten_tension_rule {
     BATTEN_TENSION_GIVEN,   /**< nothing */
@@ -374,10 +383,10 @@ BATTEN_API batten_chain_tension_options batten_chain_tension_defaults(void);
  *
  * Two points give a line, or with given derivatives a span between them.
  *
- * @param dimension  1..3
- * @param points     [count][dimension], at least two; closed: at least three, each once
- * @param options    NULL for the defaults
- * @param[out] parameters [count], those of the points; may be NULL
+ * @param points  dimension: 1..3
+ *     [count][dimension], at least two; closed: at least three, each once
+ * @param options  NULL for the defaults
+ * @param[out] parameters  [count], those of the points; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT (tension, ends), NOT_FINITE, TOO_FEW_POINTS, COINCIDENT,
  * NOT_INCREASING, OVERFLOW, TOLERANCE_NOT_MET (a rule that 100 rounds do not satisfy, naming
  * the point; a slope that jumps)
@@ -385,7 +394,7 @@ BATTEN_API batten_chain_tension_options batten_chain_tension_defaults(void);
  * Cost: linear in count, for each round of a rule; rounds are mostly fewer than 20.
  * Source: [Schweikert66], [Cline74]; [KK97] for turns in space.
  */
-BATTEN_API batten_status batten_chain_tension(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_chain_tension(batten_points points,
                                               const batten_chain_tension_options *options,
                                               double *parameters, batten_chain **out);
 

@@ -41,9 +41,17 @@ typedef enum batten_cubic_class {
 } batten_cubic_class;
 #undef BATTEN_CUBIC_CLASS_ENUM
 
-/** A word or two: "two inflections". */
+/**
+ * A word or two: "two inflections".
+ *
+ * @param kind  which of them
+ */
 BATTEN_API const char *batten_cubic_class_name(batten_cubic_class kind);
-/** A few words for a sentence: "the graph of a cubic function, inclined". */
+/**
+ * A few words for a sentence: "the graph of a cubic function, inclined".
+ *
+ * @param kind  which of them
+ */
 BATTEN_API const char *batten_cubic_class_text(batten_cubic_class kind);
 
 /**
@@ -72,6 +80,18 @@ typedef struct batten_cubic {
                         */
 } batten_cubic;
 
+/** Some of them, yours to release with batten_cubics_release. */
+typedef struct batten_cubics {
+    int count;
+    batten_cubic *at;
+} batten_cubics;
+/**
+ * Release them, and empty the row.
+ *
+ * @param cubics  the row
+ */
+BATTEN_API void batten_cubics_release(batten_cubics *cubics);
+
 /**
  * Classify a cubic by its Bezier points.
  *
@@ -84,14 +104,20 @@ typedef struct batten_cubic {
  * @param tolerance relative, 0 or more and below 1; what decides counts as 0 when it is within
  *                  this part of its terms, and the cubic as a line when its flatness is.
  *                  1e-12 suits numbers that were computed
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE or OVERFLOW (edges of about 1e150)
  * Cost: about 0.3 microseconds; up to some 20 on a boundary.
  * Source: [SL] III.2, [Wang81], [SD89]; signs as [Shewchuk97].
  */
 BATTEN_API batten_status batten_cubic_classify(int dimension, const double *points,
                                                double tolerance, batten_cubic *out);
-/** Many at once, points [count][4][dimension]; a message names the index.
- * @param[out] out [count]; of no use after a failure */
+/**
+ * Many at once, points [count][4][dimension]; a message names the index.
+ * @param tolerance  model units, above 0
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out [count]; of no use after a failure
+ * @return BATTEN_OK, BAD_ARGUMENT
+ */
 BATTEN_API batten_status batten_cubics_classify(size_t count, int dimension,
                                                 const double *points, double tolerance,
                                                 const batten_job *job, batten_cubic *out);
@@ -102,12 +128,12 @@ BATTEN_API batten_status batten_cubics_classify(size_t count, int dimension,
  * tolerance.
  *
  * @param[out] count how many spans
- * @param[out] out   [count], release with batten_release; parameters in those of the curve, but
+ * @param[out] out   release with batten_cubics_release; parameters in those of the curve, but
  *                   a to r and the invariant with each span from 0 to 1
  * @return also UNSUPPORTED for rational curves and higher degrees
  */
 BATTEN_API batten_status batten_curve_classify(const batten_curve *curve, double tolerance,
-                                               int *count, batten_cubic **out);
+                                               batten_cubics *out);
 
 /* ---- the plane of lambda and mu: P0, P3 and both tangent lines stay, the lengths change ----
  */
@@ -130,6 +156,7 @@ typedef enum batten_cubic_region {
     BATTEN_REGION_DEGENERATE, /**< lambda or mu 0: an end without a tangent */
     BATTEN_REGION_COUNT
 } batten_cubic_region;
+/** The name of a region of the plane of cubics, in English. */
 BATTEN_API const char *batten_cubic_region_name(batten_cubic_region region);
 
 /** What the plane says about one of its points. */
@@ -142,7 +169,13 @@ typedef struct batten_cubic_place {
     double last;  /**< mu (mu - 3 lambda (1 - lambda)): 0 where it returns to P3 */
 } batten_cubic_place;
 
-/** Look (lambda, mu) up; any finite numbers, else NOT_FINITE. Source: [SL] III.3, [Liu81]. */
+/**
+ * Look (lambda, mu) up; any finite numbers, else NOT_FINITE.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE
+ * Source: [SL] III.3, [Liu81].
+ */
 BATTEN_API batten_status batten_cubic_look_up(double lambda, double mu,
                                               batten_cubic_place *out);
 /** The cubic of (lambda, mu) with P0 = (0, 0), T = (0, 1), P3 = (1, 1): Bezier points [4][2].
@@ -155,7 +188,13 @@ BATTEN_API void batten_cubic_from_lengths(double lambda, double mu, double *poin
  * batten_cubic_classify
  */
 BATTEN_API batten_status batten_cubic_canonical(const double *points, double *x, double *y);
-/** The class of the open segment by that form. Source: [SD89]. */
+/**
+ * The class of the open segment by that form.
+ *
+ * @param x  first coordinate
+ * @param y  second coordinate
+ * Source: [SD89].
+ */
 BATTEN_API batten_cubic_class batten_cubic_canonical_class(double x, double y);
 /* ---- the census: inflections, cusps, double points, each of them and how many ---- */
 
@@ -180,7 +219,11 @@ typedef enum batten_special_kind {
 } batten_special_kind;
 #undef BATTEN_SPECIAL_ENUM
 
-/** "isolated point", or in the plural "isolated points". */
+/**
+ * "isolated point", or in the plural "isolated points".
+ *
+ * @param kind  which of them
+ */
 BATTEN_API const char *batten_special_name(batten_special_kind kind, bool plural);
 
 typedef struct batten_special {
@@ -217,6 +260,12 @@ typedef struct batten_census {
     batten_special *specials; /**< [count] by kind, then by t */
 } batten_census;
 
+/** Some of them, yours to release with batten_censuses_release. */
+typedef struct batten_censuses {
+    int count;
+    batten_census *at;
+} batten_censuses;
+
 /**
  * Count the special points of a polynomial span in the plane, or of one in space that lies in
  * a plane.
@@ -239,17 +288,24 @@ typedef struct batten_census {
  */
 BATTEN_API batten_status batten_census_take(int dimension, int degree, const double *points,
                                             double tolerance, batten_census *out);
+/** Release one census. */
 BATTEN_API void batten_census_release(batten_census *census);
 /**
  * The same for every span of a polynomial curve. Its Bezier points are rounded when it has
  * more than one span, so what lies on a boundary may come to lie beside it: see the margin.
+ * @param tolerance  model units, above 0
  * @param[out] count how many spans
  * @param[out] out   [count]; release with batten_censuses_release
  * @return also UNSUPPORTED for rational curves
  */
 BATTEN_API batten_status batten_curve_census(const batten_curve *curve, double tolerance,
-                                             int *count, batten_census **out);
-BATTEN_API void batten_censuses_release(int count, batten_census *censuses);
+                                             batten_censuses *out);
+/**
+ * Release all censuses and their row.
+ *
+ * @param censuses  the row
+ */
+BATTEN_API void batten_censuses_release(batten_censuses *censuses);
 
 /* ---- canonical form: what is left when affine maps and changes of parameter are used up ----
  */
@@ -288,6 +344,18 @@ typedef struct batten_canonical {
     batten_invariant at[BATTEN_MAX_INVARIANTS]; /**< [count] by row, then by falling power */
 } batten_canonical;
 
+/** Some of them, yours to release with batten_canonicals_release. */
+typedef struct batten_canonicals {
+    int count;
+    batten_canonical *at;
+} batten_canonicals;
+/**
+ * Release them, and empty the row.
+ *
+ * @param forms  the row
+ */
+BATTEN_API void batten_canonicals_release(batten_canonicals *forms);
+
 /**
  * The canonical form of a polynomial span under affine maps and t -> c t + f.
  *
@@ -299,6 +367,7 @@ typedef struct batten_canonical {
  * @param dimension 1 .. 3
  * @param points    [degree + 1][dimension] Bezier points; t from 0 to 1
  * @param tolerance relative, above 0 and below 1: what counts as 0. 1e-10 suits most
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT; BAD_DEGREE; NOT_FINITE; INCOMPLETE as batten_census_take
  * Source: [SL] VIII.3-4, [SuXin80].
  */
@@ -307,13 +376,13 @@ BATTEN_API batten_status batten_canonical_form(int dimension, int degree, const 
 
 /**
  * The forms of every span of a polynomial curve, each with t from 0 to 1 along it.
+ * @param tolerance  model units, above 0
  * @param[out] count how many spans
- * @param[out] out   [count]; release with batten_release
+ * @param[out] out  release with batten_canonicals_release
  * @return also UNSUPPORTED for rational curves
  */
 BATTEN_API batten_status batten_curve_canonical_forms(const batten_curve *curve,
-                                                      double tolerance, int *count,
-                                                      batten_canonical **out);
+                                                      double tolerance, batten_canonicals *out);
 
 /* The cases of a quintic of the class below: name, word, text. */
 #define BATTEN_QUINTIC_TABLE(ROW)                                               \
@@ -332,7 +401,17 @@ typedef enum batten_quintic_case {
     BATTEN_QUINTIC_TABLE(BATTEN_QUINTIC_ENUM) BATTEN_QUINTIC_COUNT
 } batten_quintic_case;
 #undef BATTEN_QUINTIC_ENUM
+/**
+ * The name of a case of quintics, in English.
+ *
+ * @param which  as classified
+ */
 BATTEN_API const char *batten_quintic_name(batten_quintic_case which);
+/**
+ * A sentence about a case of quintics, in English.
+ *
+ * @param which  as classified
+ */
 BATTEN_API const char *batten_quintic_text(batten_quintic_case which);
 
 /** A quintic that some affine map and shift of t make (t^2, t^5 + a t^4 + b t^3 + g t). */
@@ -347,6 +426,7 @@ typedef struct batten_quintic {
  * infinity, the other two have t = -s and t^2 a root of u^2 + b u + g, so signs decide.
  * @param canonical as found of the span
  * @param tolerance what counts as 0 of the scaled numbers
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, or NOT_COMPATIBLE for other curves
  * Source: [SL] VIII.2.
  */
@@ -375,6 +455,7 @@ typedef struct batten_affine_match {
  *
  * @param from, to  of dimension 2 or 3, polynomial
  * @param tolerance model units of `to`, 0 or more
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT; UNSUPPORTED for rational curves
  */
 BATTEN_API batten_status batten_curve_affine_match(const batten_curve *from,
@@ -395,7 +476,7 @@ BATTEN_API batten_status batten_curve_affine_match(const batten_curve *from,
  * Source: [Blaschke23].
  */
 BATTEN_API batten_status batten_curve_affine_length(const batten_curve *curve, double tolerance,
-                                                    double *length, double *error);
+                                                    double *error, double *length);
 /**
  * Parameters that cut a curve into parts of equal affine length, both ends included: affine
  * images of a curve are cut at the images of the same points.
@@ -409,6 +490,9 @@ BATTEN_API batten_status batten_curve_divide_affine(const batten_curve *curve, i
 /**
  * Affine curvature of a plane curve: det(C_ss, C_sss) with respect to affine arc length s. 0 of
  * parabolas, (a b)^(-2/3) of an ellipse with half axes a and b, below 0 of hyperbolas.
+ *
+ * @param u  a parameter in the domain
+ * @param side  from which side at a knot
  * @return BATTEN_OK; BAD_ARGUMENT (dimension); SINGULAR_HERE where x'y'' - x''y' is 0; as
  *         batten_curve_evaluate
  * Source: [Blaschke23].

@@ -50,6 +50,7 @@ typedef struct batten_tangents_options {
     bool closed;                  /**< the first point is not repeated */
     const double *given;          /**< [count][dimension], with BATTEN_TANGENT_GIVEN */
 } batten_tangents_options;
+/** The defaults of tangents at points: those beside the fields of batten_tangents_options. */
 BATTEN_API batten_tangents_options batten_tangents_defaults(void);
 
 typedef struct batten_tangents_report {
@@ -72,31 +73,35 @@ typedef struct batten_tangents_report {
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT or OVERFLOW naming
  * the points, OUT_OF_MEMORY
  *
- * Two points give their chord. Cost: linear in count. Source: [McConalogue70] (CIRCLE and
+ * Two points give their chord. Cost: linear in count.
+ * Source: [McConalogue70] (CIRCLE and
  * MIDDLE), [Akima70], [Akima72] (RENNER with CHORD), [Renner82] (RENNER with MIDDLE), [PT97]
  * 9.3.1, [SL] VI.8.
  */
-BATTEN_API batten_status batten_tangents(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_tangents(batten_points points,
                                          const batten_tangents_options *options,
-                                         double *parameters, double *leaving, double *arriving,
-                                         batten_tangents_report *report);
+                                         double *parameters, batten_tangents_report *report,
+                                         double *leaving, double *arriving);
 
 /**
  * The cubic through points with the given tangents, or slopes: C1; at points whose two tangents
  * differ, C0.
  *
- * @param dimension 1 (then tangents are slopes of a function of the parameter), 2 or 3
- * @param points    [count][dimension], 2 or more; closed: 1 or more, periodic
- * @param parameters [count], closed [count + 1]; increasing
- * @param leaving   [count][dimension]
+ * @param points  dimension: 1 (then tangents are slopes of a function of the parameter), 2 or 3
+ *     [count][dimension], 2 or more; closed: 1 or more, periodic
+ * @param parameters  [count], closed [count + 1]; increasing
+ * @param leaving  [count][dimension]
  * @param arriving  [count][dimension]; NULL: the same as leaving
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, OVERFLOW;
  * TOLERANCE_NOT_MET when the curve misses a point by more than rounding
  * Cost: linear in count.
  */
-BATTEN_API batten_status batten_curve_from_tangents(
-    int dimension, int count, const double *points, const double *parameters,
-    const double *leaving, const double *arriving, bool closed, batten_curve **out);
+BATTEN_API batten_status batten_curve_from_tangents(batten_points points,
+                                                    const double *parameters,
+                                                    const double *leaving,
+                                                    const double *arriving, bool closed,
+                                                    batten_curve **out);
 
 /**
  * Second derivatives at the points of such a curve, for a quintic through the same: the mean of
@@ -104,10 +109,14 @@ BATTEN_API batten_status batten_curve_from_tangents(
  * of its span. Exact where the points and tangents come from a cubic. Together with points and
  * tangents they go to batten_curve_from_hermite.
  *
- * Arguments as for batten_curve_from_tangents. @param[out] second [count][dimension]
+ * Arguments as for batten_curve_from_tangents.
+ * @param[out] parameters  those of the points; may be NULL
+ * @param closed  whether the last point is followed by the first
+ * @param[out] second [count][dimension]
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_ARGUMENT, TOO_LARGE,
+ * OVERFLOW, OUT_OF_MEMORY
  */
-BATTEN_API batten_status batten_second_derivatives(int dimension, int count,
-                                                   const double *points,
+BATTEN_API batten_status batten_second_derivatives(batten_points points,
                                                    const double *parameters,
                                                    const double *tangents, bool closed,
                                                    double *second);
@@ -143,9 +152,11 @@ typedef enum batten_slope_rule {
  * the direction.
  *
  * @param x [count] increasing, 2 or more
+ * @param rule  how they are found
  * @param[out] slopes [count]
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, OVERFLOW
- * Cost: linear in count. Source: [Akima70], [FC80], [FB84], [Steffen90]; [Ionita19] for MAKIMA.
+ * Cost: linear in count.
+ * Source: [Akima70], [FC80], [FB84], [Steffen90]; [Ionita19] for MAKIMA.
  */
 BATTEN_API batten_status batten_slopes(int count, const double *x, const double *y,
                                        batten_slope_rule rule, double *slopes);
@@ -159,8 +170,11 @@ BATTEN_API batten_status batten_slopes(int count, const double *x, const double 
  * extremum of the data, or in another straight run, no smooth function is both convex and
  * monotone: then a span beside it bends twice.
  *
- * @param[out] slopes [count], may be NULL @param[out] out dimension 1, parameter x
- * @return as batten_slopes. Cost: linear in count. Source: [Schumaker83].
+ * @param y  second coordinate
+ * @param[out] slopes [count], may be NULL
+ * @param[out] out dimension 1, parameter x
+ * @return as batten_slopes. Cost: linear in count.
+ * Source: [Schumaker83].
  */
 BATTEN_API batten_status batten_curve_schumaker(int count, const double *x, const double *y,
                                                 double *slopes, batten_curve **out);
@@ -169,10 +183,12 @@ BATTEN_API batten_status batten_curve_schumaker(int count, const double *x, cons
  * The rational quadratic function of Gregory and Delbourgo through points: monotone where the
  * data are, for any slopes of the same sign as the chords, and smoother than a monotone cubic.
  *
+ * @param y  second coordinate
  * @param slopes [count]; NULL: those of BATTEN_SLOPE_FRITSCH_BUTLAND
  * @param[out] out its exact graph, dimension 2, a rational cubic whose parameter is x
  * @return as batten_slopes; BAD_ARGUMENT naming the span whose slopes have not the sign of its
- * chord. Cost: linear in count. Source: [GD82].
+ * chord. Cost: linear in count.
+ * Source: [GD82].
  */
 BATTEN_API batten_status batten_curve_rational_monotone(int count, const double *x,
                                                         const double *y, const double *slopes,
@@ -188,6 +204,14 @@ typedef struct batten_curve_from_curvatures_report {
                                 their chord */
 } batten_curve_from_curvatures_report;
 
+/** Points of the plane with directions and curvatures; borrowed for the call. */
+typedef struct batten_curved_points {
+    batten_points points;
+    const double *tangents;   /**< [count][2] */
+    const double *curvatures; /**< [count] */
+    bool closed;
+} batten_curved_points;
+
 /**
  * The plane cubic spline with given directions and curvatures at its points: curvature is
  * continuous, and a smooth curve is met with order 6.
@@ -197,27 +221,33 @@ typedef struct batten_curve_from_curvatures_report {
  * span without solution, as where the curvatures ask for a turn that the tangents deny, gets
  * the legs of BATTEN_LENGTH_MIDDLE.
  *
- * @param points     [count][2], 2 or more, closed 3; neighbours apart
- * @param tangents   [count][2] directions, of any length above 0
- * @param curvatures [count] signed, 1 / length; positive: a left turn
- * @param[out] parameters [count], closed [count + 1]: sums of chords; may be NULL
+ * @param data  points: [count][2], 2 or more, closed 3; neighbours apart
+ *     tangents: [count][2] directions, of any length above 0
+ *     curvatures: [count] signed, 1 / length; positive: a left turn
+ * @param[out] parameters  [count], closed [count + 1]: sums of chords; may be NULL
  * @param[out] solutions  [count - 1], closed [count]: how many each span has, 0..3; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  may be NULL
  * @return BATTEN_OK, NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT (a tangent of no
  * length, named), OVERFLOW
  *
  * The curve has triple knots: direction and curvature are continuous, the speed is not.
- * Cost: linear in count. Source: [dBHS87].
+ * Cost: linear in count.
+ * Source: [dBHS87].
  */
 BATTEN_API batten_status batten_curve_from_curvatures(
-    int count, const double *points, const double *tangents, const double *curvatures,
-    bool closed, double *parameters, int *solutions,
+    const batten_curved_points *data, double *parameters, int *solutions,
     batten_curve_from_curvatures_report *report, batten_curve **out);
 
-/** Signed curvatures of the circles through each point and its neighbours; at an end that of
+/**
+ * Signed curvatures of the circles through each point and its neighbours; at an end that of
  * the first three points. Two points: 0.
- * @param points [count][2] @param[out] curvatures [count] */
-BATTEN_API batten_status batten_circle_curvatures(int count, const double *points, bool closed,
+ * @param points [count][2]
+ * @param closed  whether the last point is followed by the first
+ * @param[out] curvatures [count]
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_ARGUMENT, TOO_LARGE, OVERFLOW,
+ * OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_circle_curvatures(batten_points points, bool closed,
                                                   double *curvatures);
 /** What stands beyond the ends of an open row of points, where a local method asks for more
  * points than there are. Their parameters go on in the mirror image of the steps. */
@@ -239,6 +269,7 @@ typedef struct batten_curve_catmull_rom_options {
     bool closed;              /**< the first point is not repeated */
     batten_phantoms phantoms; /**< BATTEN_PHANTOM_EXTRAPOLATE */
 } batten_curve_catmull_rom_options;
+/** The defaults of Catmull-Rom splines: those beside the fields of batten_curve_catmull_rom_options. */
 BATTEN_API batten_curve_catmull_rom_options batten_curve_catmull_rom_defaults(void);
 
 typedef struct batten_curve_catmull_rom_report {
@@ -273,10 +304,9 @@ typedef struct batten_curve_catmull_rom_report {
  * A point that moves changes at most m + k spans. Cost: (m + k)^3 for a span.
  * Source: [CR74], [BG88]; [YSK11] for alpha.
  */
-BATTEN_API batten_status
-batten_curve_catmull_rom(int dimension, int count, const double *points,
-                         const batten_curve_catmull_rom_options *options, double *parameters,
-                         batten_curve_catmull_rom_report *report, batten_curve **out);
+BATTEN_API batten_status batten_curve_catmull_rom(
+    batten_points points, const batten_curve_catmull_rom_options *options, double *parameters,
+    batten_curve_catmull_rom_report *report, batten_curve **out);
 
 typedef struct batten_tangents_kochanek_bartels_options {
     size_t size;
@@ -290,6 +320,7 @@ typedef struct batten_tangents_kochanek_bartels_options {
     bool closed;
     batten_phantoms phantoms;
 } batten_tangents_kochanek_bartels_options;
+/** The defaults of Kochanek and Bartels: those beside the fields of batten_tangents_kochanek_bartels_options. */
 BATTEN_API batten_tangents_kochanek_bartels_options
 batten_tangents_kochanek_bartels_defaults(void);
 
@@ -306,12 +337,12 @@ batten_tangents_kochanek_bartels_defaults(void);
  * @param[out] parameters [count], closed [count + 1]
  * @param[out] leaving, arriving [count][dimension]: derivatives after each point and before it,
  * the same bits where continuity is 0
- * @return as batten_curve_catmull_rom. Cost: linear in count. Source: [KB84].
+ * @return as batten_curve_catmull_rom. Cost: linear in count.
+ * Source: [KB84].
  */
-BATTEN_API batten_status
-batten_tangents_kochanek_bartels(int dimension, int count, const double *points,
-                                 const batten_tangents_kochanek_bartels_options *options,
-                                 double *parameters, double *leaving, double *arriving);
+BATTEN_API batten_status batten_tangents_kochanek_bartels(
+    batten_points points, const batten_tangents_kochanek_bartels_options *options,
+    double *parameters, double *leaving, double *arriving);
 /* ---- no inflections in excess ---- */
 
 /**
@@ -344,6 +375,7 @@ typedef struct batten_curve_correct_tangents_options {
     double tolerance; /**< relative: nearer to 1 than this they are left as they are; 1e-9 */
     batten_correct_joins joins; /**< BATTEN_CORRECT_TANGENT */
 } batten_curve_correct_tangents_options;
+/** The defaults of corrected tangents: those beside the fields of batten_curve_correct_tangents_options. */
 BATTEN_API batten_curve_correct_tangents_options batten_curve_correct_tangents_defaults(void);
 
 typedef struct batten_curve_correct_tangents_report {
@@ -374,7 +406,8 @@ typedef struct batten_curve_correct_tangents_report {
  * @return BATTEN_OK, UNSUPPORTED (rational, higher degree, curvatures in space), BAD_ARGUMENT,
  * ...
  * Cost: linear; with CURVATURE about 200 quartic equations for each span near a corrected one,
- * and the best choice for all joins together. Source: [SL] III.6; [dBHS87] for curvatures.
+ * and the best choice for all joins together.
+ * Source: [SL] III.6; [dBHS87] for curvatures.
  */
 BATTEN_API batten_status batten_curve_correct_tangents(
     const batten_curve *curve, const batten_curve_correct_tangents_options *options,
@@ -400,6 +433,7 @@ typedef struct batten_curve_cornered_options {
     batten_end_kind ends;         /**< at corners and ends that are free: NOT_A_KNOT, NATURAL,
                                      PARABOLIC,         BESSEL, CIRCLE or FAIR; NATURAL */
 } batten_curve_cornered_options;
+/** The defaults of curves with corners: those beside the fields of batten_curve_cornered_options. */
 BATTEN_API batten_curve_cornered_options batten_curve_cornered_defaults(void);
 
 /**
@@ -412,11 +446,13 @@ BATTEN_API batten_curve_cornered_options batten_curve_cornered_defaults(void);
  * NATURAL then has a meaning for that run, the others leave its free end as it comes.
  *
  * @param points [count][dimension], dimension 2 or 3, count >= 2
+ * @param options  NULL for the defaults
  * @param[out] parameters [count], those of the points; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT (indices outside, not rising), TOO_FEW_POINTS, COINCIDENT,
- * ... Cost: linear. Source: [SL] III.7.
+ * ... Cost: linear.
+ * Source: [SL] III.7.
  */
-BATTEN_API batten_status batten_curve_cornered(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_cornered(batten_points points,
                                                const batten_curve_cornered_options *options,
                                                double *parameters, batten_curve **out);
 
@@ -437,6 +473,7 @@ typedef struct batten_curve_directed_options {
     const double *tension; /**< nu [count], 0 or more: P'' jumps by nu P' at a point, which
                                 stays G2; large: a sharp bend there. NULL for none */
 } batten_curve_directed_options;
+/** The defaults of directed splines: those beside the fields of batten_curve_directed_options. */
 BATTEN_API batten_curve_directed_options batten_curve_directed_defaults(void);
 
 typedef struct batten_curve_directed_report {
@@ -456,13 +493,15 @@ typedef struct batten_curve_directed_report {
  * cubics have.
  *
  * @param points [count][dimension], dimension 1 to 3, count >= 2
+ * @param options  NULL for the defaults
  * @param[out] parameters [count]; may be NULL
  * @param[out] report may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT (indices, tension, a direction of length 0), COINCIDENT,
  * NOT_INCREASING, TOO_FEW_POINTS, NOT_FINITE ...
- * Cost: linear; once more for each round of clamping. Source: [SL] III.7, [Nielson74].
+ * Cost: linear; once more for each round of clamping.
+ * Source: [SL] III.7, [Nielson74].
  */
-BATTEN_API batten_status batten_curve_directed(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_directed(batten_points points,
                                                const batten_curve_directed_options *options,
                                                double *parameters,
                                                batten_curve_directed_report *report,

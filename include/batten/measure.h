@@ -11,26 +11,56 @@
 extern "C" {
 #endif
 
-/** Length over [a, b] inside the domain (all of it with NaN for both), within `tolerance`
+/**
+ * Length over [a, b] inside the domain (all of it with NaN for both), within `tolerance`
  * (model units, above 0; one below the rounding of the numbers is met as far as they can, see
  * `error`). Gauss-Legendre on each span, halved until both halves agree with the whole.
- * @param[out] error an estimate of the error; may be NULL */
+ * @param curve  any curve
+ * @param[out] error an estimate of the error; may be NULL
+ * @param length  model units
+ * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_length(const batten_curve *curve, double tolerance,
-                                             double *length, double *error);
+                                             double *error, double *length);
+
+/**
+ * The length over [a, b], as batten_curve_length.
+ *
+ * @param curve  any curve
+ * @param a, b  inside the domain
+ * @param tolerance  model units, above 0
+ * @param[out] error  an estimate of the error; may be NULL
+ * @param[out] length  model units
+ * @return BATTEN_OK, OUT_OF_DOMAIN, BAD_ARGUMENT
+ *
+ * Cost: Gauss-Legendre on each span, halved until both halves agree with the whole.
+ */
 BATTEN_API batten_status batten_curve_length_between(const batten_curve *curve, double a,
-                                                     double b, double tolerance, double *length,
-                                                     double *error);
-/** Parameters at which the arc length from the start is s[i] (never decreasing, at most
+                                                     double b, double tolerance, double *error,
+                                                     double *length);
+/**
+ * Parameters at which the arc length from the start is s[i] (never decreasing, at most
  * `tolerance` outside the length).
- * @param[out] u [count] */
+ * @param curve  any curve
+ * @param[out] u [count]
+ * @return BATTEN_OK, NOT_FINITE, NOT_INCREASING, OUT_OF_DOMAIN, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_at_length(const batten_curve *curve, int count,
                                                 const double *s, double tolerance, double *u);
-/** The length of a chain: exact where its spans go by arc length, else to 1e-12 of it. Of a
+/**
+ * The length of a chain: exact where its spans go by arc length, else to 1e-12 of it. Of a
  * function (dimension 1) the length it rises and falls.
- * @param[out] error a bound; may be NULL */
-BATTEN_API batten_status batten_chain_length(const batten_chain *chain, double *length,
-                                             double *error);
-/** The tight axis-parallel box: of the ends and of all places where a coordinate turns back. */
+ * @param[out] error a bound; may be NULL
+ * @return BATTEN_OK, OVERFLOW
+ */
+BATTEN_API batten_status batten_chain_length(const batten_chain *chain, double *error,
+                                             double *length);
+/**
+ * The tight axis-parallel box: of the ends and of all places where a coordinate turns back.
+ *
+ * @param curve  any curve
+ * @param[out] out  the result; as it was when the function fails
+ */
 BATTEN_API batten_status batten_curve_bounds(const batten_curve *curve, batten_box *out);
 
 /**
@@ -45,7 +75,7 @@ BATTEN_API batten_status batten_curve_bounds(const batten_curve *curve, batten_b
  * Cost: the Bezier patches of all spans are made; some tens of halvings for each side.
  */
 BATTEN_API batten_status batten_surface_bounds(const batten_surface *surface, double tolerance,
-                                               batten_box *out, double *error);
+                                               double *error, batten_box *out);
 
 /** A box at any angle; its axes are square to each other, of length one, and right-handed. */
 typedef struct batten_oriented_box {
@@ -64,8 +94,10 @@ typedef struct batten_oriented_box {
  * box in turn again, while its volume falls: small, but not proved to be the least.
  *
  * @param tolerance model units, > 0
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT; UNSUPPORTED (dimension 1); TOO_LARGE (a million points)
- * Cost: n log n for n points of the polyline. Source: [Toussaint83].
+ * Cost: n log n for n points of the polyline.
+ * Source: [Toussaint83].
  */
 BATTEN_API batten_status batten_curve_oriented_box(const batten_curve *curve, double tolerance,
                                                    batten_oriented_box *out);
@@ -88,6 +120,7 @@ typedef struct batten_region {
  *
  * @param closing_tolerance    model units: ends that are no farther apart are joined by a line
  * @param precision relative, > 0; `error` says what was reached
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_COMPATIBLE when the curve is not closed or not plane; BAD_ARGUMENT;
  * COINCIDENT when the area is 0 to rounding, as of a curve run there and back;
  * TOLERANCE_NOT_MET
@@ -96,16 +129,21 @@ BATTEN_API batten_status batten_curve_region(const batten_curve *curve,
                                              double closing_tolerance, double precision,
                                              batten_region *out);
 
-/** How often a closed plane curve runs around a point, counterclockwise counted positive: by
+/**
+ * How often a closed plane curve runs around a point, counterclockwise counted positive: by
  * crossings of a ray with pieces that run one way.
  * @param closing_tolerance as batten_curve_region
- * @return NOT_COMPATIBLE; SINGULAR_HERE when the point is on the curve, to 1e-12 of its size */
+ * @param[out] out  the result; as it was when the function fails
+ * @return NOT_COMPATIBLE; SINGULAR_HERE when the point is on the curve, to 1e-12 of its size
+ */
 BATTEN_API batten_status batten_curve_winding(const batten_curve *curve, const double *point,
                                               double closing_tolerance, int *out);
 /**
  * By how many full turns the tangent of a plane curve turns from start to end, corners and,
  * when the ends meet within `closing_tolerance`, that in the closing point included: a whole number for a
  * closed curve, 1 or -1 when it does not cross itself.
+ *
+ * @param[out] out  the result; as it was when the function fails
  * @return SINGULAR_HERE at a cusp, where the tangent turns back and neither way is the right
  * one; NOT_COMPATIBLE for other dimensions
  */
@@ -119,6 +157,7 @@ BATTEN_API batten_status batten_curve_turning(const batten_curve *curve,
  * in the direction in which they differ more, always that with the largest difference first.
  *
  * @param precision   relative, > 0; the limit of rounding is some 1e-15
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] area   model units squared
  * @param[out] error  the sum of the differences: the error of the shorter rule, much above that
  *                    of the longer, whose value is returned; may be NULL
@@ -128,8 +167,8 @@ BATTEN_API batten_status batten_curve_turning(const batten_curve *curve,
  * Cost: 169 points for each span and, twice, for each halving; memory 64 bytes for each.
  */
 BATTEN_API batten_status batten_surface_area(const batten_surface *surface, double precision,
-                                             const batten_job *job, double *area,
-                                             double *error);
+                                             const batten_job *job, double *error,
+                                             double *area);
 /**
  * Parameters that cut a curve into parts of equal length, both ends included.
  * @param count parts, 1 or more
@@ -152,8 +191,8 @@ BATTEN_API batten_status batten_curve_divide(const batten_curve *curve, int coun
  * Cost: a few times `count` searches of a span.
  */
 BATTEN_API batten_status batten_curve_divide_equal_chords(const batten_curve *curve, int count,
-                                                          double tolerance, double *u,
-                                                          double *chord);
+                                                          double tolerance, double *chord,
+                                                          double *u);
 /**
  * Parameters of a polyline on a curve no farther from it than `height`, both ends and all
  * distinct knots included. Pieces are halved until their control polygons, which enclose them,
@@ -168,8 +207,10 @@ BATTEN_API batten_status batten_curve_divide_chord(const batten_curve *curve, do
  * within `angle` of each other, by a bound: a tangent lies among the legs of the control
  * polygon, and all legs are within half the angle of their chord. At a cusp, where no part is
  * short enough, halving ends at the rounding of the parameter.
+ * @param curve  any curve
  * @param height model units, > 0; HUGE_VAL: any
  * @param angle  radians, > 0 and at most pi
+ * @param[out] out  the result; as it was when the function fails
  * @return as batten_curve_divide_chord
  */
 BATTEN_API batten_status batten_curve_divide_turn(const batten_curve *curve, double height,

@@ -34,18 +34,44 @@ typedef struct batten_mesh_parts {
     const batten_mesh_attribute *attributes;
 } batten_mesh_parts;
 
-/** Copies all. @return BATTEN_OK; BAD_ARGUMENT naming the triangle with a corner that is no
- * vertex; NOT_FINITE */
+/**
+ * Copies all.
+ *
+ * @param parts  all of it is copied
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK; BAD_ARGUMENT naming the triangle with a corner that is no
+ * vertex; NOT_FINITE
+ */
 BATTEN_API batten_status batten_mesh_create(const batten_mesh_parts *parts, batten_mesh **out);
+/** One more reference to a mesh, from borrowed to yours. */
 BATTEN_API batten_mesh *batten_mesh_ref(const batten_mesh *mesh);
+/** Give a reference to a mesh back; NULL is welcome. */
 BATTEN_API void batten_mesh_unref(batten_mesh *mesh);
+/** What the mesh is made of; borrowed, as long as the mesh lives. */
 BATTEN_API const batten_mesh_parts *batten_mesh_view(const batten_mesh *mesh);
+/**
+ * The box of all vertices.
+ *
+ * @param mesh  any mesh
+ */
 BATTEN_API batten_box batten_mesh_box(const batten_mesh *mesh);
-/** A map that mirrors turns the triangles. */
+/**
+ * A map that mirrors turns the triangles.
+ *
+ * @param mesh  any mesh
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_mesh_transform(const batten_mesh *mesh,
                                                const batten_affine *map, batten_mesh **out);
-/** Vertices at the same point (bit for bit) become one, as files without sharing need.
- * Triangles keep their order; those that lose their area stay. */
+/**
+ * Vertices at the same point (bit for bit) become one, as files without sharing need.
+ * Triangles keep their order; those that lose their area stay.
+ *
+ * @param mesh  any mesh
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_mesh_weld(const batten_mesh *mesh, batten_mesh **out);
 
 /* ---- what is true of a mesh ---- */
@@ -63,6 +89,16 @@ typedef struct batten_mesh_facts {
     double area, volume; /**< volume: 0 unless watertight */
     double centroid[3];  /**< of the volume, or of the area */
 } batten_mesh_facts;
+
+/**
+ * Whether a mesh is closed, and what is wrong with it.
+ *
+ * @param mesh  any mesh
+ * @param[out] out  counts of edges by kind, components, areas
+ * @return BATTEN_OK or OUT_OF_MEMORY
+ *
+ * Cost: n log n of the triangles.
+ */
 BATTEN_API batten_status batten_mesh_check(const batten_mesh *mesh, batten_mesh_facts *out);
 
 /* ---- triangles from shapes ---- */
@@ -75,6 +111,7 @@ typedef struct batten_mesh_options {
     double longest; /**< edge, model units; 0: any */
     int most;       /**< triangles; 10 million */
 } batten_mesh_options;
+/** The defaults of meshes: those beside the fields of batten_mesh_options. */
 BATTEN_API batten_mesh_options batten_mesh_defaults(void);
 
 typedef struct batten_mesh_report {
@@ -90,6 +127,7 @@ typedef struct batten_mesh_report {
 /**
  * Triangles of a body: each edge is sampled once, so that faces that share it meet without a
  * gap; poles are one vertex; normals are those of the surface, turned outside.
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param notes, report may be NULL
  * @return BATTEN_OK, also when faces were left out (report->failed), and when the chord is not
  * met: report->beyond is above 0 then, and report->off says whether edges off their faces are
@@ -105,14 +143,23 @@ typedef struct batten_mesh_report {
  * in it: the work stops when there are `most`. A face whose border crosses itself in (u, v)
  * gets finer samples there, then corners where its edges truly are, else it is left out. The
  * distance reached is that of samples, four in each triangle, from its plane. Cost: O(n log n)
- * for n triangles; 200,000 of a bicubic surface in half a second. Source: [FMM86] for the
+ * for n triangles; 200,000 of a bicubic surface in half a second.
+ * Source: [FMM86] for the
  * bound, [Bowyer81] and [Sloan93] for the triangles.
  */
 BATTEN_API batten_status batten_mesh_from_body(const batten_body *body,
                                                const batten_mesh_options *options,
                                                const batten_job *job, batten_notes *notes,
                                                batten_mesh_report *report, batten_mesh **out);
-/** The same of a whole surface of any kind. */
+/**
+ * The same of a whole surface of any kind.
+ *
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_mesh_from_surface(const batten_surface *surface,
                                                   const batten_mesh_options *options,
                                                   const batten_job *job,
@@ -122,6 +169,10 @@ BATTEN_API batten_status batten_mesh_from_surface(const batten_surface *surface,
 /**
  * The same of Bezier triangles in space: all are divided alike, and those that share an edge by
  * the same control points share the vertices on it.
+ *
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  the result; as it was when the function fails
  * @return as batten_mesh_from_body; where normals jump the angle cannot be reached, which the
  * report says
  */

@@ -23,8 +23,12 @@ typedef enum batten_object_kind {
     BATTEN_OBJECT_MESH,
     BATTEN_OBJECT_INSTANCE /**< another model, placed */
 } batten_object_kind;
-/** "row of points", "curve", "surface", "table of offsets", "set of Bezier triangles", "body",
- * "mesh", "instance". */
+/**
+ * "row of points", "curve", "surface", "table of offsets", "set of Bezier triangles", "body",
+ * "mesh", "instance".
+ *
+ * @param kind  which of them
+ */
 BATTEN_API const char *batten_object_kind_name(batten_object_kind kind);
 
 typedef struct batten_model batten_model;
@@ -55,52 +59,102 @@ typedef struct batten_object {
 
 /* A model is filled by its maker, then shared as const. */
 
-/** @param unit_metres  how many metres one unit is; 0 when nothing says so */
+/**
+ * @param unit_metres  how many metres one unit is; 0 when nothing says so
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_model_create(double unit_metres, batten_model **out);
+/** One more reference to a model, from borrowed to yours. */
 BATTEN_API batten_model *batten_model_ref(const batten_model *model);
+/** Give a reference to a model back; NULL is welcome. */
 BATTEN_API void batten_model_unref(batten_model *model);
 /** What the model is called, as the product of a file or the definition of an instance; "" for
  * none. Copies of a model in another form have the name too. The name lives as long as the
  * model has it. */
 BATTEN_API const char *batten_model_name(const batten_model *model);
-/** @param name  is copied; NULL and "" for none */
+/**
+ * @param name  is copied; NULL and "" for none
+ * @param model  looked at only
+ * @return BATTEN_OK, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_model_set_name(batten_model *model, const char *name);
+/** How many metres one unit of the model is. */
 BATTEN_API double batten_model_unit_metres(const batten_model *model);
+/** How many objects the model has at its top. */
 BATTEN_API int batten_model_count(const batten_model *model);
+/**
+ * The object of this index, 0 .. batten_model_count() - 1; borrowed.
+ *
+ * @param model  looked at only
+ */
 BATTEN_API const batten_object *batten_model_object(const batten_model *model, int index);
-/** The index of the first object of that name, or -1. */
+/**
+ * The index of the first object of that name, or -1.
+ *
+ * @param model  looked at only
+ */
 BATTEN_API int batten_model_find(const batten_model *model, const char *name);
-/** Copy an object in: names and arrays are copied, geometry is referenced.
+/**
+ * Copy an object in: names and arrays are copied, geometry is referenced.
+ *
+ * @param model  looked at only
  * @return BATTEN_OK; BAD_ARGUMENT, NOT_FINITE; TOO_LARGE for instances within instances more
- * than 32 deep */
+ * than 32 deep
+ */
 BATTEN_API batten_status batten_model_add(batten_model *model, const batten_object *object);
 /**
  * Add the object as an affine map takes it. A plane curve that leaves its plane becomes one in
  * space; a chain that is not kept in shape goes, its curve stays. Under a map that mirrors the
  * outside of bodies, meshes, surfaces and triangles stays outside: u of a surface then runs the
  * other way.
+ *
+ * @param model  looked at only
  * @return as batten_model_add; BAD_ARGUMENT for a singular map; UNSUPPORTED for a table of
  * offsets
  */
 BATTEN_API batten_status batten_model_add_mapped(batten_model *model,
                                                  const batten_object *object,
                                                  const batten_affine *map);
-/** The same model with instances replaced by what they place, named "instance/object"; the
+/**
+ * The same model with instances replaced by what they place, named "instance/object"; the
  * model itself when it has none. Objects without a layer or a colour have that of the instance,
  * and are hidden when an instance around them is.
+ *
+ * @param[out] out  the result; as it was when the function fails
  * @return TOO_LARGE, before the work, for more objects (instances among them) than 100,000 and
  * 40 times those of the model and its definitions, or than a million; for more points than 10
- * million and 40 times theirs */
+ * million and 40 times theirs
+ */
 BATTEN_API batten_status batten_model_flat(const batten_model *model, batten_model **out);
-/** The objects of the model and of each definition once, where they are defined, named
- * "definition/object"; without the instances. Cost: linear. */
+/**
+ * The objects of the model and of each definition once, where they are defined, named
+ * "definition/object"; without the instances. Cost: linear.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_model_once(const batten_model *model, batten_model **out);
-/** How deep instances lie within instances: 0 without any. */
+/**
+ * How deep instances lie within instances: 0 without any.
+ *
+ * @param model  looked at only
+ */
 BATTEN_API int batten_model_depth(const batten_model *model);
-/** The box of all objects; false when there is none. */
+/**
+ * The box of all objects; false when there is none.
+ *
+ * @param model  looked at only
+ */
 BATTEN_API bool batten_model_box(const batten_model *model, batten_box *box);
-/** The same model in another unit; geometry is scaled. A model without a unit is taken to be in
- * that unit already. */
+/**
+ * The same model in another unit; geometry is scaled. A model without a unit is taken to be in
+ * that unit already.
+ *
+ * @param unit_metres  metres of one unit
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_model_to_unit(const batten_model *model, double unit_metres,
                                               batten_model **out);
 
@@ -110,9 +164,13 @@ typedef enum batten_patches {
     BATTEN_PATCHES_POLE /**< one to a triangle, whose sides and pole are edges and corner of the
                              triangle: for pictures */
 } batten_patches;
-/** The same model with its Bezier triangles as exact NURBS patches, named "NAME.1", "NAME.2"
+/**
+ * The same model with its Bezier triangles as exact NURBS patches, named "NAME.1", "NAME.2"
  * ...; the model itself when it has none.
- * @return BATTEN_OK; TOO_LARGE for more than a million patches */
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK; TOO_LARGE for more than a million patches
+ */
 BATTEN_API batten_status batten_model_with_patches(const batten_model *model,
                                                    batten_patches patches, batten_model **out);
 /**
@@ -120,6 +178,7 @@ BATTEN_API batten_status batten_model_with_patches(const batten_model *model,
  * under the same name, layer, group and colour. Definitions of instances are meshed once, by
  * what they measure where they are defined. Points, curves, tables and meshes stay.
  * @param options NULL for the defaults; `most` is for all objects together
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param notes faces that were left out, and chords that are not met, each with its object; may
  * be NULL
  * @return BATTEN_OK, as batten_mesh_from_body, also when faces were left out

@@ -10,26 +10,46 @@
 extern "C" {
 #endif
 
-/** All places inside the domain where a curve turns back along a direction: so between them a
+/**
+ * All places inside the domain where a curve turns back along a direction: so between them a
  * coordinate in that direction runs one way. Of a piece square to the direction none. The
  * length of `direction` does not matter; BAD_ARGUMENT when it is 0 or not finite. Complete but
- * for turns within the rounding of the control points, by Descartes' rule of signs. */
+ * for turns within the rounding of the control points, by Descartes' rule of signs.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_turns(const batten_curve *curve, batten_vec3 direction,
                                             batten_parameters *out);
-/** All u at which coordinate `axis` (0, 1, 2) equals `value`, by roots of the Bernstein form.
- * A coordinate that is constant on a piece gives both ends of the piece. */
+/**
+ * All u at which coordinate `axis` (0, 1, 2) equals `value`, by roots of the Bernstein form.
+ * A coordinate that is constant on a piece gives both ends of the piece.
+ *
+ * @param curve  any curve
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int axis,
                                                 double value, batten_parameters *out);
 
-/** All u at which a curve of 2 or 3 dimensions meets the plane `normal . x = distance`, in the
- * same way. @return also BAD_ARGUMENT for a normal of 0, UNSUPPORTED for a function */
+/**
+ * All u at which a curve of 2 or 3 dimensions meets the plane `normal . x = distance`, in the
+ * same way.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return also BAD_ARGUMENT for a normal of 0, UNSUPPORTED for a function
+ */
 BATTEN_API batten_status batten_curve_plane_crossings(const batten_curve *curve,
                                                       batten_vec3 normal, double distance,
                                                       batten_parameters *out);
 
-/** Where a plane curve crosses itself: parameters in pairs u < v, so `at` is [count / 2][2].
+/**
+ * Where a plane curve crosses itself: parameters in pairs u < v, so `at` is [count / 2][2].
  * Places where it touches itself, or runs along itself, may be left out; the point in which a
- * closed curve ends is none. */
+ * closed curve ends is none.
+ *
+ * @return BATTEN_OK, NOT_COMPATIBLE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_curve_self_crossings(const batten_curve *curve,
                                                      batten_parameters *out);
 
@@ -39,29 +59,53 @@ typedef struct batten_deviation {
     int worst;    /**< index of the farthest point */
     double at[2]; /**< its foot's parameters */
 } batten_deviation;
-/** Distance of points [count][dimension] from a curve: the global minimum, ends included. Every
+
+/** Where a function puts the feet of points on a surface: room of the caller's. */
+typedef struct batten_feet {
+    double *uv;        /**< [count][2], their parameters, or NULL */
+    double *distances; /**< [count], or NULL */
+} batten_feet;
+/**
+ * Distance of points [count][dimension] from a curve: the global minimum, ends included. Every
  * root of (C - Q) . C' is found on each span whose box comes near enough. Cost: n to begin,
  * then log n for each point that is near few of the n spans.
  * @param start [count] first guesses, or NULL: the whole curve is searched
- * @param[out] distances [count], or NULL */
-BATTEN_API batten_status batten_curve_deviation(const batten_curve *curve, int count,
-                                                const double *points, const double *start,
-                                                const batten_job *job, double *distances,
-                                                batten_deviation *out);
-/** The same for a surface, points [count][3]; start [count][2] or NULL. Descends from every
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] distances [count], or NULL
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_curve_deviation(const batten_curve *curve, batten_points points,
+                                                const double *start, const batten_job *job,
+                                                double *distances, batten_deviation *out);
+/**
+ * The same for a surface, points [count][3]; start [count][2] or NULL. Descends from every
  * valley of a grid of 2 degree + 2 samples each way on each patch whose box comes near enough,
  * inside the patch first: where the surface winds between samples, a nearer point can be
- * missed. */
-BATTEN_API batten_status batten_surface_deviation(const batten_surface *surface, int count,
-                                                  const double *points, const double *start,
+ * missed.
+ *
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] distances  [count], or NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_surface_deviation(const batten_surface *surface,
+                                                  batten_points points, const double *start,
                                                   const batten_job *job, double *distances,
                                                   batten_deviation *out);
 
-/** The same, and where the feet are. @param[out] uv [count][2], their parameters, or NULL */
-BATTEN_API batten_status batten_surface_project(const batten_surface *surface, int count,
-                                                const double *points, const double *start,
-                                                const batten_job *job, double *uv,
-                                                double *distances, batten_deviation *out);
+/**
+ * The same, and where the feet are.
+ * @param surface  any surface
+ * @param points  the data
+ * @param start  where it begins
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_surface_project(const batten_surface *surface,
+                                                batten_points points, const double *start,
+                                                const batten_job *job, batten_feet feet,
+                                                batten_deviation *out);
 
 /** A polyline in space. */
 typedef struct batten_polyline {
@@ -81,11 +125,19 @@ typedef struct batten_polylines {
  * smaller than a cell can be missed). Across the seam of a closed surface a line goes on, and
  * its parameters jump. A rim of the surface that lies in the plane belongs to the section; a
  * line in its inside where the plane only touches does not.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, NOT_COMPATIBLE, TOO_LARGE, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_surface_section(const batten_surface *surface,
                                                 batten_vec3 normal, double distance,
                                                 int cells_u, int cells_v,
                                                 batten_polylines *out);
+/**
+ * Release all polylines and their row.
+ *
+ * @param lines  they run along the hull
+ */
 BATTEN_API void batten_polylines_release(batten_polylines *lines);
 
 #ifdef __cplusplus

@@ -33,6 +33,7 @@ typedef struct batten_curve_offset_options {
                              tangent; (0, 0, 1) */
     int most_pieces;    /**< of one run between corners; more are TOLERANCE_NOT_MET. 100,000 */
 } batten_curve_offset_options;
+/** The defaults of parallel curves: those beside the fields of batten_curve_offset_options. */
 BATTEN_API batten_curve_offset_options batten_curve_offset_defaults(void);
 
 typedef struct batten_curve_offset_report {
@@ -63,7 +64,8 @@ typedef struct batten_curve_offset_report {
  * TOLERANCE_NOT_MET, TOO_LARGE
  *
  * Cost: for each piece the distance of a few points, log n as long as few spans are that near;
- * n log n for crossings. Source: [TH84], [EK91].
+ * n log n for crossings.
+ * Source: [TH84], [EK91].
  */
 BATTEN_API batten_status batten_curve_offset(const batten_curve *curve, double distance,
                                              const batten_curve_offset_options *options,
@@ -76,6 +78,7 @@ typedef struct batten_surface_offset_options {
     bool keep;        /**< make it also where it turns over; else that is refused. false */
     int most_points;  /**< of the surface near it; more are TOLERANCE_NOT_MET. 4,000,000 */
 } batten_surface_offset_options;
+/** The defaults of parallel surfaces: those beside the fields of batten_surface_offset_options. */
 BATTEN_API batten_surface_offset_options batten_surface_offset_defaults(void);
 
 typedef struct batten_surface_offset_report {

@@ -19,7 +19,13 @@ typedef enum batten_picture_format {
     BATTEN_PICTURE_PDF
 } batten_picture_format;
 
-/** By the ending of a file name. @return false when it is none of them */
+/**
+ * By the ending of a file name.
+ *
+ * @param path  of a file, UTF-8
+ * @param format  as printf
+ * @return false when it is none of them
+ */
 BATTEN_API bool batten_picture_format_from_name(const char *path,
                                                 batten_picture_format *format);
 
@@ -84,6 +90,7 @@ typedef struct batten_draw_options {
     double stereo_angle;    /**< between both eyes, radians; 5 degrees */
     batten_notes *notes;    /**< receives faces of bodies that cannot be drawn; NULL */
 } batten_draw_options;
+/** The defaults of drawings: those beside the fields of batten_draw_options. */
 BATTEN_API batten_draw_options batten_draw_defaults(void);
 
 /**
@@ -91,6 +98,11 @@ BATTEN_API batten_draw_options batten_draw_defaults(void);
  * those of meshes where they end or turn by more than 30 degrees as lines, both axes at one
  * scale. Instances are drawn where they are placed; hidden objects only when all are. Up to
  * eight objects are told apart by colours, more are named where they end.
+ *
+ * @param model  looked at only
+ * @param options  NULL for the defaults
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
  * @return BATTEN_OK, BAD_ARGUMENT (no objects, sizes), NOT_FINITE, TOO_LARGE, OVERFLOW,
  * OUT_OF_MEMORY
  */
@@ -107,6 +119,11 @@ BATTEN_API batten_status batten_draw(const batten_model *model,
  * begins or ends to cover it; the triangles are within a twentieth of a pixel of the surfaces,
  * and lines less than 3 pixels behind a curved one count as lying on it.
  *
+ * @param model  looked at only
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
  * @return BATTEN_OK, BAD_ARGUMENT (no surface in space, sizes, an eye inside), NOT_FINITE,
  * TOO_LARGE, OVERFLOW, CANCELLED, INCOMPLETE, OUT_OF_MEMORY
  *
@@ -133,6 +150,8 @@ typedef struct batten_panel {
  * farther; what lies beyond is cut off.
  *
  * @param count panels, 1..64; rows and columns follow the shape of the sheet
+ * @param options  NULL for the defaults
+ * @param[out] size  of the data, bytes
  * @return as batten_draw
  */
 BATTEN_API batten_status batten_draw_panels(int count, const batten_panel *panels,
@@ -149,6 +168,7 @@ typedef struct batten_draw_lines_plan_options {
     double design_waterline;  /**< height; NaN for none */
     const batten_model *data; /**< given points, drawn as crosses; or NULL */
 } batten_draw_lines_plan_options;
+/** The defaults of lines plans: those beside the fields of batten_draw_lines_plan_options. */
 BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
 
 /**
@@ -160,7 +180,11 @@ BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
  * a whole hull the half with y >= 0 is drawn; a half at y <= 0 is mirrored. Notes say what
  * could not be drawn.
  *
+ * @param model  looked at only
+ * @param options  NULL for the defaults
  * @param notes  may be NULL
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
  * @return BATTEN_OK, BAD_ARGUMENT (no hull, no room on the sheet), NOT_FINITE, NOT_INCREASING,
  * TOO_LARGE (more than 400 lines of a family), OVERFLOW, OUT_OF_MEMORY, or what the sections
  * report
@@ -176,6 +200,11 @@ BATTEN_API batten_status batten_draw_lines_plan(const batten_model *model,
  *
  * The colours of curvature end where 95 of 100 samples lie inside; the legend has the
  * true extremes.
+ *
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
  * @return BATTEN_OK, BAD_ARGUMENT (no surface, sizes), UNSUPPORTED (SVG, PDF), NOT_FINITE,
  * TOO_LARGE, OVERFLOW, CANCELLED, OUT_OF_MEMORY
  *
@@ -191,6 +220,7 @@ typedef struct batten_draw_cubic_plane_options {
     double tolerance; /**< relative, for batten_curve_classify; 1e-9 */
     bool glyphs;      /**< small curves that show what lies in each region; true */
 } batten_draw_cubic_plane_options;
+/** The defaults of pictures of the plane of cubics: those beside the fields of batten_draw_cubic_plane_options. */
 BATTEN_API batten_draw_cubic_plane_options batten_draw_cubic_plane_defaults(void);
 
 /**
@@ -203,6 +233,9 @@ BATTEN_API batten_draw_cubic_plane_options batten_draw_cubic_plane_defaults(void
  *
  * @param model NULL for the plane alone; curves must be polynomial of degree 3 at most
  * @param plane NULL for the defaults
+ * @param options  NULL for the defaults
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
  * @return BATTEN_OK, BAD_ARGUMENT (low >= high, sizes), UNSUPPORTED (other curves), NOT_FINITE
  * ...
  * Source: [SL] III.3, [Liu81].

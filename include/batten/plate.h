@@ -28,6 +28,7 @@ typedef struct batten_surface_developable_options {
     bool keep_regression; /**< an edge of regression between the edges is reported, not refused;
                                false */
 } batten_surface_developable_options;
+/** The defaults of developable surfaces: those beside the fields of batten_surface_developable_options. */
 BATTEN_API batten_surface_developable_options batten_surface_developable_defaults(void);
 
 /** One ruling of the surface. */
@@ -81,6 +82,7 @@ typedef struct batten_developable {
 BATTEN_API batten_status batten_surface_developable(
     const batten_curve *first, const batten_curve *second,
     const batten_surface_developable_options *options, batten_developable *out);
+/** Release a developable surface and its rulings. */
 BATTEN_API void batten_developable_release(batten_developable *developable);
 
 /**
@@ -108,6 +110,7 @@ typedef struct batten_surface_unroll_options {
     double tolerance; /**< of the flat outline, and of how straight the rulings are; model
                            units, > 0 */
 } batten_surface_unroll_options;
+/** The defaults of flat patterns: those beside the fields of batten_surface_unroll_options. */
 BATTEN_API batten_surface_unroll_options batten_surface_unroll_defaults(void);
 
 /** A surface laid flat. The first edge is where the rulings begin; it starts at (0, 0), and the
@@ -160,6 +163,11 @@ typedef struct batten_unrolled {
 BATTEN_API batten_status batten_surface_unroll(const batten_surface *surface,
                                                const batten_surface_unroll_options *options,
                                                batten_unrolled *out);
+/**
+ * Release a flat pattern.
+ *
+ * @param unrolled  the flat pattern
+ */
 BATTEN_API void batten_unrolled_release(batten_unrolled *unrolled);
 
 /** Where a point of the surface is in the plane: a mark.
@@ -230,12 +238,14 @@ typedef struct batten_fold {
  * regression allows, with the place and the width that would do; TOLERANCE_NOT_MET
  *
  * Cost: linear in the number of samples, which is doubled from 65 until the surfaces and
- * the lengths of their edges are within the tolerance. Source: [Huffman76], [DuncanDuncan82],
+ * the lengths of their edges are within the tolerance.
+ * Source: [Huffman76], [DuncanDuncan82],
  * [FuchsTabachnikov99].
  */
 BATTEN_API batten_status batten_fold_create(const batten_curve *crease,
                                             const batten_fold_create_options *options,
                                             batten_fold *out);
+/** Release a fold. */
 BATTEN_API void batten_fold_release(batten_fold *fold);
 
 #ifdef __cplusplus

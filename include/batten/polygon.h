@@ -12,18 +12,29 @@
 extern "C" {
 #endif
 
-/** One Bezier curve on [0, 1]. @param points [degree + 1][dimension]; weights [degree + 1] or
+/**
+ * One Bezier curve on [0, 1].
+ * @param points [degree + 1][dimension]; weights [degree + 1] or
  * NULL
+ * @param[out] out  the result; as it was when the function fails
  */
 BATTEN_API batten_status batten_curve_bezier(int dimension, int degree, const double *points,
                                              const double *weights, batten_curve **out);
-/** The same from its first point and the edges of its polygon: P(t) = start + sum a_i f_i(t),
- * f_i = the sum of the Bernstein polynomials from i on. @param edges [degree][dimension]
- * Source: [Bezier74]. */
+/**
+ * The same from its first point and the edges of its polygon: P(t) = start + sum a_i f_i(t),
+ * f_i = the sum of the Bernstein polynomials from i on.
+ * @param edges [degree][dimension]
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_DEGREE, BAD_ARGUMENT
+ * Source: [Bezier74].
+ */
 BATTEN_API batten_status batten_curve_from_edges(int dimension, int degree, const double *start,
                                                  const double *edges, batten_curve **out);
-/** The reverse, for a clamped polynomial curve of one span.
- * @param[out] start [dimension], edges [degree][dimension] */
+/**
+ * The reverse, for a clamped polynomial curve of one span.
+ * @param[out] start [dimension], edges [degree][dimension]
+ * @return BATTEN_OK, BAD_ARGUMENT
+ */
 BATTEN_API batten_status batten_curve_to_edges(const batten_curve *curve, double *start,
                                                double *edges);
 
@@ -44,19 +55,23 @@ typedef enum batten_polygon_end {
  * @param points [count][dimension]; a vertex that stands twice draws the curve near, one that
  * stands `degree` times is a corner
  * @param weights [count], or NULL
+ * @param ends  how it ends
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_DEGREE, TOO_FEW_POINTS (degree + 1; CLOSED and REPEATED: 2),
- * BAD_ARGUMENT (PHANTOM above degree 3), NOT_FINITE, BAD_WEIGHT, TOO_LARGE Source: [Coons74],
+ * BAD_ARGUMENT (PHANTOM above degree 3), NOT_FINITE, BAD_WEIGHT, TOO_LARGE
+ * Source: [Coons74],
  * [Riesenfeld73].
  */
-BATTEN_API batten_status batten_curve_uniform(int dimension, int degree, int count,
-                                              const double *points, const double *weights,
-                                              batten_polygon_end ends, batten_curve **out);
+BATTEN_API batten_status batten_curve_uniform(batten_points points, int degree,
+                                              const double *weights, batten_polygon_end ends,
+                                              batten_curve **out);
 
 /**
  * An arc in the plane about (0, 0) from angle 0, in (0, 2 pi], as polynomial cubics: as many
  * equal pieces as keep it within `tolerance`; it is nowhere inside the circle.
  * @param[out] error radius (sqrt(1 + (4/27) sin^6(w/4) / cos^2(w/4)) - 1) for pieces of angle
  * w, which is exact; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_curve_arc_cubic(double radius, double angle, double tolerance,
                                                 double *error, batten_curve **out);
@@ -92,9 +107,10 @@ BATTEN_API batten_curve_schoenberg_options batten_curve_schoenberg_defaults(void
  * @param[out] parameters [count]; may be NULL
  * @param[out] report may be NULL
  * @return as batten_curve_interpolate; BAD_DEGREE outside 1..25
- * Cost: linear in count. Source: [Schoenberg67].
+ * Cost: linear in count.
+ * Source: [Schoenberg67].
  */
-BATTEN_API batten_status batten_curve_schoenberg(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_schoenberg(batten_points points,
                                                  const batten_curve_schoenberg_options *options,
                                                  double *parameters,
                                                  batten_curve_schoenberg_report *report,
@@ -109,23 +125,37 @@ BATTEN_API batten_status batten_curve_schoenberg(int dimension, int count, const
  * a point bears on p + 2 control points and no farther. For equal steps and p = 3 the control
  * points are (-q[i - 1] + 8 q[i] - q[i + 1]) / 6.
  *
+ * @param options  NULL for the defaults
+ * @param[out] parameters  those of the points; may be NULL
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
  * @return as batten_curve_schoenberg; BAD_DEGREE outside 1..9: higher polynomials through data
  * swing
- * Cost: linear in count, p^3 for each. Source: [LS75].
+ * Cost: linear in count, p^3 for each.
+ * Source: [LS75].
  */
 BATTEN_API batten_status batten_curve_quasi_interpolate(
-    int dimension, int count, const double *points,
-    const batten_curve_schoenberg_options *options, double *parameters,
+    batten_points points, const batten_curve_schoenberg_options *options, double *parameters,
     batten_curve_schoenberg_report *report, batten_curve **out);
 
 /** A function or curve that is known everywhere: its point and derivatives up to `order` at u,
  * in out [order + 1][dimension]. */
 typedef batten_status (*batten_evaluator)(void *user, double u, int order, double *out);
 
-/** Schoenberg's operator on these clamped knots [point_count + degree + 1]; those without inner
- * ones make it Bernstein's. */
-BATTEN_API batten_status batten_function_schoenberg(int dimension, int degree, int point_count,
-                                                    const double *knots,
+/**
+ * Schoenberg's operator on these clamped knots [point_count + degree + 1]; those without inner
+ * ones make it Bernstein's.
+ *
+ * @param dimension  coordinates of each point, 1 to 3
+ * @param axis  its direction
+ * @param function  asked for values
+ * @param user  handed to the function as it is
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_ARGUMENT,
+ * TOO_LARGE, OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_function_schoenberg(int dimension, const batten_axis *axis,
                                                     batten_evaluator function, void *user,
                                                     batten_curve_schoenberg_report *report,
                                                     batten_curve **out);
@@ -135,10 +165,18 @@ BATTEN_API batten_status batten_function_schoenberg(int dimension, int degree, i
  * point and the derivatives up to p at one place, Greville's abscissa.
  *
  * Splines on the knots are reproduced; smooth functions are met within O(h^(p + 1)).
+ *
+ * @param dimension  coordinates of each point, 1 to 3
+ * @param axis  its direction
+ * @param function  asked for values
+ * @param user  handed to the function as it is
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_ARGUMENT,
+ * TOO_LARGE, OUT_OF_MEMORY
  * Source: [BF73].
  */
-BATTEN_API batten_status batten_function_de_boor_fix(int dimension, int degree, int point_count,
-                                                     const double *knots,
+BATTEN_API batten_status batten_function_de_boor_fix(int dimension, const batten_axis *axis,
                                                      batten_evaluator function, void *user,
                                                      batten_curve_schoenberg_report *report,
                                                      batten_curve **out);
@@ -166,7 +204,8 @@ typedef struct batten_curve_minimax_report {
  * exchanges did not end
  *
  * The curve is a Bezier curve of dimension 1 over the parameters (degree 0: a line that is
- * level). Cost: some degree exchanges of degree^3 + degree count. Source: [Remez34],
+ * level). Cost: some degree exchanges of degree^3 + degree count.
+ * Source: [Remez34],
  * [Stiefel59] for one point exchanged at a time.
  */
 BATTEN_API batten_status batten_curve_minimax(int count, const double *parameters,
@@ -174,10 +213,20 @@ BATTEN_API batten_status batten_curve_minimax(int count, const double *parameter
                                               batten_curve_minimax_report *report,
                                               batten_curve **out);
 
-/** The same for a function that is continuous on a < b; `error` exceeds `bound` by no more than
+/**
+ * The same for a function that is continuous on a < b; `error` exceeds `bound` by no more than
  * a millionth, or the status is INCOMPLETE. Peaks narrower than a 32nd of the distance of the
- * polynomial's extrema may be missed. */
-BATTEN_API batten_status batten_function_minimax(double a, double b, int degree,
+ * polynomial's extrema may be missed.
+ *
+ * @param domain  where it is asked for
+ * @param degree  1 to 25
+ * @param user  handed to the function as it is
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_ARGUMENT, SINGULAR_SYSTEM, OUT_OF_MEMORY,
+ * INCOMPLETE
+ */
+BATTEN_API batten_status batten_function_minimax(batten_interval domain, int degree,
                                                  batten_evaluator function, void *user,
                                                  batten_curve_minimax_report *report,
                                                  batten_curve **out);

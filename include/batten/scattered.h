@@ -20,6 +20,7 @@ typedef struct batten_triangulate_options {
                            side on it are left out, while no vertex goes with them; 1e-9 */
 } batten_triangulate_options;
 
+/** The defaults of triangulations: those beside the fields of batten_triangulate_options. */
 BATTEN_API batten_triangulate_options batten_triangulate_defaults(void);
 
 /** Triangles, who is beside whom, and which point became which vertex. */
@@ -52,9 +53,14 @@ typedef struct batten_plane_triangles {
  * Cost: O(n log n) for any input; about 200 bytes for each point while it runs.
  * Source: [GS85], divide and conquer; [Shewchuk97] for the signs.
  */
-BATTEN_API batten_status batten_triangulate(int count, const double *points,
+BATTEN_API batten_status batten_triangulate(batten_points points,
                                             const batten_triangulate_options *options,
                                             batten_plane_triangles *out);
+/**
+ * Release a triangulation.
+ *
+ * @param triangles  a set of Bezier triangles
+ */
 BATTEN_API void batten_plane_triangles_release(batten_plane_triangles *triangles);
 
 /**
@@ -96,6 +102,14 @@ typedef struct batten_surface_scattered_options {
     int corrections;  /**< of clouds: how often parameters are moved to the feet at most; 20 */
 } batten_surface_scattered_options;
 
+/** A cloud of points; borrowed for the call. */
+typedef struct batten_cloud {
+    batten_points points;       /**< of dimension 3 */
+    const batten_surface *base; /**< any surface over which the cloud lies once; NULL: the
+                                     smallest rectangle around it in the plane of least squares */
+} batten_cloud;
+
+/** The defaults of surfaces near scattered data: those beside the fields of batten_surface_scattered_options. */
 BATTEN_API batten_surface_scattered_options batten_surface_scattered_defaults(void);
 
 /**
@@ -121,6 +135,7 @@ BATTEN_API batten_surface_scattered_options batten_surface_scattered_defaults(vo
  * @param uv      [count][2], any order
  * @param values  [count][dimension]; dimension 1: a function of (u, v)
  * @param options NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] report may be NULL
  * @param[out] out clamped, over the domain
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN naming the datum;
@@ -131,10 +146,9 @@ BATTEN_API batten_surface_scattered_options batten_surface_scattered_defaults(vo
  * times the square of those of the shorter direction; memory linear in data and control points.
  * Source: [HH74], [Dierckx93], [LWS97], [Hutchinson89] for the trace.
  */
-BATTEN_API batten_status
-batten_surface_scattered(int dimension, int count, const double *uv, const double *values,
-                         const batten_surface_scattered_options *options, const batten_job *job,
-                         batten_surface_fit_report *report, batten_surface **out);
+BATTEN_API batten_status batten_surface_scattered(
+    const double *uv, batten_points values, const batten_surface_scattered_options *options,
+    const batten_job *job, batten_surface_fit_report *report, batten_surface **out);
 
 /**
  * A surface near a cloud of points, whose parameters are their feet on a base surface, then on
@@ -144,33 +158,51 @@ batten_surface_scattered(int dimension, int count, const double *uv, const doubl
  * nearer, until rms no longer falls by a hundredth; the best is kept. Points on the rim of the
  * domain stay on it.
  *
- * @param points  [count][3]
- * @param base    any surface over which the cloud lies once; NULL: the smallest rectangle
+ * @param cloud  points: [count][3]
+ *     base: any surface over which the cloud lies once; NULL: the smallest rectangle
  * around it in the plane of least squares
- * @param[out] uv [count][2], of the points on the surface; may be NULL
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] uv  [count][2], of the points on the surface; may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return as batten_surface_scattered; COINCIDENT when the points lie on a line (without base)
  * Cost: a search for each point on the base, then as batten_surface_scattered for each round.
  * Source: [Hoschek88].
  */
-BATTEN_API batten_status batten_surface_cloud(int count, const double *points,
-                                              const batten_surface *base,
+BATTEN_API batten_status batten_surface_cloud(const batten_cloud *cloud,
                                               const batten_surface_scattered_options *options,
                                               const batten_job *job, double *uv,
                                               batten_surface_fit_report *report,
                                               batten_surface **out);
 
-/** The bilinear surface of four corners: a base for clouds. @param corners (0, 0), (1, 0), (0,
- * 1), (1, 1) [4][3] */
+/**
+ * The bilinear surface of four corners: a base for clouds.
+ * @param corners (0, 0), (1, 0), (0,
+ * 1), (1, 1) [4][3]
+ * @param[out] out  the result; as it was when the function fails
+ */
 BATTEN_API batten_status batten_surface_from_corners(const double *corners,
                                                      batten_surface **out);
 
-/** The graph (u, v, f(u, v)) of a polynomial surface of one dimension, in space; clamped.
- * @return BATTEN_OK, BAD_ARGUMENT when it is none */
+/**
+ * The graph (u, v, f(u, v)) of a polynomial surface of one dimension, in space; clamped.
+ *
+ * @param function  asked for values
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT when it is none
+ */
 BATTEN_API batten_status batten_surface_from_function(const batten_surface *function,
                                                       batten_surface **out);
 /* ---- elements: polynomial sets of dimension 1 over a finer domain ---- */
 
-/** The plane over each triangle; continuous. @param values [vertex_count] */
+/**
+ * The plane over each triangle; continuous.
+ * @param domain  where it is asked for
+ * @param count  how many
+ * @param values [vertex_count]
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_linear(const batten_triangulation *domain, int count,
                                                  const double *values, batten_triangles **out);
 /**
@@ -185,6 +217,7 @@ BATTEN_API batten_status batten_triangles_linear(const batten_triangulation *dom
  * @param gradients [vertex_count][2]
  * @param middles   [count][3][2] the gradient at the middle of each edge, of which only the
  * part across it counts, and must be the same on both sides; or NULL
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_FINITE naming the vertex or triangle; as batten_triangles_create
  * Source: [CT65], [Farin86].
  */
@@ -199,6 +232,10 @@ BATTEN_API batten_status batten_triangles_clough_tocher(const batten_triangulati
  * in the middle. C1 everywhere; quadratic functions are met exactly. Pieces 6 t + 2 e and
  * 6 t + 2 e + 1 lie on edge e.
  *
+ * @param domain  where it is asked for
+ * @param count  how many
+ * @param values  one for each place
+ * @param gradients  [vertex count][2], of the values
  * @param[out] thinnest the least part that is cut off an edge, at most 1/2; where it is near 0,
  * pieces are thin; may be NULL
  * @return as above; SINGULAR_HERE naming triangles whose centres' line misses their edge (by
@@ -218,13 +255,17 @@ BATTEN_API batten_status batten_triangles_powell_sabin(const batten_triangulatio
  * in least squares weighted with 1 / distance^2; of the plane where those do not determine a
  * quadratic, or would exaggerate slopes a hundredfold. Quadratic data give their gradient.
  *
+ * @param triangles  a set of Bezier triangles
+ * @param values  one for each place
  * @param[out] gradients [vertex_count][2]
  * @param[out] planes  how many are of planes; may be NULL
- * Cost: linear. Source: [Nielson83], section 3 for others of the kind.
+ * @return BATTEN_OK, SINGULAR_HERE, OUT_OF_MEMORY
+ * Cost: linear.
+ * Source: [Nielson83], section 3 for others of the kind.
  */
 BATTEN_API batten_status batten_triangle_gradients(const batten_plane_triangles *triangles,
-                                                   const double *values, double *gradients,
-                                                   int *planes);
+                                                   const double *values, int *planes,
+                                                   double *gradients);
 /**
  * The gradients for which the network of cubics along all edges bends least (from few points
  * they are often better than local ones, but their error falls slower with the distance): the
@@ -232,14 +273,16 @@ BATTEN_API batten_status batten_triangle_gradients(const batten_plane_triangles 
  * the squares of its second derivatives along the edges is minimal. The system has two unknowns
  * for each vertex; conjugate gradients reach 1e-14 in about 30 steps whatever its size.
  *
+ * @param triangles  a set of Bezier triangles
+ * @param values  one for each place
  * @param gradients [vertex_count][2] in: where to begin; out: the solution
  * @param[out] iterations may be NULL
  * @return BATTEN_OK, INCOMPLETE (200 steps were not enough), OUT_OF_MEMORY
  * Source: [Nielson83].
  */
 BATTEN_API batten_status batten_triangle_network(const batten_plane_triangles *triangles,
-                                                 const double *values, double *gradients,
-                                                 int *iterations);
+                                                 const double *values, int *iterations,
+                                                 double *gradients);
 /**
  * Swap edges inside convex pairs of triangles as long as the sum of the angles between the
  * normals of neighbours, planes through the values, falls. The edges then follow ridges and
@@ -269,6 +312,7 @@ typedef struct batten_triangles_scattered_options {
     double sliver;       /**< the same; 1e-3 */
 } batten_triangles_scattered_options;
 
+/** The defaults of elements over scattered data: those beside the fields of batten_triangles_scattered_options. */
 BATTEN_API batten_triangles_scattered_options batten_triangles_scattered_defaults(void);
 
 typedef struct batten_triangles_scattered_report {
@@ -292,15 +336,15 @@ typedef struct batten_triangles_scattered_report {
  * @param xy      [count][2]
  * @param values  [count]
  * @param options NULL for the defaults: Clough and Tocher, local gradients, Delaunay
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] report may be NULL
  * @return as batten_triangulate and the functions above; NOT_FINITE naming the value; TOO_LARGE
  * when the pieces would have more than 10 million control points; CANCELLED
  * Cost: O(n log n).
  */
 BATTEN_API batten_status batten_triangles_scattered(
-    int count, const double *xy, const double *values,
-    const batten_triangles_scattered_options *options, const batten_job *job,
-    batten_triangles_scattered_report *report, batten_triangles **out);
+    batten_points xy, const double *values, const batten_triangles_scattered_options *options,
+    const batten_job *job, batten_triangles_scattered_report *report, batten_triangles **out);
 
 /* ---- values at (x, y) ---- */
 
@@ -309,11 +353,24 @@ typedef enum batten_outside {
     BATTEN_OUTSIDE_CLAMPED  /**< the nearest point of the rim is taken instead */
 } batten_outside;
 
+/** Many places (x, y), borrowed for the call. */
+typedef struct batten_batch {
+    size_t count;
+    const double *at; /**< [count][2] */
+} batten_batch;
+
+/** What is done with places outside the domain. */
+typedef struct batten_outside_points {
+    batten_outside rule;
+    size_t *count; /**< gets how many there were; or NULL */
+} batten_outside_points;
+
 /**
  * A set over a domain as a function of (x, y), at many places.
  *
  * @param xy [count][2]
  * @param order 0: values; 1: then the derivatives with respect to x and to y
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out [count][order ? 3 : 1][dimension]
  * @param[out] outside how many places were; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT without a domain; NOT_FINITE, OUT_OF_DOMAIN naming the place;
@@ -323,10 +380,10 @@ typedef enum batten_outside {
  * places in the order of a path or of a grid's rows are quick. A place outside costs the length
  * of the rim; one behind a corner of the rim that turns inwards may cost m.
  */
-BATTEN_API batten_status batten_triangles_over(const batten_triangles *triangles, size_t count,
-                                               const double *xy, int order,
-                                               batten_outside outside, const batten_job *job,
-                                               double *out, size_t *outside_count);
+BATTEN_API batten_status batten_triangles_over(const batten_triangles *triangles,
+                                               batten_batch xy, int order,
+                                               batten_outside_points outside,
+                                               const batten_job *job, double *out);
 
 #ifdef __cplusplus
 }

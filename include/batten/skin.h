@@ -64,6 +64,7 @@ typedef struct batten_surface_skin_options {
     batten_skin_creases creases;
 } batten_surface_skin_options;
 
+/** Cubic, centripetal, natural ends, all knots kept (tolerance 0). */
 BATTEN_API batten_surface_skin_options batten_surface_skin_defaults(void);
 
 typedef struct batten_surface_skin_report {
@@ -114,6 +115,8 @@ typedef struct batten_surface_skin_report {
  * the same way. Neighbours that cross or stand in another order than their distances ask for
  * are named by the report and the message; the surface is made all the same.
  *
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] v [count] parameters of the sections, 0 .. 1 unless given; may be NULL
  * @param[out] report may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT naming two sections, TOO_LARGE with the size it
@@ -123,10 +126,11 @@ typedef struct batten_surface_skin_report {
  * ...
  *
  * Cost: linear in sections times common control points; with a tolerance the search fits every
- * section about three times for each knot it keeps. Source: [PT97] 10.3;
+ * section about three times for each knot it keeps.
+ * Source: [PT97] 10.3;
  * [Woodward88]; [HB91] for creases.
  */
-BATTEN_API batten_status batten_surface_skin(int count, const batten_curve *const *sections,
+BATTEN_API batten_status batten_surface_skin(batten_curve_row sections,
                                              const batten_surface_skin_options *options,
                                              const batten_job *job, double *v,
                                              batten_surface_skin_report *report,
@@ -149,16 +153,29 @@ BATTEN_API batten_status batten_surface_skin(int count, const batten_curve *cons
  * @param[out] v [count]; may be NULL
  * @param[out] out of the kind "skin", evaluated to order 3; later changes need NURBS
  * @return as batten_surface_skin
- * Cost: a point costs as many evaluations of sections as there are. Source: [FB89].
+ * Cost: a point costs as many evaluations of sections as there are.
+ * Source: [FB89].
  */
 BATTEN_API batten_status batten_surface_skin_procedural(
-    int count, const batten_curve *const *sections, const batten_surface_skin_options *options,
-    double *v, batten_surface **out);
+    batten_curve_row sections, const batten_surface_skin_options *options, double *v,
+    batten_surface **out);
 
-/** (1 - v) first(u) + v second(u), after unifying; u and v in [0, 1]. */
+/**
+ * (1 - v) first(u) + v second(u), after unifying; u and v in [0, 1].
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, OUT_OF_DOMAIN,
+ * BAD_ARGUMENT, NOT_COMPATIBLE, TOLERANCE_NOT_MET, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_ruled(const batten_curve *first,
                                               const batten_curve *second, batten_surface **out);
-/** curve(u) + v * along, v in [0, 1]. */
+/**
+ * curve(u) + v * along, v in [0, 1].
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, OUT_OF_DOMAIN,
+ * BAD_ARGUMENT, NOT_COMPATIBLE, TOLERANCE_NOT_MET, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 along,
                                                  batten_surface **out);
 typedef struct batten_surface_skin_rows_options {
@@ -174,6 +191,15 @@ typedef struct batten_surface_skin_rows_options {
                                           starts or matching */
 } batten_surface_skin_rows_options;
 
+/** Rows of points, of different lengths; borrowed for the call. */
+typedef struct batten_rows {
+    int dimension;
+    int count;         /**< rows */
+    const int *counts; /**< [count], points of each row */
+    const double *at;  /**< [sum of counts][dimension], row after row */
+} batten_rows;
+
+/** The defaults of skins of rows: those beside the fields of batten_surface_skin_rows_options. */
 BATTEN_API batten_surface_skin_rows_options batten_surface_skin_rows_defaults(void);
 
 typedef struct batten_surface_skin_rows_report {
@@ -195,21 +221,23 @@ typedef struct batten_surface_skin_rows_report {
  * it has fewer than there are control points, makes the integral of the squared second
  * derivative least (degree 1: of the first). The rows are then sections of a skin.
  *
- * @param counts [row_count], 2 or more in each row
- * @param points row after row [counts[r]][dimension]
- * @param[out] u one for each point; may be NULL
- * @param[out] v [row_count]; may be NULL
- * @param[out] report may be NULL
+ * @param points  counts: [row_count], 2 or more in each row
+ *     row after row [counts[r]][dimension]
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] uv  u: one for each point; may be NULL
+ *     v: [row_count]; may be NULL
+ * @param[out] report  may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT, NOT_FINITE, NOT_INCREASING naming the row;
  * BAD_DEGREE, BAD_ARGUMENT; TOO_LARGE before the work; TOLERANCE_NOT_MET when a point is missed
  * by more than 1e-11 of the size; and as batten_surface_skin
- * Cost: points n of a row that has fewer than the N control points: n N + n^3. Source: [PT00],
+ * Cost: points n of a row that has fewer than the N control points: n N + n^3.
+ * Source: [PT00],
  * [PK96].
  */
 BATTEN_API batten_status batten_surface_skin_rows(
-    int dimension, int row_count, const int *counts, const double *points,
-    const batten_surface_skin_rows_options *options, const batten_job *job, double *u,
-    double *v, batten_surface_skin_rows_report *report, batten_surface **out);
+    batten_rows points, const batten_surface_skin_rows_options *options, const batten_job *job,
+    batten_uv_out uv, batten_surface_skin_rows_report *report, batten_surface **out);
 
 #ifdef __cplusplus
 }

@@ -12,19 +12,48 @@ extern "C" {
 
 /* ---- curves ---- */
 
-/** The segment from a to b, in `dimension` coordinates, degree 1, domain [0, 1]. */
+/**
+ * The segment from a to b, in `dimension` coordinates, degree 1, domain [0, 1].
+ *
+ * @param[out] out  the result; as it was when the function fails
+ */
 BATTEN_API batten_status batten_curve_line(int dimension, const double *a, const double *b,
                                            batten_curve **out);
-/** A polyline through points [count][dimension], degree 1; knots by chord length. */
-BATTEN_API batten_status batten_curve_polyline(int dimension, int count, const double *points,
-                                               batten_curve **out);
-/** An arc in the plane about (0, 0), from angle 0 counter-clockwise to `angle`, in (0, 2 pi];
- * degree 2, ceil(angle / 90 degrees) pieces, domain [0, 1]. */
+/**
+ * A polyline through points [count][dimension], degree 1; knots by chord length.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_curve_polyline(batten_points points, batten_curve **out);
+/**
+ * An arc in the plane about (0, 0), from angle 0 counter-clockwise to `angle`, in (0, 2 pi];
+ * degree 2, ceil(angle / 90 degrees) pieces, domain [0, 1].
+ *
+ * @param radius  model units, above 0
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT
+ */
 BATTEN_API batten_status batten_curve_arc(double radius, double angle, batten_curve **out);
-/** An arc in space in the xy-plane of `frame`, from `start` to `start + angle` radians. */
+/**
+ * An arc in space in the xy-plane of `frame`, from `start` to `start + angle` radians.
+ *
+ * @param radius  model units, above 0
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT
+ */
 BATTEN_API batten_status batten_curve_arc_in(const batten_frame *frame, double radius,
                                              double start, double angle, batten_curve **out);
-/** The arc through three points of the plane or space. */
+/**
+ * The arc through three points of the plane or space.
+ *
+ * @param dimension  coordinates of each point, 1 to 3
+ * @param a  the lower end
+ * @param b  the upper end
+ * @param c  the end
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, COINCIDENT, BAD_ARGUMENT, SINGULAR_SYSTEM
+ */
 BATTEN_API batten_status batten_curve_arc_through(int dimension, const double *a,
                                                   const double *b, const double *c,
                                                   batten_curve **out);
@@ -35,56 +64,155 @@ typedef enum batten_circle_form {
     BATTEN_CIRCLE_TRIANGLE_7, /**< seven points on a triangle */
     BATTEN_CIRCLE_SQUARE_7    /**< seven points on a square, two halves */
 } batten_circle_form;
+
+/**
+ * A full circle about (0, 0) in the plane, domain [0, 1].
+ *
+ * @param radius  model units, above 0
+ * @param form  how it is written down
+ * @param[out] out  the result, one reference, which is yours
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY
+ *
+ * Cost: constant.
+ */
 BATTEN_API batten_status batten_curve_circle(double radius, batten_circle_form form,
                                              batten_curve **out);
+
+/**
+ * An arc of the ellipse x = a cos w, y = b sin w in the plane.
+ *
+ * @param a, b  half axes, above 0
+ * @param start  the first angle w, radians
+ * @param angle  how far w goes, in (0, 2 pi]
+ * @param[out] out  the result, one reference, which is yours
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY
+ *
+ * Cost: constant.
+ */
 BATTEN_API batten_status batten_curve_ellipse(double a, double b, double start, double angle,
                                               batten_curve **out);
-/** The rational quadratic from a to c with end tangents that meet in b, and shoulder weight w:
- * below 1 an ellipse, 1 a parabola, above 1 a hyperbola. */
+/**
+ * The rational quadratic from a to c with end tangents that meet in b, and shoulder weight w:
+ * below 1 an ellipse, 1 a parabola, above 1 a hyperbola.
+ *
+ * @param dimension  coordinates of each point, 1 to 3
+ * @param[out] out  the result; as it was when the function fails
+ */
 BATTEN_API batten_status batten_curve_conic(int dimension, const double *a, const double *b,
                                             const double *c, double w, batten_curve **out);
-/** The same, through a further point of the plane inside the triangle a b c. */
+/**
+ * The same, through a further point of the plane inside the triangle a b c.
+ *
+ * @param q  the further point
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, SINGULAR_SYSTEM
+ */
 BATTEN_API batten_status batten_curve_conic_through(const double *a, const double *b,
                                                     const double *c, const double *q,
                                                     batten_curve **out);
-/** The conic arc through five points of the plane, in their order along it.
- * @param points [5][2] */
+/**
+ * The conic arc through five points of the plane, in their order along it.
+ * @param points [5][2]
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, COINCIDENT, SINGULAR_SYSTEM
+ */
 BATTEN_API batten_status batten_curve_conic_five(const double *points, batten_curve **out);
 
 /* ---- surfaces ---- */
 
-/** Four corners: S(0,0), S(1,0), S(0,1), S(1,1). */
+/**
+ * Four corners: S(0,0), S(1,0), S(0,1), S(1,1).
+ *
+ * @param p00  S(0, 0)
+ * @param p10  S(1, 0)
+ * @param p01  S(0, 1)
+ * @param p11  S(1, 1)
+ * @param[out] out  the result; as it was when the function fails
+ */
 BATTEN_API batten_status batten_surface_bilinear(batten_vec3 p00, batten_vec3 p10,
                                                  batten_vec3 p01, batten_vec3 p11,
                                                  batten_surface **out);
-/** Turn a profile about the axis through `origin` by `angle` in (0, 2 pi] radians; u runs
+/**
+ * Turn a profile about the axis through `origin` by `angle` in (0, 2 pi] radians; u runs
  * around, v along the profile. A profile that crosses the axis is refused, one that touches it
- * has a pole. */
+ * has a pole.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_revolved(const batten_curve *profile,
                                                  batten_vec3 origin, batten_vec3 axis,
                                                  double angle, batten_surface **out);
-/** About the z-axis of `frame`, from its origin up. u around, v up. */
+/**
+ * About the z-axis of `frame`, from its origin up. u around, v up.
+ *
+ * @param radius  model units, above 0
+ * @param height  model units
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_cylinder(const batten_frame *frame, double radius,
                                                  double height, batten_surface **out);
-/** Radius r0 at the origin and r1 at `height`; one of them may be 0. */
+/**
+ * Radius r0 at the origin and r1 at `height`; one of them may be 0.
+ *
+ * @param frame  where it stands
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_cone(const batten_frame *frame, double r0, double r1,
                                              double height, batten_surface **out);
+
+/**
+ * The sphere about the origin of a frame; u around its z-axis, v from the south pole up.
+ *
+ * @param frame  NULL is not allowed; batten_frame_world() is the world
+ * @param radius  model units, above 0
+ * @param[out] out  the result, one reference, which is yours
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY
+ *
+ * Cost: constant.
+ */
 BATTEN_API batten_status batten_surface_sphere(const batten_frame *frame, double radius,
                                                batten_surface **out);
-/** x^2 / a^2 + y^2 / b^2 + z^2 / c^2 = 1 in the frame; its poles are on the z-axis. */
+/**
+ * x^2 / a^2 + y^2 / b^2 + z^2 / c^2 = 1 in the frame; its poles are on the z-axis.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_ellipsoid(const batten_frame *frame, double a, double b,
                                                   double c, batten_surface **out);
-/** z = height (x^2 / a^2 + y^2 / b^2), from the pole at the origin up to the rim with half axes
- * a and b. */
+/**
+ * z = height (x^2 / a^2 + y^2 / b^2), from the pole at the origin up to the rim with half axes
+ * a and b.
+ *
+ * @param frame  where it stands
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_paraboloid(const batten_frame *frame, double a,
                                                    double b, double height,
                                                    batten_surface **out);
-/** The hyperboloid of one sheet x^2 / a^2 + y^2 / b^2 - z^2 / c^2 = 1 from z = low to z = high;
- * v runs along one family of its straight lines. */
+/**
+ * The hyperboloid of one sheet x^2 / a^2 + y^2 / b^2 - z^2 / c^2 = 1 from z = low to z = high;
+ * v runs along one family of its straight lines.
+ *
+ * @param frame  where it stands
+ * @param height  model units
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_hyperboloid(const batten_frame *frame, double a,
-                                                    double b, double c, double low, double high,
+                                                    double b, double c, batten_interval height,
                                                     batten_surface **out);
-/** `major` > `minor` > 0. */
+/**
+ * `major` > `minor` > 0.
+ *
+ * @param frame  where it stands
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_torus(const batten_frame *frame, double major,
                                               double minor, batten_surface **out);
 

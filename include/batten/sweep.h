@@ -11,6 +11,13 @@
 extern "C" {
 #endif
 
+/** A screw motion. */
+typedef struct batten_screw {
+    batten_vec3 origin, axis;
+    double pitch; /**< the way along the axis for a full turn, model units */
+    double angle; /**< radians */
+} batten_screw;
+
 /* ---- exact ---- */
 
 /**
@@ -20,9 +27,11 @@ extern "C" {
  *
  * @param curve, path  of 1 to 3 dimensions, taken into space; degrees, knots and periods are
  *                     kept
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; COINCIDENT when one of them is a point, or both lie along one line: a
  * surface without area; TOO_LARGE (10 million control
- * points), OVERFLOW Source: [PT97] 10.4
+ * points), OVERFLOW
+ * Source: [PT97] 10.4
  */
 BATTEN_API batten_status batten_surface_translational(const batten_curve *curve,
                                                       const batten_curve *path,
@@ -60,6 +69,8 @@ BATTEN_API batten_status batten_surface_swung(const batten_curve *profile,
 /**
  * The tabulated cylinder: straight lines through a curve along `direction`, from the signed
  * distance `from` to `to`; u along the curve, v along the lines, in model units.
+ *
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT (no direction, or from >= to), NOT_FINITE, COINCIDENT for a
  * curve that is a point or lies along the direction: a surface without area
  */
@@ -69,6 +80,8 @@ BATTEN_API batten_status batten_surface_tabulated(const batten_curve *curve,
 
 /**
  * The cone of straight lines from a curve (v = 0) to an apex (v = 1): a pole.
+ *
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; COINCIDENT when the curve is a point or lies on a line through the apex: a
  * surface without area; NOT_FINITE
  */
@@ -78,6 +91,8 @@ BATTEN_API batten_status batten_surface_conical(const batten_curve *curve, batte
 /**
  * The ruled surface whose lines join points of equal shares of arc length. Both curves are
  * followed at even speed within `tolerance` (polylines exactly).
+ * @param first  one of two
+ * @param second  the other
  * @param tolerance model units, > 0
  * @param[out] error how far the curves were moved at most; may be NULL
  * @return as batten_curve_even_speed and batten_surface_ruled
@@ -147,9 +162,10 @@ typedef struct batten_surface_sweep_report {
  * Several sections are blended by a cubic spline over the shares of the length (batten_surface
  * _skin, with its rules for unifying and weights).
  *
- * @param count  sections, 1 or more
- * @param job    may be NULL
- * @param[out] report may be NULL
+ * @param sections  count: sections, 1 or more
+ * @param options  NULL for the defaults
+ * @param job  may be NULL
+ * @param[out] report  may be NULL
  * @return BATTEN_OK; NOT_COMPATIBLE naming a corner that is not allowed, or the part of the
  * spine where sections run into each other (curvature times reach 1 or more); COINCIDENT (a
  * spine no longer than the tolerance, a section that is a point); SINGULAR_HERE (no tangent, no
@@ -162,51 +178,72 @@ typedef struct batten_surface_sweep_report {
  * one step for each of its control points; minimising frames are found to 1e-10 radians first.
  * Source: [PT97] 10.4; [WJZL08]; [BR91].
  */
-BATTEN_API batten_status batten_surface_sweep(int count, const batten_curve *const *sections,
+BATTEN_API batten_status batten_surface_sweep(batten_curve_row sections,
                                               const batten_curve *spine,
                                               const batten_surface_sweep_options *options,
                                               const batten_job *job,
                                               batten_surface_sweep_report *report,
                                               batten_surface **out);
-/** The same with as many surfaces as there are parts between corners that split.
- * @param[out] surfaces [*surface_count] in the order of the spine, yours to unref; release the
- * array with batten_release */
-BATTEN_API batten_status batten_surfaces_sweep(int count, const batten_curve *const *sections,
+/**
+ * The same with as many surfaces as there are parts between corners that split.
+ * @param sections  the curves, in their order
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out in the order of the spine; release with batten_surfaces_release
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, BAD_DEGREE, BAD_ARGUMENT,
+ * NOT_COMPATIBLE, SINGULAR_HERE, TOLERANCE_NOT_MET, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_surfaces_sweep(batten_curve_row sections,
                                                const batten_curve *spine,
                                                const batten_surface_sweep_options *options,
                                                const batten_job *job,
                                                batten_surface_sweep_report *report,
-                                               int *surface_count, batten_surface ***surfaces);
-/** The true sweep, a surface of kind "sweep": exact but for the frames, 1e-10 radians.
- * Corners cannot split. */
+                                               batten_surfaces *out);
+/**
+ * The true sweep, a surface of kind "sweep": exact but for the frames, 1e-10 radians.
+ * Corners cannot split.
+ *
+ * @param sections  the curves, in their order
+ * @param spine  the curve along which they stand
+ * @param options  NULL for the defaults
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, BAD_ARGUMENT, NOT_COMPATIBLE,
+ * SINGULAR_HERE, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_sweep_procedural(
-    int count, const batten_curve *const *sections, const batten_curve *spine,
+    batten_curve_row sections, const batten_curve *spine,
     const batten_surface_sweep_options *options, batten_surface **out);
 
 /**
  * A pipe: the sweep of a circle of this radius around the spine; rational, with the weights of
  * the circle all along.
  * @param options  as for batten_surfaces_sweep
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
  * @return also BAD_ARGUMENT (radius); NOT_COMPATIBLE where radius times curvature is 1 or more
  */
 BATTEN_API batten_status batten_surfaces_pipe(double radius, const batten_curve *spine,
                                               const batten_surface_sweep_options *options,
                                               const batten_job *job,
                                               batten_surface_sweep_report *report,
-                                              int *surface_count, batten_surface ***surfaces);
+                                              batten_surfaces *out);
 
 /* ---- about an axis ---- */
 
 /**
  * The surface that a curve leaves when it is turned about an axis and moved along it: a
  * helicoid, a thread. v is the angle.
- * @param pitch  model units for a full turn, of any sign; 0: a revolution, within the tolerance
- * @param angle  radians, > 0, at most 1000 turns
+ * @param screw  pitch: model units for a full turn, of any sign; 0: a revolution, within the tolerance
+ *     angle: radians, > 0, at most 1000 turns
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; COINCIDENT when the curve is a point; TOLERANCE_NOT_MET as for sweeps;
  * BAD_ARGUMENT, NOT_FINITE, TOO_LARGE
  */
-BATTEN_API batten_status batten_surface_helical(const batten_curve *curve, batten_vec3 origin,
-                                                batten_vec3 axis, double pitch, double angle,
+BATTEN_API batten_status batten_surface_helical(const batten_curve *curve, batten_screw screw,
                                                 double tolerance, const batten_job *job,
                                                 batten_surface_sweep_report *report,
                                                 batten_surface **out);
@@ -231,6 +268,7 @@ typedef struct batten_surface_two_rails_options {
                              scaled as a whole with the distance of the rails */
 } batten_surface_two_rails_options;
 
+/** The defaults of two rails: those beside the fields of batten_surface_two_rails_options. */
 BATTEN_API batten_surface_two_rails_options batten_surface_two_rails_defaults(void);
 
 /**
@@ -241,15 +279,19 @@ BATTEN_API batten_surface_two_rails_options batten_surface_two_rails_defaults(vo
  * v is the share of the way, 0 to 1; of planes, the share of the height. Rails may meet at
  * their ends: a pole, with a section that is scaled.
  *
+ * @param options  NULL for the defaults
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_COMPATIBLE where the rails cross or meet inside, with the place, or,
  * of planes, do not have the same heights or do not rise; COINCIDENT for a section whose ends
  * are one point, rails no longer than the tolerance, or rails that coincide; SINGULAR_HERE
  * where the mean tangent vanishes or lies along the chord; TOLERANCE_NOT_MET ...
  */
-BATTEN_API batten_status batten_surface_two_rails(
-    const batten_curve *section, const batten_curve *first, const batten_curve *second,
-    const batten_surface_two_rails_options *options, const batten_job *job,
-    batten_surface_sweep_report *report, batten_surface **out);
+BATTEN_API batten_status
+batten_surface_two_rails(const batten_curve *section, const batten_curve *const rails[2],
+                         const batten_surface_two_rails_options *options, const batten_job *job,
+                         batten_surface_sweep_report *report, batten_surface **out);
 
 #ifdef __cplusplus
 }

@@ -45,7 +45,10 @@ BATTEN_API batten_status batten_number_read(const char *text, size_t length, dou
 /**
  * Read a whole number in decimal digits with an optional sign: no '.', no exponent, no blanks.
  *
+ * @param text  UTF-8
+ * @param length  model units
  * @param low, high  what is allowed
+ * @param value  what is looked for
  * @param[out] used  how many characters belong to it; may be NULL, and then all must
  * @return BATTEN_OK; BATTEN_BAD_FORMAT when no whole number stands there; BATTEN_OVERFLOW when
  * it is outside low .. high
@@ -69,15 +72,42 @@ typedef struct batten_text {
 #define BATTEN_TEXT ((batten_text){NULL, 0, 0, false})
 #endif
 
-/** Append as printf does, in the C locale; for doubles use batten_text_number. */
+/**
+ * Append as printf does, in the C locale; for doubles use batten_text_number.
+ *
+ * @param text  UTF-8
+ * @param format  as printf
+ */
 BATTEN_API void batten_text_add(batten_text *text, const char *format, ...) BATTEN_PRINTF(2, 3);
+/**
+ * Append `length` bytes as they are.
+ *
+ * @param text  UTF-8
+ */
 BATTEN_API void batten_text_bytes(batten_text *text, const char *bytes, size_t length);
-/** Append the fewest digits that read back to the same bits. */
+/**
+ * Append the fewest digits that read back to the same bits.
+ *
+ * @param text  UTF-8
+ * @param value  what is looked for
+ */
 BATTEN_API void batten_text_number(batten_text *text, double value);
-/** Append a JSON string with its quotes; bytes that are no UTF-8 become U+FFFD. */
+/**
+ * Append a JSON string with its quotes; bytes that are no UTF-8 become U+FFFD.
+ *
+ * @param text  UTF-8
+ * @param value  what is looked for
+ */
 BATTEN_API void batten_text_json(batten_text *text, const char *value);
-/** Hand the bytes over (release with batten_release) and begin anew. */
+/**
+ * Hand the bytes over (release with batten_release) and begin anew.
+ *
+ * @param text  UTF-8
+ * @param length  model units
+ * @return BATTEN_OK, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_text_take(batten_text *text, char **bytes, size_t *length);
+/** Release a text that is not taken. */
 BATTEN_API void batten_text_free(batten_text *text);
 /** @param name "m", "mm", "cm", "km", "um", "in", "ft", "yd", "mil", "mi", "uin", "dm", "dam",
  * "hm", "nm", "angstrom" and their long names in lower case, singular or plural: "metre",
@@ -85,13 +115,19 @@ BATTEN_API void batten_text_free(batten_text *text);
  * @return metres in one of them, or 0 when the name is unknown */
 BATTEN_API double batten_unit_metres(const char *name);
 
-/** The short name of a unit, to 4 units of the last place, or NULL when there is none. */
+/**
+ * The short name of a unit, to 4 units of the last place, or NULL when there is none.
+ *
+ * @param metres  of the unit
+ */
 BATTEN_API const char *batten_unit_name(double metres);
 /**
  * A whole file in memory, with a zero byte after its end. Release with batten_release.
  *
  * @param path   a file, a device, or a pipe that somebody writes into: nobody is waited for
  * @param limit  bytes allowed
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
  * @return BATTEN_FILE_ERROR with the system's reason, or BATTEN_TOO_LARGE
  */
 BATTEN_API batten_status batten_load_file(const char *path, size_t limit, char **data,
@@ -107,6 +143,8 @@ BATTEN_API batten_status batten_load_file(const char *path, size_t limit, char *
  * arrives before the renaming ends the call with BATTEN_CANCELLED, the old file untouched; then
  * the signal takes its course. So a programme need not clean up after its own end.
  *
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
  * @return BATTEN_FILE_ERROR naming the path and the system's reason; then no stray file
  * remains. When only the directory could not be synchronised, the message says that the file
  * was saved but may not survive a power loss. BATTEN_CANCELLED, as above.

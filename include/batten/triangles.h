@@ -34,41 +34,97 @@ typedef struct batten_triangulation {
     const int *corners;     /**< [triangle count][3], indices of vertices */
 } batten_triangulation;
 
+/** What a set of triangles is made from; all of it is copied. */
+typedef struct batten_triangles_parts {
+    int dimension, degree;
+    int count;                          /**< of triangles */
+    const double *points;               /**< [count][(degree + 1)(degree + 2) / 2][dimension] */
+    const double *weights;              /**< one for each point, or NULL */
+    const batten_triangulation *domain; /**< or NULL */
+} batten_triangles_parts;
+
+/** A side of a triangle. */
+typedef struct batten_triangle_edge {
+    int triangle;
+    int edge; /**< 0, 1, 2 */
+} batten_triangle_edge;
+
+/** Places on triangles, borrowed for the call. */
+typedef struct batten_triangle_places {
+    size_t count;
+    const int *triangle; /**< [count] */
+    const double *at;    /**< [count][3], barycentric */
+} batten_triangle_places;
+
 /* ---- making, keeping ---- */
 
 /**
  * Make a set from its control points; all arrays are copied.
  *
- * @param dimension 1..3
- * @param degree    n, 1..25
- * @param count     of triangles, at least 1
- * @param points    [count][BATTEN_TRIANGLE_POINTS(n)][dimension], finite
- * @param weights   [count][BATTEN_TRIANGLE_POINTS(n)], finite and positive; NULL: polynomial
- * @param domain    NULL for none
+ * @param parts  dimension: 1..3
+ *     degree: n, 1..25
+ *     count: of triangles, at least 1
+ *     points: [count][BATTEN_TRIANGLE_POINTS(n)][dimension], finite
+ *     weights: [count][BATTEN_TRIANGLE_POINTS(n)], finite and positive; NULL: polynomial
+ *     domain: NULL for none
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, NOT_FINITE, BAD_WEIGHT, TOO_LARGE;
  * SINGULAR_HERE naming a triangle of the domain that has no area, BAD_ARGUMENT one that goes
  * round clockwise or names no vertex
  */
-BATTEN_API batten_status batten_triangles_create(int dimension, int degree, int count,
-                                                 const double *points, const double *weights,
-                                                 const batten_triangulation *domain,
+BATTEN_API batten_status batten_triangles_create(const batten_triangles_parts *parts,
                                                  batten_triangles **out);
+/** One more reference to a set of triangles, from borrowed to yours. */
 BATTEN_API batten_triangles *batten_triangles_ref(const batten_triangles *triangles);
+/** Give a reference to a set of triangles back; NULL is welcome. */
 BATTEN_API void batten_triangles_unref(batten_triangles *triangles);
 
 /* ---- properties ---- */
 
+/**
+ * The number of coordinates of its points, 1 to 3.
+ *
+ * @param triangles  a set of Bezier triangles
+ */
 BATTEN_API int batten_triangles_dimension(const batten_triangles *triangles);
+/**
+ * The degree of all patches.
+ *
+ * @param triangles  a set of Bezier triangles
+ */
 BATTEN_API int batten_triangles_degree(const batten_triangles *triangles);
+/** How many triangles there are. */
 BATTEN_API int batten_triangles_count(const batten_triangles *triangles);
+/**
+ * Whether they have weights.
+ *
+ * @param triangles  a set of Bezier triangles
+ */
 BATTEN_API bool batten_triangles_is_rational(const batten_triangles *triangles);
+/**
+ * The control points, [count][(degree + 1)(degree + 2) / 2][dimension]; borrowed.
+ *
+ * @param triangles  a set of Bezier triangles
+ */
 BATTEN_API const double *batten_triangles_points(const batten_triangles *triangles);
-/** NULL when the set is polynomial. */
+/**
+ * NULL when the set is polynomial.
+ *
+ * @param triangles  a set of Bezier triangles
+ */
 BATTEN_API const double *batten_triangles_weights(const batten_triangles *triangles);
-/** False when the set lies over no domain. */
+/**
+ * False when the set lies over no domain.
+ *
+ * @param triangles  a set of Bezier triangles
+ */
 BATTEN_API bool batten_triangles_domain(const batten_triangles *triangles,
                                         batten_triangulation *domain);
-/** Of the control points. */
+/**
+ * Of the control points.
+ *
+ * @param triangles  a set of Bezier triangles
+ */
 BATTEN_API batten_box batten_triangles_box(const batten_triangles *triangles);
 
 /* ---- evaluation ---- */
@@ -77,6 +133,8 @@ BATTEN_API batten_box batten_triangles_box(const batten_triangles *triangles);
  * A point and its derivatives in u and v up to the total order `order`, where the barycentric
  * coordinates are (1 - u - v, u, v): u leads from corner 0 to corner 1, v to corner 2.
  *
+ * @param triangles  a set of Bezier triangles
+ * @param triangle  its index, from 0
  * @param at  [3] barycentric coordinates; their sum is 1 within 1e-9 and none is below -1e-9:
  * what rounding puts a little outside is evaluated there
  * @param[out] out [BATTEN_SURFACE_DERIVATIVES(order)][dimension], in the order of surfaces
@@ -88,52 +146,115 @@ BATTEN_API batten_box batten_triangles_box(const batten_triangles *triangles);
 BATTEN_API batten_status batten_triangles_evaluate(const batten_triangles *triangles,
                                                    int triangle, const double at[3], int order,
                                                    double *out);
-/** Many points in any order, with the same bits. After a failure the content of `out` is open.
- * @param triangle [count]
- * @param at [count][3]
- * @param[out] out [count][BATTEN_SURFACE_DERIVATIVES(order)][dimension] */
+/**
+ * Many points in any order, with the same bits. After a failure the content of `out` is open.
+ * @param triangles  a set of Bezier triangles
+ * @param places  triangle: [count]
+ *     at: [count][3]
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  [count][BATTEN_SURFACE_DERIVATIVES(order)][dimension]
+ * @return BATTEN_OK, NOT_FINITE, OUT_OF_DOMAIN
+ */
 BATTEN_API batten_status batten_triangles_evaluate_many(const batten_triangles *triangles,
-                                                        size_t count, const int *triangle,
-                                                        const double *at, int order,
-                                                        const batten_job *job, double *out);
-/** Unit normal Su x Sv; where that vanishes (a collapsed edge) the limit, as for surfaces. */
+                                                        batten_triangle_places places,
+                                                        int order, const batten_job *job,
+                                                        double *out);
+/**
+ * Unit normal Su x Sv; where that vanishes (a collapsed edge) the limit, as for surfaces.
+ *
+ * @param triangles  a set of Bezier triangles
+ * @param triangle  its index, from 0
+ * @param at  a parameter in the domain
+ * @param[out] is_limit  whether the normal is a limit only; may be NULL
+ * @return BATTEN_OK, NOT_FINITE, OUT_OF_DOMAIN, BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_normal(const batten_triangles *triangles,
                                                  int triangle, const double at[3],
-                                                 batten_vec3 *normal, bool *is_limit);
-/** An edge as a Bezier curve over [0, 1]. */
+                                                 bool *is_limit, batten_vec3 *normal);
+/**
+ * An edge as a Bezier curve over [0, 1].
+ *
+ * @param triangles  a set of Bezier triangles
+ * @param triangle  its index, from 0
+ * @param[out] out  the result; as it was when the function fails
+ */
 BATTEN_API batten_status batten_triangles_edge(const batten_triangles *triangles, int triangle,
                                                int edge, batten_curve **out);
 
 /* ---- changes: exact but for rounding ---- */
 
-/** The domain stays as it is. Under a map that mirrors, triangles in space are turned, so that
+/**
+ * The domain stays as it is. Under a map that mirrors, triangles in space are turned, so that
  * their outside stays outside: corners 1 and 2 change places, and so do the coordinates of the
- * domain. */
+ * domain.
+ *
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, OVERFLOW,
+ * OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_transform(const batten_triangles *triangles,
                                                     const batten_affine *map,
                                                     batten_triangles **out);
-/** Raise the degree by `by` >= 0. */
+/**
+ * Raise the degree by `by` >= 0.
+ *
+ * @param triangles  a set of Bezier triangles
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE,
+ * TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_elevate(const batten_triangles *triangles, int by,
                                                   batten_triangles **out);
-/** Cut one triangle into three at an inner point: the part away from corner 0 takes its place,
+/**
+ * Cut one triangle into three at an inner point: the part away from corner 0 takes its place,
  * those away from corners 1 and 2 follow at the end. BAD_ARGUMENT when the point is on an edge.
+ *
+ * @param triangles  a set of Bezier triangles
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_triangles_split(const batten_triangles *triangles, int triangle,
                                                 const double at[3], batten_triangles **out);
-/** Cut every triangle into four at the middles of its edges: those at corners 0, 1, 2 and the
- * inner one stand together. */
+/**
+ * Cut every triangle into four at the middles of its edges: those at corners 0, 1, 2 and the
+ * inner one stand together.
+ *
+ * @param triangles  a set of Bezier triangles
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, TOO_LARGE,
+ * OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_halve(const batten_triangles *triangles,
                                                 batten_triangles **out);
-/** Some of the triangles. @param which [count] */
+/**
+ * Some of the triangles.
+ * @param which [count]
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT,
+ * SINGULAR_HERE, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_select(const batten_triangles *triangles, int count,
                                                  const int *which, batten_triangles **out);
-/** The triangles of two sets of one dimension, first those of the first, all of the higher
- * degree; rational when one is. Over no domain. NOT_COMPATIBLE when the dimensions differ. */
+/**
+ * The triangles of two sets of one dimension, first those of the first, all of the higher
+ * degree; rational when one is. Over no domain. NOT_COMPATIBLE when the dimensions differ.
+ *
+ * @param second  the other
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_WEIGHT, BAD_ARGUMENT, NOT_COMPATIBLE,
+ * SINGULAR_HERE, TOO_LARGE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_together(const batten_triangles *first,
                                                    const batten_triangles *second,
                                                    batten_triangles **out);
-/** The graph (x, y, f) of a polynomial set of dimension 1 over a domain; it keeps the domain.
- * BAD_ARGUMENT for others. */
+/**
+ * The graph (x, y, f) of a polynomial set of dimension 1 over a domain; it keeps the domain.
+ * BAD_ARGUMENT for others.
+ *
+ * @param triangles  a set of Bezier triangles
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_from_function(const batten_triangles *triangles,
                                                         batten_triangles **out);
 
@@ -160,7 +281,8 @@ BATTEN_API batten_status batten_triangles_join_smoothly(const batten_triangles *
  * the two corners, the corners' tangents stay. So that this is exact the result is one degree
  * higher.
  *
- * @param edge_kept, edge_changed  edges 0..2, whose control points agree within `tolerance`
+ * @param kept  edge_kept, edge_changed: edges 0..2, whose control points agree within `tolerance`
+ * @param changed  the side that moves
  * @param[out] moved  the longest way of a control point against the elevated set; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT for a rational set or a dimension below 3; BAD_DEGREE;
  * NOT_COMPATIBLE when the edges differ or the triangles would fold back over each other;
@@ -168,9 +290,10 @@ BATTEN_API batten_status batten_triangles_join_smoothly(const batten_triangles *
  * Source: [Farin02] ch. 17.
  */
 BATTEN_API batten_status batten_triangles_join_tangents(const batten_triangles *triangles,
-                                                        int kept, int edge_kept, int changed,
-                                                        int edge_changed, double tolerance,
-                                                        double *moved, batten_triangles **out);
+                                                        batten_triangle_edge kept,
+                                                        batten_triangle_edge changed,
+                                                        double tolerance, double *moved,
+                                                        batten_triangles **out);
 
 /** How two triangles meet along an edge. */
 typedef struct batten_triangle_join {
@@ -189,21 +312,32 @@ typedef struct batten_triangle_join {
                      radians; -1 where there are none */
 } batten_triangle_join;
 
+/** Some of them, yours to release with batten_triangle_joins_release. */
+typedef struct batten_triangle_joins {
+    int count;
+    batten_triangle_join *at;
+} batten_triangle_joins;
+/**
+ * Release them, and empty the row.
+ *
+ * @param joins  the row
+ */
+BATTEN_API void batten_triangle_joins_release(batten_triangle_joins *joins);
+
 /**
  * All pairs of edges that meet: over a domain those with the same two vertices, else those
  * whose ends are within `tolerance`. More than two triangles at an edge are reported pair by
  * pair, the first with each other.
  *
  * @param tolerance  in model units, > 0
- * @param[out] joins  in the order of the first edges; release with batten_release
+ * @param[out] out  in the order of the first edges; release with batten_triangle_joins_release
  * @return BATTEN_OK, BAD_ARGUMENT ...
  * Cost: O(m log m + 33 m n^3) for m edges; corners of which very many lie between two planes
  * `tolerance` apart cost their square.
  * Source: [Farin86] for C1, [Farin02] ch. 17 for the determinant.
  */
 BATTEN_API batten_status batten_triangles_joins(const batten_triangles *triangles,
-                                                double tolerance, int *count,
-                                                batten_triangle_join **joins);
+                                                double tolerance, batten_triangle_joins *out);
 
 /* ---- exact tensor patches, for files and whatever takes surfaces ---- */
 
@@ -211,22 +345,40 @@ BATTEN_API batten_status batten_triangles_joins(const batten_triangles *triangle
  * Three n x n Bezier patches, none of them degenerate where the triangle is not: patch i has
  * the corner i at (0, 0), the middles of the edges to corners i + 1 and i + 2 at (1, 0) and
  * (0, 1), and the centre at (1, 1). Exact.
+ *
+ * @param triangles  a set of Bezier triangles
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, OUT_OF_MEMORY
  * Source: [Hu96], by blossoms.
  */
 BATTEN_API batten_status batten_triangles_to_patches(const batten_triangles *triangles,
                                                      int triangle, batten_surface *out[3]);
-/** One n x n Bezier patch with a pole: barycentric coordinates (1 - u, u (1 - v), u v). Exact.
+/**
+ * One n x n Bezier patch with a pole: barycentric coordinates (1 - u, u (1 - v), u v). Exact.
+ *
+ * @param triangles  a set of Bezier triangles
+ * @param triangle  its index, from 0
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_triangles_to_pole_patch(const batten_triangles *triangles,
                                                         int triangle, batten_surface **out);
-/** The half of a triangle next to an edge, as a surface whose side u = 1 is that edge: so that
- * ribbons can be taken from it. Exact. */
+/**
+ * The half of a triangle next to an edge, as a surface whose side u = 1 is that edge: so that
+ * ribbons can be taken from it. Exact.
+ *
+ * @param triangles  a set of Bezier triangles
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_triangles_half_at_edge(const batten_triangles *triangles,
                                                        int triangle, int edge,
                                                        batten_surface **out);
 /**
  * Each Bezier patch m x n of a NURBS surface as two triangles of degree m + n, over the domain
  * (u, v): corners at (0, 0), (1, 0), (1, 1) and at (0, 0), (1, 1), (0, 1) of the patch. Exact.
+ *
+ * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_DEGREE when m + n > 25
  */
 BATTEN_API batten_status batten_triangles_from_surface(const batten_surface *surface,

@@ -53,7 +53,7 @@ batten_status bat_border_surface(const batten_surface *surface, double tolerance
         return bat_fail(BATTEN_BAD_ARGUMENT, "the surface has %d dimension%s, not 3",
                         batten_surface_dimension(surface),
                         bat_plural(batten_surface_dimension(surface)));
-    batten_status status = batten_surface_to_nurbs(surface, tolerance, &made, NULL);
+    batten_status status = batten_surface_to_nurbs(surface, tolerance, NULL, &made);
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
         batten_surface *clamped = NULL;
         if (is_clamped(made, k ? BATTEN_V : BATTEN_U))
@@ -81,7 +81,7 @@ batten_status bat_border_line(const double a[2], const double b[2], batten_inter
                               batten_curve **out)
 {
     const double points[] = {a[0], a[1], b[0], b[1]}, knots[] = {on.a, on.a, on.b, on.b};
-    return batten_curve_create(2, 1, 2, points, NULL, knots, out);
+    return batten_curve_create((batten_points){2, 2, points}, 1, NULL, knots, out);
 }
 
 static void border_end(border *b)

@@ -256,7 +256,7 @@ static batten_status to_nurbs(bat_run *run, const batten_surface *surface,
 {
     double error = 0;
     const batten_status status =
-        batten_surface_to_nurbs(surface, bat_tolerance(run), nurbs, &error);
+        batten_surface_to_nurbs(surface, bat_tolerance(run), &error, nurbs);
     if (status == BATTEN_OK && error > 0)
         bat_report_error(run, error, error);
     return status;

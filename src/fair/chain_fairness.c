@@ -7,6 +7,7 @@
 #include "numeric/quadrature.h"
 #include "numeric/rounding.h"
 #include "numeric/vector.h"
+#include "spline/data_check.h"
 
 /* ---- where curvature turns on a span ---- */
 
@@ -212,15 +213,18 @@ static batten_status required_by(const batten_chain *chain, int n, const double 
     return status;
 }
 
-batten_status batten_chain_fairness(const batten_chain *chain, int n, const double *points,
+batten_status batten_chain_fairness(const batten_chain *chain, batten_points points,
                                     batten_fairness *out)
 {
+    if (points.dimension != batten_chain_dimension(chain))
+        return bat_wrong_dimension(points, batten_chain_dimension(chain));
     assert(chain && out);
     batten_fairness found = {0};
     profile p = {0};
     int required = 0;
     double length = 0;
-    batten_status status = points ? required_by(chain, n, points, &required) : BATTEN_OK;
+    batten_status status =
+        points.at ? required_by(chain, points.count, points.at, &required) : BATTEN_OK;
     if (status == BATTEN_OK)
         status = add_spans(chain, &p, &length, &found);
     if (status == BATTEN_OK)

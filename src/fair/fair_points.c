@@ -350,7 +350,8 @@ static batten_status begin_fairing(springback *s)
     if (s->t)
         return BATTEN_OK;
     s->t = s->own_t;
-    return batten_parametrize(s->width, s->count, s->points, BATTEN_CHORD, false, s->own_t);
+    return batten_parametrize((batten_points){s->width, s->count, s->points}, BATTEN_CHORD,
+                              false, s->own_t);
 }
 
 static void end_fairing(springback *s)
@@ -363,10 +364,9 @@ static void end_fairing(springback *s)
     bat_release(s->own_t);
 }
 
-batten_status batten_fair_points(int dimension, int count, const double *points,
-                                 const double *parameters, const batten_fair_options *options,
-                                 const batten_job *job, double *faired,
-                                 batten_fair_report *report)
+batten_status batten_fair_points(batten_points points, const double *parameters,
+                                 const batten_fair_options *options, const batten_job *job,
+                                 batten_fair_report *report, double *faired)
 {
     assert(options);
     batten_fair_options chosen = batten_fair_defaults(0);
@@ -374,28 +374,28 @@ batten_status batten_fair_points(int dimension, int count, const double *points,
     if (status != BATTEN_OK)
         return status;
     options = &chosen;
-    status = check_points(dimension, count, points, parameters, options);
+    status = check_points(points.dimension, points.count, points.at, parameters, options);
     if (status != BATTEN_OK)
         return status;
     bat_fair_tally tally = {0};
-    springback s = {.width = dimension,
-                    .count = count,
-                    .points = points,
+    springback s = {.width = points.dimension,
+                    .count = points.count,
+                    .points = points.at,
                     .t = parameters,
                     .options = options,
                     .job = job,
                     .tally = report ? &tally : NULL};
     status = begin_fairing(&s);
-    for (int i = 0, next; status == BATTEN_OK && i < count - 1; i = next) {
+    for (int i = 0, next; status == BATTEN_OK && i < points.count - 1; i = next) {
         for (next = i + 1; !s.is_corner[next];)
             next++;
         status = fair_piece(&s, i, next);
     }
-    for (int i = 0; status == BATTEN_OK && report && i < count; i++)
-        status = bat_tally_point(&tally, dimension, 0, i, points + i * dimension,
-                                 s.z + i * dimension);
+    for (int i = 0; status == BATTEN_OK && report && i < points.count; i++)
+        status = bat_tally_point(&tally, points.dimension, 0, i,
+                                 points.at + i * points.dimension, s.z + i * points.dimension);
     if (status == BATTEN_OK) {
-        memcpy(faired, s.z, (size_t)count * (size_t)dimension * sizeof *faired);
+        memcpy(faired, s.z, (size_t)points.count * (size_t)points.dimension * sizeof *faired);
         if (report)
             bat_tally_finish(&tally, report);
     }

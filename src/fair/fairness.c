@@ -7,6 +7,7 @@
 #include "inspect/inflections.h"
 #include "inspect/singular.h"
 #include "numeric/quadrature.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>
@@ -340,18 +341,20 @@ static batten_status check_points(const batten_curve *curve, int count, const do
     return BATTEN_OK;
 }
 
-batten_status batten_curve_fairness(const batten_curve *curve, int count, const double *points,
+batten_status batten_curve_fairness(const batten_curve *curve, batten_points points,
                                     batten_fairness *out)
 {
+    if (points.dimension != batten_curve_dimension(curve))
+        return bat_wrong_dimension(points, batten_curve_dimension(curve));
     const int d = batten_curve_dimension(curve);
     int required = 0;
-    batten_status status = points ? check_points(curve, count, points) : BATTEN_OK;
-    if (status == BATTEN_OK && points && d < 3) {
+    batten_status status = points.at ? check_points(curve, points.count, points.at) : BATTEN_OK;
+    if (status == BATTEN_OK && points.at && d < 3) {
         double *knots = bat_array((size_t)batten_curve_spans(curve, NULL), sizeof *knots);
         if (!knots)
             return BATTEN_OUT_OF_MEMORY;
         batten_curve_spans(curve, knots);
-        status = bat_required_inflections(d, count, knots, points, NULL, &required);
+        status = bat_required_inflections(d, points.count, knots, points.at, NULL, &required);
         bat_release(knots);
     }
     return status == BATTEN_OK ? bat_curve_fairness(curve, required, 0, out) : status;

@@ -149,7 +149,7 @@ void bat_span_integrate(int d, const batten_span *span, const bat_ruler *r, bat_
 
 /* ---- the chain ---- */
 
-batten_status batten_chain_length(const batten_chain *chain, double *length, double *error)
+batten_status batten_chain_length(const batten_chain *chain, double *error, double *length)
 {
     assert(chain && length);
     double sum = 0, off = 0;

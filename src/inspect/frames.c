@@ -205,10 +205,10 @@ static batten_status closing(const batten_curve *spine, int count, const double 
     /* Lengths to twelve digits: the angle is shared out in proportion to them. */
     const double fine = 1e-12 * size;
     if (status == BATTEN_OK)
-        status = batten_curve_length(spine, fine, &length, NULL);
+        status = batten_curve_length(spine, fine, NULL, &length);
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
-        status = batten_curve_length_between(spine, k ? at[k - 1] : domain.a, at[k], fine,
-                                             &step, NULL);
+        status = batten_curve_length_between(spine, k ? at[k - 1] : domain.a, at[k], fine, NULL,
+                                             &step);
         so_far += step;
         turn_frame(&frames[k], -angle_between(&round[0], &round[1]) * (so_far / length));
     }
@@ -253,8 +253,8 @@ batten_status batten_curve_frames(const batten_curve *spine, int count, const do
 }
 
 batten_status batten_curve_minimising_frames(const batten_curve *spine, int count,
-                                             const double *at, double tolerance,
-                                             batten_frame *frames, double *error)
+                                             const double *at, double tolerance, double *error,
+                                             batten_frame *frames)
 {
     batten_status status = check_places(spine, count, at);
     if (status == BATTEN_OK && !(tolerance > 0 && isfinite(tolerance)))
@@ -290,8 +290,8 @@ batten_status batten_curve_minimising_frames(const batten_curve *spine, int coun
     return status;
 }
 
-batten_status batten_curve_holonomy(const batten_curve *curve, double tolerance, double *angle,
-                                    double *error)
+batten_status batten_curve_holonomy(const batten_curve *curve, double tolerance, double *error,
+                                    double *angle)
 {
     const batten_interval domain = batten_curve_domain(curve);
     const double ends[2] = {domain.a, domain.b};
@@ -299,7 +299,7 @@ batten_status batten_curve_holonomy(const batten_curve *curve, double tolerance,
     double miss;
     batten_status status = check_round(curve);
     if (status == BATTEN_OK)
-        status = batten_curve_minimising_frames(curve, 2, ends, tolerance, frames, &miss);
+        status = batten_curve_minimising_frames(curve, 2, ends, tolerance, &miss, frames);
     if (status != BATTEN_OK)
         return status;
     *angle = angle_between(&frames[0], &frames[1]);

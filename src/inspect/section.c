@@ -50,8 +50,8 @@ static batten_status measure_nodes(march *m)
     double *row = bat_array3((size_t)m->nv + 1, 3, sizeof *row);
     batten_status status = row ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; status == BATTEN_OK && i <= m->nu; i++) {
-        status = batten_surface_evaluate_grid(m->surface, 1, m->u + i, (size_t)m->nv + 1, m->v,
-                                              0, NULL, row);
+        status = batten_surface_evaluate_grid(
+            m->surface, (batten_uv_grid){1, (size_t)m->nv + 1, m->u + i, m->v}, 0, NULL, row);
         for (int j = 0; status == BATTEN_OK && j <= m->nv; j++) {
             const double height = height_of(m, row + 3 * j);
             m->heights[node(m, i, j)] = fabs(height) <= m->roundoff ? 0 : height;

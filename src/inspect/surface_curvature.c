@@ -69,7 +69,7 @@ batten_status batten_surface_local_at(const batten_surface *surface, double u, d
     if (status == BATTEN_OK)
         status = batten_surface_evaluate(surface, u, v, 2, values);
     if (status == BATTEN_OK)
-        status = batten_surface_normal(surface, u, v, &normal, &is_limit);
+        status = batten_surface_normal(surface, u, v, &is_limit, &normal);
     if (status != BATTEN_OK)
         return status;
     *out = (batten_surface_local){.point = derivative(values, 0, 0), .normal = normal};
@@ -113,8 +113,8 @@ static batten_status fill_rows(void *context, size_t begin, size_t end)
     double *values = bat_array3(g->count_v, size, sizeof *values);
     batten_status status = values ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (size_t i = begin; status == BATTEN_OK && i < end; i++) {
-        status = batten_surface_evaluate_grid(g->surface, 1, g->u + i, g->count_v, g->v, 2,
-                                              NULL, values);
+        status = batten_surface_evaluate_grid(
+            g->surface, (batten_uv_grid){1, g->count_v, g->u + i, g->v}, 2, NULL, values);
         for (size_t j = 0; status == BATTEN_OK && j < g->count_v; j++) {
             double gaussian, mean;
             curvatures(values + j * size, &gaussian, &mean);
@@ -128,14 +128,13 @@ static batten_status fill_rows(void *context, size_t begin, size_t end)
     return status;
 }
 
-batten_status batten_surface_curvature_grid(const batten_surface *surface, size_t count_u,
-                                            const double *u, size_t count_v, const double *v,
-                                            const batten_job *job, double *gaussian,
-                                            double *mean)
+batten_status batten_surface_curvature_grid(const batten_surface *surface,
+                                            batten_uv_grid places, const batten_job *job,
+                                            double *gaussian, double *mean)
 {
     batten_status status = check_space(surface);
-    grid g = {surface, count_v, u, v, gaussian, mean};
+    grid g = {surface, places.count_v, places.u, places.v, gaussian, mean};
     if (status == BATTEN_OK)
-        status = bat_parallel(job, count_u, 8, fill_rows, &g);
+        status = bat_parallel(job, places.count_u, 8, fill_rows, &g);
     return status;
 }

@@ -178,7 +178,7 @@ static batten_status measure_place(const batten_triangles *triangles,
         }
         so_far->along = bat_max(so_far->along, bat_norm(3, E));
         so_far->across[k] = bat_max(so_far->across[k], bat_norm(3, D));
-        status = batten_triangles_normal(triangles, join->triangle[k], at, &normals[k], NULL);
+        status = batten_triangles_normal(triangles, join->triangle[k], at, NULL, &normals[k]);
         if (status != BATTEN_OK)
             return status;
     }
@@ -289,10 +289,16 @@ static batten_status describe(const batten_triangles *triangles, bat_forms *form
     return BATTEN_OK;
 }
 
-batten_status batten_triangles_joins(const batten_triangles *triangles, double tolerance,
-                                     int *count, batten_triangle_join **joins)
+void batten_triangle_joins_release(batten_triangle_joins *joins)
 {
-    assert(triangles && count && joins);
+    bat_release(joins->at);
+    *joins = (batten_triangle_joins){0, NULL};
+}
+
+batten_status batten_triangles_joins(const batten_triangles *triangles, double tolerance,
+                                     batten_triangle_joins *out)
+{
+    assert(triangles && out);
     if (!(tolerance > 0) || !isfinite(tolerance))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g; it must be positive",
                         tolerance);
@@ -321,7 +327,6 @@ batten_status batten_triangles_joins(const batten_triangles *triangles, double t
         bat_release(made);
         return status;
     }
-    *joins = made;
-    *count = found;
+    *out = (batten_triangle_joins){found, made};
     return BATTEN_OK;
 }

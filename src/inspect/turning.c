@@ -83,7 +83,9 @@ batten_status batten_curve_winding(const batten_curve *curve, const double *poin
     int count = 0;
     batten_status status = bat_closed_check(curve, closed);
     if (status == BATTEN_OK)
-        status = batten_curve_deviation(curve, 1, point, NULL, NULL, NULL, &near);
+        status = batten_curve_deviation(
+            curve, (batten_points){batten_curve_dimension(curve), 1, point}, NULL, NULL, NULL,
+            &near);
     /* Within some thousand roundings the point is on it. */
     if (status == BATTEN_OK && near.max <= 1e-12 * bat_curve_size(curve))
         status =

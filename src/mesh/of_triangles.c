@@ -88,7 +88,7 @@ static batten_status fill_node(dividing *d, int triangle, int j, int k, double *
         point_of_edge(d, triangle, 1, i, point);
     else if (k == 0)
         point_of_edge(d, triangle, 2, j, point);
-    status = batten_triangles_normal(d->triangles, triangle, at, &found, NULL);
+    status = batten_triangles_normal(d->triangles, triangle, at, NULL, &found);
     normal[0] = found.x;
     normal[1] = found.y;
     normal[2] = found.z;

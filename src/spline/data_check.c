@@ -34,3 +34,9 @@ batten_status bat_parameters_check(int count, const double *parameters)
     }
     return BATTEN_OK;
 }
+
+batten_status bat_wrong_dimension(batten_points points, int expected)
+{
+    return bat_fail(BATTEN_UNSUPPORTED, "the points have %d coordinates, %d are expected",
+                    points.dimension, expected);
+}

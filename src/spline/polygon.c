@@ -10,7 +10,8 @@ batten_status batten_curve_bezier(int dimension, int degree, const double *point
                                   const double *weights, batten_curve **out)
 {
     static const double breaks[2] = {0, 1};
-    return batten_curve_from_bezier(dimension, degree, 1, points, weights, breaks, out);
+    return batten_curve_from_bezier(dimension, (batten_pieces){degree, 1, breaks}, points,
+                                    weights, out);
 }
 
 batten_status batten_curve_from_edges(int dimension, int degree, const double *start,
@@ -126,23 +127,22 @@ static batten_status closed_uniform(int dimension, int degree, int count, const 
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i <= count; i++)
         knots[i] = i;
-    const batten_status status =
-        batten_curve_create_periodic(dimension, degree, count, points, weights, knots, out);
+    const batten_status status = batten_curve_create_periodic(
+        (batten_points){dimension, count, points}, degree, weights, knots, out);
     bat_release(knots);
     return status;
 }
 
-batten_status batten_curve_uniform(int dimension, int degree, int count, const double *points,
-                                   const double *weights, batten_polygon_end ends,
-                                   batten_curve **out)
+batten_status batten_curve_uniform(batten_points points, int degree, const double *weights,
+                                   batten_polygon_end ends, batten_curve **out)
 {
-    assert(points && out);
-    const batten_status status = check_uniform(dimension, degree, count, ends);
+    assert(points.at && out);
+    const batten_status status = check_uniform(points.dimension, degree, points.count, ends);
     if (status != BATTEN_OK)
         return status;
     if (ends == BATTEN_POLYGON_CLOSED)
-        return closed_uniform(dimension, degree, count, points, weights, out);
-    return open_uniform(dimension, degree, count, points, weights, ends, out);
+        return closed_uniform(points.dimension, degree, points.count, points.at, weights, out);
+    return open_uniform(points.dimension, degree, points.count, points.at, weights, ends, out);
 }
 
 /* ---- arcs as cubics ---- */
@@ -203,7 +203,8 @@ batten_status batten_curve_arc_cubic(double radius, double angle, double toleran
         breaks[i] = (double)i / pieces;
     if (status == BATTEN_OK) {
         arc_points(radius, angle / pieces, pieces, points);
-        status = batten_curve_from_bezier(2, 3, pieces, points, NULL, breaks, out);
+        status =
+            batten_curve_from_bezier(2, (batten_pieces){3, pieces, breaks}, points, NULL, out);
     }
     if (status == BATTEN_OK && error)
         *error = arc_error(radius, angle / pieces);

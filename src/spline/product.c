@@ -81,7 +81,8 @@ static batten_status multiply(const batten_curve *scalar, const batten_curve *cu
             multiply_piece(p, scalar->points + (size_t)k * (size_t)p, q, d,
                            curve->points + (size_t)k * (size_t)q * (size_t)d,
                            points + (size_t)k * (size_t)n * (size_t)d);
-        status = batten_curve_from_bezier(d, n, pieces, points, NULL, breaks, out);
+        status =
+            batten_curve_from_bezier(d, (batten_pieces){n, pieces, breaks}, points, NULL, out);
     }
     bat_release(points);
     bat_release(breaks);

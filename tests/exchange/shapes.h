@@ -46,7 +46,7 @@ static inline batten_curve *random_curve(test_random *random)
     for (int i = 0; i < count; i++)
         weights[i] = test_random_in(random, 0.1, 3);
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, degree, count, points,
+    CHECK_OK(batten_curve_create((batten_points){3, count, points}, degree,
                                  test_random_int(random, 0, 1) ? weights : NULL, knots,
                                  &curve));
     return curve;

@@ -11,7 +11,8 @@ static batten_chain *spline_of(batten_span_family family)
     batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     batten_chain *chain = NULL;
     options.family = family;
-    CHECK_OK(batten_chain_nonlinear(3, &test_points[0][0], &options, NULL, NULL, NULL, &chain));
+    CHECK_OK(batten_chain_nonlinear((batten_points){2, 3, &test_points[0][0]}, &options, NULL,
+                                    NULL, NULL, &chain));
     return chain;
 }
 
@@ -26,7 +27,8 @@ TEST(the_energies_of_the_nonlinear_splines_are_the_published_ones)
     for (int i = 0; i < COUNT(cases); i++) {
         batten_chain *chain = spline_of(cases[i].family);
         batten_fairness fairness;
-        CHECK_OK(batten_chain_fairness(chain, 0, NULL, &fairness));
+        CHECK_OK(batten_chain_fairness(
+            chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &fairness));
         CHECK_NEAR(fairness.energy, cases[i].energy, cases[i].digits);
         CHECK_INT(fairness.inflections, 0);
         CHECK_INT(fairness.corners + fairness.curvature_jumps, 0);
@@ -42,8 +44,9 @@ TEST(a_clothoid_has_the_energy_of_its_integral_and_one_inflection_at_zero)
         .kind = BATTEN_SPAN_SPIRAL, .length = 3, .curvature = {-0.5, 0.4}};
     batten_chain *chain = NULL;
     batten_fairness fairness;
-    CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 0, &chain));
-    CHECK_OK(batten_chain_fairness(chain, 0, NULL, &fairness));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0, &chain));
+    CHECK_OK(batten_chain_fairness(
+        chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &fairness));
     CHECK_NEAR(fairness.energy, 0.25 * 3 - 0.2 * 9 + 0.16 * 27 / 3, 1e-14);
     CHECK_NEAR(fairness.variation, 0.16 * 3, 1e-14);
     CHECK_NEAR(fairness.max_curvature, 0.7, 1e-15);
@@ -63,8 +66,10 @@ TEST(steps_of_curvature_over_zero_are_inflections)
                                    .curvature = {-1}}};
     batten_chain *chain = NULL;
     batten_fairness fairness;
-    CHECK_OK(batten_chain_create(2, 2, spans, NULL, false, 1e-12, &chain));
-    CHECK_OK(batten_chain_fairness(chain, 0, NULL, &fairness));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 2, spans, NULL, false}, 1e-12, &chain));
+    CHECK_OK(batten_chain_fairness(
+        chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &fairness));
     CHECK_INT(fairness.inflections, 1);
     CHECK_INT(fairness.corners, 0);
     CHECK_INT(fairness.curvature_jumps, 1);
@@ -81,14 +86,16 @@ TEST(a_chain_and_its_curve_are_judged_alike)
         batten_curve *curve = NULL;
         batten_fairness one, other;
         CHECK_OK(batten_chain_to_curve(chain, 1e-10, NULL, &curve));
-        CHECK_OK(batten_chain_fairness(chain, 0, NULL, &one));
-        CHECK_OK(batten_curve_fairness(curve, 0, NULL, &other));
+        CHECK_OK(batten_chain_fairness(
+            chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &one));
+        CHECK_OK(batten_curve_fairness(
+            curve, (batten_points){batten_curve_dimension(curve), 0, NULL}, &other));
         CHECK_NEAR(one.energy, other.energy, 1e-7 * other.energy);
         CHECK_INT(one.inflections, other.inflections);
         CHECK_NEAR(one.max_curvature, other.max_curvature, 0.01 * other.max_curvature);
         double exact, length;
-        CHECK_OK(batten_chain_length(chain, &exact, NULL));
-        CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+        CHECK_OK(batten_chain_length(chain, NULL, &exact));
+        CHECK_OK(batten_curve_length(curve, 1e-12, NULL, &length));
         CHECK_NEAR(exact, length, 1e-8);
         batten_curve_unref(curve);
         batten_chain_unref(chain);

@@ -30,7 +30,7 @@ TEST(one_move_repairs_a_spike_in_smooth_data)
     batten_fair_options options = batten_fair_defaults(0.06);
     options.order = BATTEN_FAIR_WORST_FIRST;
     options.max_moves = 1;
-    CHECK_OK(batten_fair_points(1, N, y, t, &options, NULL, z, &report));
+    CHECK_OK(batten_fair_points((batten_points){1, N, y}, t, &options, NULL, &report, z));
     CHECK_INT(report.move_count, 1);
     CHECK_INT(report.moves[0].index, 17);
     CHECK_NEAR(report.moves[0].from[0], y[17], 0);
@@ -52,7 +52,7 @@ TEST(worst_first_stops_when_the_curve_is_fair)
     batten_fair_options options = batten_fair_defaults(0.06);
     options.order = BATTEN_FAIR_WORST_FIRST;
     options.stop_when_fair = true;
-    CHECK_OK(batten_fair_points(1, N, y, t, &options, NULL, z, &report));
+    CHECK_OK(batten_fair_points((batten_points){1, N, y}, t, &options, NULL, &report, z));
     CHECK(report.before.excess_inflections > 0 && !report.before.fair);
     CHECK(report.after.fair);
     CHECK_INT(report.moved_count, 1);
@@ -69,7 +69,7 @@ TEST(noise_on_a_cubic_loses_its_jumps_within_the_bound)
     }
     batten_fair_report report = {0};
     const batten_fair_options options = batten_fair_defaults(0.003);
-    CHECK_OK(batten_fair_points(1, MANY, y, t, &options, NULL, z, &report));
+    CHECK_OK(batten_fair_points((batten_points){1, MANY, y}, t, &options, NULL, &report, z));
     CHECK(report.after.jumps < report.before.jumps / 100);
     CHECK(report.after.energy < report.before.energy);
     CHECK(report.max_move <= 0.003);
@@ -97,7 +97,7 @@ TEST(all_orders_lower_the_energy_and_sweeps_lower_it_most)
         batten_fair_options options = batten_fair_defaults(0.02);
         options.order = (batten_fair_order)order;
         options.relaxation = order == BATTEN_FAIR_WORST_FIRST ? 0.7 : 1;
-        CHECK_OK(batten_fair_points(1, N, y, t, &options, NULL, z, NULL));
+        CHECK_OK(batten_fair_points((batten_points){1, N, y}, t, &options, NULL, NULL, z));
         energy[order] = energy_of(N, t, z);
         for (int i = 0; i < N; i++)
             CHECK(fabs(z[i] - y[i]) <= 0.02);
@@ -116,7 +116,7 @@ TEST(more_sweeps_of_single_ducks_move_nothing)
     for (int i = 0; i < N; i++)
         y[i] += 0.01 * test_random_in(&random, -1, 1);
     const batten_fair_options options = batten_fair_defaults(0.01);
-    CHECK_OK(batten_fair_points(1, N, y, t, &options, NULL, z, NULL));
+    CHECK_OK(batten_fair_points((batten_points){1, N, y}, t, &options, NULL, NULL, z));
     bat_batten batten;
     CHECK_OK(bat_batten_begin(N, t, &batten));
     for (int i = 1; i < N - 1; i++) {
@@ -139,7 +139,8 @@ TEST(a_straight_line_stays_bit_for_bit)
         }
         batten_fair_report report = {0};
         const batten_fair_options options = batten_fair_defaults(0.1);
-        CHECK_OK(batten_fair_points(d, N, points, t, &options, NULL, z, &report));
+        CHECK_OK(
+            batten_fair_points((batten_points){d, N, points}, t, &options, NULL, &report, z));
         CHECK_INT(report.moved_count, 0);
         CHECK_INT(report.suspect_count, 0);
         for (int i = 0; i < d * N; i++)
@@ -159,12 +160,12 @@ TEST(bounds_of_0_leave_the_data_bit_for_bit)
     options.within_each = within;
     for (int order = 0; order < 3; order++) {
         options.order = (batten_fair_order)order;
-        CHECK_OK(batten_fair_points(1, N, y, t, &options, NULL, z, NULL));
+        CHECK_OK(batten_fair_points((batten_points){1, N, y}, t, &options, NULL, NULL, z));
         for (int i = 0; i < N; i++)
             CHECK_BITS(z[i], y[i]);
     }
     within[5] = 0.3; /* one free duck among held ones */
-    CHECK_OK(batten_fair_points(1, N, y, t, &options, NULL, z, NULL));
+    CHECK_OK(batten_fair_points((batten_points){1, N, y}, t, &options, NULL, NULL, z));
     for (int i = 0; i < N; i++)
         CHECK((z[i] != y[i]) == (i == 5));
 }
@@ -181,8 +182,8 @@ TEST(moves_scale_with_the_data)
     }
     const batten_fair_options small = batten_fair_defaults(0.004),
                               big = batten_fair_defaults(4);
-    CHECK_OK(batten_fair_points(2, N, points, NULL, &small, NULL, z, NULL));
-    CHECK_OK(batten_fair_points(2, N, large, NULL, &big, NULL, large_z, NULL));
+    CHECK_OK(batten_fair_points((batten_points){2, N, points}, NULL, &small, NULL, NULL, z));
+    CHECK_OK(batten_fair_points((batten_points){2, N, large}, NULL, &big, NULL, NULL, large_z));
     for (int i = 0; i < 2 * N; i++)
         CHECK_NEAR(large_z[i], 1000 * z[i], 1e-6);
 }
@@ -199,7 +200,8 @@ TEST(points_of_curves_move_at_right_angles_to_their_chord)
         }
         batten_fair_report report = {0};
         const batten_fair_options options = batten_fair_defaults(0.01);
-        CHECK_OK(batten_fair_points(d, N, points, NULL, &options, NULL, z, &report));
+        CHECK_OK(batten_fair_points((batten_points){d, N, points}, NULL, &options, NULL,
+                                    &report, z));
         CHECK(report.after.energy < report.before.energy &&
               report.after.jumps < report.before.jumps);
         CHECK(report.max_move <= 0.01);
@@ -226,11 +228,13 @@ TEST(corners_cut_the_curve_and_stay)
     const int corners[1] = {10};
     batten_fair_report report = {0};
     batten_fair_options options = batten_fair_defaults(0.02);
-    CHECK_OK(batten_fair_points(2, 11, points, NULL, &options, NULL, leg_z, NULL));
+    CHECK_OK(
+        batten_fair_points((batten_points){2, 11, points}, NULL, &options, NULL, NULL, leg_z));
     memcpy(leg, points, sizeof leg);
     options.corners = corners;
     options.corner_count = 1;
-    CHECK_OK(batten_fair_points(2, 21, points, NULL, &options, NULL, z, &report));
+    CHECK_OK(
+        batten_fair_points((batten_points){2, 21, points}, NULL, &options, NULL, &report, z));
     CHECK_BITS(z[20], points[20]);
     CHECK_BITS(z[21], points[21]);
     for (int i = 1; i < 10;
@@ -247,10 +251,10 @@ TEST(ends_move_when_they_are_not_held)
     y[0] += 0.02;
     batten_fair_options options = batten_fair_defaults(0.05);
     options.hold_ends = false;
-    CHECK_OK(batten_fair_points(1, N, y, t, &options, NULL, z, NULL));
+    CHECK_OK(batten_fair_points((batten_points){1, N, y}, t, &options, NULL, NULL, z));
     CHECK(z[0] != y[0] && fabs(z[0] - y[0]) <= 0.05);
     options.within = 10; /* a line fits within the bounds: nothing is bent at all */
-    CHECK_OK(batten_fair_points(1, N, y, t, &options, NULL, z, NULL));
+    CHECK_OK(batten_fair_points((batten_points){1, N, y}, t, &options, NULL, NULL, z));
     CHECK_NEAR(energy_of(N, t, z), 0, 1e-12);
 }
 
@@ -260,7 +264,7 @@ TEST(few_points_are_judged_but_not_moved)
     double z[3];
     batten_fair_report report = {0};
     const batten_fair_options options = batten_fair_defaults(1);
-    CHECK_OK(batten_fair_points(1, 3, y, t, &options, NULL, z, &report));
+    CHECK_OK(batten_fair_points((batten_points){1, 3, y}, t, &options, NULL, &report, z));
     for (int i = 0; i < 3; i++)
         CHECK_BITS(z[i], y[i]);
     CHECK(report.before.energy > 0 && report.after.energy == report.before.energy);
@@ -274,17 +278,18 @@ TEST(N6_bounds_that_are_not_positive_are_refused)
     double z[5] = {9, 9, 9, 9, 9}, each[5] = {1, 1, -1, 1, 1};
     for (int k = 0; k < 4; k++) {
         const batten_fair_options options = batten_fair_defaults(bad[k]);
-        CHECK_STATUS(batten_fair_points(1, 5, y, t, &options, NULL, z, NULL),
+        CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, t, &options, NULL, NULL, z),
                      BATTEN_BAD_ARGUMENT);
     }
     batten_fair_options options = batten_fair_defaults(1);
     options.within_each = each;
-    CHECK_STATUS(batten_fair_points(1, 5, y, t, &options, NULL, z, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, t, &options, NULL, NULL, z),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("point 2 is -1");
     CHECK_NEAR(z[0], 9, 0);
     /* far below the last place of the numbers there is no room to move */
     const batten_fair_options tiny = batten_fair_defaults(1e-18);
-    CHECK_OK(batten_fair_points(1, 5, y, t, &tiny, NULL, z, NULL));
+    CHECK_OK(batten_fair_points((batten_points){1, 5, y}, t, &tiny, NULL, NULL, z));
     for (int i = 0; i < 5; i++)
         CHECK_BITS(z[i], y[i]);
 }
@@ -295,30 +300,38 @@ TEST(bad_points_parameters_and_options_are_refused)
     const double still[5] = {0, 1, 1, 3, 4}, twice[10] = {0, 0, 1, 1, 1, 1, 2, 2, 3, 3};
     const int corner[1] = {5};
     batten_fair_options options = batten_fair_defaults(1), bad;
-    CHECK_STATUS(batten_fair_points(4, 5, y, t, &options, NULL, z, NULL), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_fair_points(1, 1, y, t, &options, NULL, z, NULL),
-                 BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_fair_points(1, 5, nan, t, &options, NULL, z, NULL), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_fair_points(1, 5, y, nan, &options, NULL, z, NULL), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_fair_points(1, 5, y, still, &options, NULL, z, NULL),
-                 BATTEN_NOT_INCREASING);
-    CHECK_STATUS(batten_fair_points(1, 5, y, NULL, &options, NULL, z, NULL),
+    CHECK_STATUS(batten_fair_points((batten_points){4, 5, y}, t, &options, NULL, NULL, z),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_fair_points(2, 5, twice, NULL, &options, NULL, z, NULL),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 1, y}, t, &options, NULL, NULL, z),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 5, nan}, t, &options, NULL, NULL, z),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, nan, &options, NULL, NULL, z),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, still, &options, NULL, NULL, z),
+                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, NULL, &options, NULL, NULL, z),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_fair_points((batten_points){2, 5, twice}, NULL, &options, NULL, NULL, z),
+        BATTEN_COINCIDENT);
     bad = options;
     bad.relaxation = 1.5;
-    CHECK_STATUS(batten_fair_points(1, 5, y, t, &bad, NULL, z, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, t, &bad, NULL, NULL, z),
+                 BATTEN_BAD_ARGUMENT);
     bad = options;
     bad.order = (batten_fair_order)7;
-    CHECK_STATUS(batten_fair_points(1, 5, y, t, &bad, NULL, z, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, t, &bad, NULL, NULL, z),
+                 BATTEN_BAD_ARGUMENT);
     bad = options;
     bad.max_moves = -1;
-    CHECK_STATUS(batten_fair_points(1, 5, y, t, &bad, NULL, z, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, t, &bad, NULL, NULL, z),
+                 BATTEN_BAD_ARGUMENT);
     bad = options;
     bad.corners = corner;
     bad.corner_count = 1;
-    CHECK_STATUS(batten_fair_points(1, 5, y, t, &bad, NULL, z, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, t, &bad, NULL, NULL, z),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("corner 0 is point 5");
 }
 
@@ -328,7 +341,7 @@ TEST(a_hairpin_of_the_polygon_moves_freely)
     const double points[14] = {0, 0, 1, 0.1, 2, 0, 3, 0, 2, 0, 1, 0.3, 0, 0.2};
     double z[14];
     const batten_fair_options options = batten_fair_defaults(0.1);
-    CHECK_OK(batten_fair_points(2, 7, points, NULL, &options, NULL, z, NULL));
+    CHECK_OK(batten_fair_points((batten_points){2, 7, points}, NULL, &options, NULL, NULL, z));
     for (int i = 0; i < 7; i++)
         CHECK(hypot(z[2 * i] - points[2 * i], z[2 * i + 1] - points[2 * i + 1]) <= 0.1);
 }

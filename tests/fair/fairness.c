@@ -9,7 +9,8 @@ TEST(a_circle_is_fair_and_its_numbers_are_those_of_its_radius)
     batten_curve *circle = NULL;
     batten_fairness found;
     CHECK_OK(batten_curve_arc(2, 2 * PI, &circle));
-    CHECK_OK(batten_curve_fairness(circle, 0, NULL, &found));
+    CHECK_OK(batten_curve_fairness(
+        circle, (batten_points){batten_curve_dimension(circle), 0, NULL}, &found));
     CHECK_INT(found.inflections, 0);
     CHECK_INT(found.curvature_extrema, 0);
     CHECK_NEAR(found.max_curvature, 0.5, 1e-11);
@@ -36,7 +37,8 @@ TEST(a_natural_spline_has_the_energy_and_the_jumps_of_its_ducks)
     for (int i = 1; i < N - 1; i++)
         jumps += forces[i] * forces[i];
     CHECK_OK(bat_batten_curve(&batten, 1, z, &curve));
-    CHECK_OK(batten_curve_fairness(curve, N, z, &found));
+    CHECK_OK(batten_curve_fairness(curve, (batten_points){batten_curve_dimension(curve), N, z},
+                                   &found));
     CHECK_NEAR(found.energy, energy, 1e-12 * energy);
     CHECK_NEAR(found.jumps, jumps, 1e-11 * jumps);
     int changes = 0;
@@ -66,9 +68,11 @@ TEST(jumps_of_curves_are_those_of_their_curvature_rate)
     for (int d = 2; d <= 3; d++) {
         batten_curve *curve = NULL;
         batten_fairness found;
-        CHECK_OK(batten_curve_from_power(
-            d, 3, 2, breaks, d == 2 ? &plane[0][0][0] : &space[0][0][0], 1e-12, &curve));
-        CHECK_OK(batten_curve_fairness(curve, 0, NULL, &found));
+        CHECK_OK(batten_curve_from_power(d, (batten_pieces){3, 2, breaks},
+                                         d == 2 ? &plane[0][0][0] : &space[0][0][0], 1e-12,
+                                         &curve));
+        CHECK_OK(batten_curve_fairness(
+            curve, (batten_points){batten_curve_dimension(curve), 0, NULL}, &found));
         CHECK_NEAR(found.jumps, 36, 1e-9);
         CHECK_INT(found.inflections, 0);
         batten_curve_unref(curve);
@@ -89,17 +93,25 @@ TEST(inflections_that_the_data_have_are_no_excess)
     }
     CHECK_OK(bat_batten_begin(N, t, &batten));
     CHECK_OK(bat_batten_curve(&batten, 1, z, &curve));
-    CHECK_OK(batten_curve_fairness(curve, N, z, &found));
+    CHECK_OK(batten_curve_fairness(curve, (batten_points){batten_curve_dimension(curve), N, z},
+                                   &found));
     CHECK_INT(found.inflections, 1);
     CHECK_INT(found.excess_inflections, 0);
     CHECK(found.fair);
-    CHECK_OK(batten_curve_fairness(curve, 0, NULL, &found));
+    CHECK_OK(batten_curve_fairness(
+        curve, (batten_points){batten_curve_dimension(curve), 0, NULL}, &found));
     CHECK_INT(found.excess_inflections, 1);
     CHECK(!found.fair);
-    CHECK_STATUS(batten_curve_fairness(curve, N - 1, z, &found), BATTEN_NOT_COMPATIBLE);
-    CHECK_STATUS(batten_curve_fairness(curve, -1, z, &found), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_fairness(
+                     curve, (batten_points){batten_curve_dimension(curve), N - 1, z}, &found),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_curve_fairness(
+                     curve, (batten_points){batten_curve_dimension(curve), -1, z}, &found),
+                 BATTEN_BAD_ARGUMENT);
     z[3] = NAN;
-    CHECK_STATUS(batten_curve_fairness(curve, N, z, &found), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_fairness(
+                     curve, (batten_points){batten_curve_dimension(curve), N, z}, &found),
+                 BATTEN_NOT_FINITE);
     batten_curve_unref(curve);
     bat_batten_end(&batten);
 }
@@ -111,8 +123,10 @@ TEST(G4_a_curve_with_a_cusp_is_judged_with_finite_numbers)
     const double breaks[3] = {-1, 0, 1};
     batten_curve *curve = NULL;
     batten_fairness found;
-    CHECK_OK(batten_curve_from_power(2, 3, 2, breaks, &powers[0][0][0], 1e-12, &curve));
-    CHECK_OK(batten_curve_fairness(curve, 0, NULL, &found));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 2, breaks}, &powers[0][0][0], 1e-12,
+                                     &curve));
+    CHECK_OK(batten_curve_fairness(
+        curve, (batten_points){batten_curve_dimension(curve), 0, NULL}, &found));
     CHECK(isfinite(found.energy) && isfinite(found.variation) && isfinite(found.jumps));
     batten_curve_unref(curve);
 }
@@ -145,8 +159,9 @@ static void judge_joint(double k, double turn, int corners, int jumps)
     const double points[] = {-2, 2 * k, -1, 0, 0, 0, 1, turn, 2, 4 + 2 * turn};
     batten_curve *curve = NULL;
     batten_fairness found;
-    CHECK_OK(batten_curve_create(2, 2, 5, points, NULL, knots, &curve));
-    CHECK_OK(batten_curve_fairness(curve, 0, NULL, &found));
+    CHECK_OK(batten_curve_create((batten_points){2, 5, points}, 2, NULL, knots, &curve));
+    CHECK_OK(batten_curve_fairness(
+        curve, (batten_points){batten_curve_dimension(curve), 0, NULL}, &found));
     CHECK_INT(found.corners, corners);
     CHECK_INT(found.curvature_jumps, jumps);
     CHECK_INT(isfinite(found.energy), corners == 0);
@@ -182,8 +197,10 @@ static int waves_of(double wave)
     }
     batten_curve *curve = NULL;
     batten_fairness found;
-    CHECK_OK(batten_curve_from_power(1, 3, SPANS, breaks, &powers[0][0], 1e-12, &curve));
-    CHECK_OK(batten_curve_fairness(curve, 0, NULL, &found));
+    CHECK_OK(batten_curve_from_power(1, (batten_pieces){3, SPANS, breaks}, &powers[0][0], 1e-12,
+                                     &curve));
+    CHECK_OK(batten_curve_fairness(
+        curve, (batten_points){batten_curve_dimension(curve), 0, NULL}, &found));
     CHECK_INT(found.corners + found.curvature_jumps, 0);
     batten_curve_unref(curve);
     return found.curvature_extrema;
@@ -204,8 +221,9 @@ TEST(functions_are_judged_by_their_first_and_second_derivative)
     for (int k = 0; k < 2; k++) {
         batten_curve *curve = NULL;
         batten_fairness found;
-        CHECK_OK(batten_curve_create(1, 2, 5, values[k], NULL, knots, &curve));
-        CHECK_OK(batten_curve_fairness(curve, 0, NULL, &found));
+        CHECK_OK(batten_curve_create((batten_points){1, 5, values[k]}, 2, NULL, knots, &curve));
+        CHECK_OK(batten_curve_fairness(
+            curve, (batten_points){batten_curve_dimension(curve), 0, NULL}, &found));
         CHECK_INT(found.corners, k == 0);
         CHECK_INT(found.curvature_jumps, k == 1);
         CHECK_INT(isfinite(found.energy), k == 1);

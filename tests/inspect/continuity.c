@@ -11,7 +11,8 @@ static void graph(double a, double b, double square, double cube, batten_curve *
                                  {0, square + 3 * cube * a},
                                  {0, cube}};
     const double breaks[2] = {a, b};
-    CHECK_OK(batten_curve_from_power(2, 3, 1, breaks, &powers[0][0], 1e-12, out));
+    CHECK_OK(
+        batten_curve_from_power(2, (batten_pieces){3, 1, breaks}, &powers[0][0], 1e-12, out));
 }
 
 static batten_continuity join(const batten_curve *a, const batten_curve *b)
@@ -53,8 +54,9 @@ TEST(a_reparametrised_piece_joins_with_its_betas)
                 more[i + j][k] += powers[2][k] * t[i] * t[j];
         }
     batten_curve *a = NULL, *b = NULL;
-    CHECK_OK(batten_curve_from_power(2, 2, 1, breaks, &powers[0][0], 1e-12, &a));
-    CHECK_OK(batten_curve_from_power(2, 6, 1, breaks, &more[0][0], 1e-12, &b));
+    CHECK_OK(
+        batten_curve_from_power(2, (batten_pieces){2, 1, breaks}, &powers[0][0], 1e-12, &a));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){6, 1, breaks}, &more[0][0], 1e-12, &b));
     const batten_continuity c = join(a, b);
     CHECK_INT(c.parametric, 0);
     CHECK_INT(c.geometric, 3);
@@ -101,7 +103,7 @@ TEST(G4_at_a_triple_vertex_a_cubic_is_C2_and_not_G1)
     const double knots[11] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
     batten_curve *curve = NULL;
     batten_continuities all = {0, NULL};
-    CHECK_OK(batten_curve_create(2, 3, 7, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 7, points}, 3, NULL, knots, &curve));
     CHECK_OK(batten_curve_continuity(curve, NULL, &all));
     CHECK_INT(all.count, 3);
     const batten_continuity *c = &all.at[1];

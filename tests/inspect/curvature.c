@@ -89,7 +89,8 @@ TEST(G4_a_cusp_is_singular_and_has_the_tangent_of_the_next_derivative)
                                     {{0, 0}, {0, 0}, {1, 0}, {0, 1}}};
     batten_curve *curve = NULL;
     batten_curve_local at;
-    CHECK_OK(batten_curve_from_power(2, 3, 2, breaks, &powers[0][0][0], 1e-12, &curve));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 2, breaks}, &powers[0][0][0], 1e-12,
+                                     &curve));
     CHECK_STATUS(batten_curve_local_at(curve, 0, BATTEN_FROM_RIGHT, &at), BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("first derivative vanishes");
     CHECK_NEAR(at.tangent.x, 1, 1e-15);
@@ -177,7 +178,7 @@ TEST(a_comb_steps_where_curvature_does)
     static const double points[] = {-2, 1, -1, 0, 0, 0, 1, 0, 2, 4};
     batten_curve *curve = NULL;
     batten_tooth teeth[2 * 3];
-    CHECK_OK(batten_curve_create(2, 2, 5, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 5, points}, 2, NULL, knots, &curve));
     CHECK_OK(batten_curve_comb(curve, 2, 3, teeth));
     CHECK_NEAR(teeth[2].u, 1, 0);
     CHECK_NEAR(teeth[3].u, 1, 0);
@@ -246,7 +247,7 @@ TEST(the_loop_of_the_notes_crosses_itself_at_its_double_point)
     const double ends[] = {-5, 5}, coefficients[] = {-98, -690, 170, 290, -50, -30, 4, 0};
     batten_curve *curve = NULL;
     batten_curve_local at;
-    CHECK_OK(batten_curve_from_power(2, 3, 1, ends, coefficients, 0, &curve));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 1, ends}, coefficients, 0, &curve));
     for (int side = -1; side <= 1; side += 2) {
         const double t = -1. / 6 + side * sqrt(33) / 2;
         CHECK_OK(batten_curve_local_at(curve, t, BATTEN_FROM_RIGHT, &at));

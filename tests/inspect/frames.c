@@ -60,7 +60,7 @@ TEST(along_a_plane_spine_the_normal_of_the_plane_stays)
     const double points[] = {0, 0, 0, 1, 2, 0, 3, 1, 0, 4, 4, 0};
     batten_curve *spine = NULL;
     double u[4];
-    CHECK_OK(batten_curve_interpolate(3, 4, points, NULL, u, &spine));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, 4, points}, NULL, u, &spine));
     batten_frame frames[4];
     CHECK_OK(batten_curve_frames(spine, 4, u, BATTEN_FRAME_ROTATION_MINIMISING, frames));
     const batten_vec3 up = {0, 0, 1};
@@ -104,7 +104,7 @@ TEST(frames_that_do_not_exist_are_refused)
     batten_frame frames[2];
     batten_curve *line = NULL, *halted = NULL;
     CHECK_OK(batten_curve_line(3, a, b, &line));
-    CHECK_OK(batten_curve_create(3, 2, 3, cusp, NULL, knots, &halted));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, cusp}, 2, NULL, knots, &halted));
     CHECK_STATUS(batten_curve_frames(line, 2, at, BATTEN_FRAME_FRENET, frames),
                  BATTEN_SINGULAR_HERE);
     CHECK_STATUS(batten_curve_frames(line, 2, outside, BATTEN_FRAME_FIXED, frames),
@@ -126,14 +126,15 @@ TEST(sections_stand_evenly_by_arc_length)
     /* A line whose speed grows fourfold. */
     const double points[] = {0, 0, 0, 1, 0, 0, 5, 0, 0}, knots[] = {0, 0, 0, 1, 1, 1};
     batten_curve *spine = NULL, *circle = NULL;
-    CHECK_OK(batten_curve_create(3, 2, 3, points, NULL, knots, &spine));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, NULL, knots, &spine));
     CHECK_OK(batten_curve_circle(1, BATTEN_CIRCLE_SQUARE_9, &circle));
     const batten_curve *sections[] = {circle, circle, circle, circle, circle, circle};
     batten_surface_skin_options options = batten_surface_skin_defaults();
     options.spine = spine;
     double v[6];
     batten_surface *pipe = NULL;
-    CHECK_OK(batten_surface_skin(6, sections, &options, NULL, v, NULL, &pipe));
+    CHECK_OK(
+        batten_surface_skin((batten_curve_row){6, sections}, &options, NULL, v, NULL, &pipe));
     for (int k = 0; k < 6; k++) {
         double out[3];
         CHECK_OK(batten_surface_evaluate(pipe, 0.1, v[k], 0, out));
@@ -150,7 +151,7 @@ TEST(a_frenet_frame_is_square_where_the_spine_bends_little)
     for (int i = 0; i < COUNT(bends); i++) {
         const double points[] = {0, 0, 0, 1, 1.1, 1.3, 5, 5.5 + bends[i], 6.5};
         batten_curve *spine = NULL;
-        CHECK_OK(batten_curve_create(3, 2, 3, points, NULL, knots, &spine));
+        CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, NULL, knots, &spine));
         for (int k = 0; k <= 8; k++) {
             const double at = k / 8.0;
             batten_frame frame;
@@ -225,7 +226,7 @@ TEST(the_turn_of_a_round_is_minus_the_total_torsion)
         CHECK_OK(batten_curve_local_at(knot, u, BATTEN_FROM_RIGHT, &local));
         torsion += local.torsion * local.speed * 4 * acos(0) / n;
     }
-    CHECK_OK(batten_curve_holonomy(knot, 1e-10, &angle, &error));
+    CHECK_OK(batten_curve_holonomy(knot, 1e-10, &error, &angle));
     CHECK(error <= 1e-10);
     CHECK_NEAR(remainder(angle + torsion, 4 * acos(0)), 0, 1e-5);
     CHECK(fabs(angle) > 0.1);
@@ -236,7 +237,7 @@ TEST(on_a_sphere_a_minimising_frame_comes_back)
 {
     batten_curve *curve = ring(spherical, 160);
     double angle = 7;
-    CHECK_OK(batten_curve_holonomy(curve, 1e-9, &angle, NULL));
+    CHECK_OK(batten_curve_holonomy(curve, 1e-9, NULL, &angle));
     CHECK_NEAR(angle, 0, 1e-7);
     batten_curve_unref(curve);
 }
@@ -250,13 +251,13 @@ TEST(closing_frames_close_and_differ_evenly_from_minimising_ones)
         at[k] = batten_curve_domain(knot).b * k / 8;
     CHECK_OK(batten_curve_frames(knot, 9, at, BATTEN_FRAME_CLOSING, closed));
     CHECK_OK(batten_curve_frames(knot, 9, at, BATTEN_FRAME_ROTATION_MINIMISING, free));
-    CHECK_OK(batten_curve_holonomy(knot, 1e-9, &turn, NULL));
-    CHECK_OK(batten_curve_length(knot, 1e-12, &length, NULL));
+    CHECK_OK(batten_curve_holonomy(knot, 1e-9, NULL, &turn));
+    CHECK_OK(batten_curve_length(knot, 1e-12, NULL, &length));
     CHECK_NEAR(dot(closed[0].x, closed[8].x), 1, 1e-12);
     CHECK(dot(free[0].x, free[8].x) < 0.99);
     for (int k = 0; k < 9; k++) {
         const batten_vec3 y = cross(free[k].z, free[k].x);
-        CHECK_OK(batten_curve_length_between(knot, 0, at[k], 1e-12, &part, NULL));
+        CHECK_OK(batten_curve_length_between(knot, 0, at[k], 1e-12, NULL, &part));
         const double angle = atan2(dot(closed[k].x, y), dot(closed[k].x, free[k].x));
         CHECK_NEAR(remainder(angle + turn * part / length, 4 * acos(0)), 0, 1e-6);
         CHECK_NEAR(dot(closed[k].x, closed[k].z), 0, 1e-14);
@@ -274,7 +275,7 @@ TEST(the_error_of_minimising_frames_falls_with_the_fourth_power)
     for (int i = 0; i < COUNT(tolerances); i++) {
         batten_frame frames[2], frenet[2];
         double error;
-        CHECK_OK(batten_curve_minimising_frames(spine, 2, at, tolerances[i], frames, &error));
+        CHECK_OK(batten_curve_minimising_frames(spine, 2, at, tolerances[i], &error, frames));
         CHECK(error <= tolerances[i]);
         CHECK_OK(batten_curve_frames(spine, 2, at, BATTEN_FRAME_FRENET, frenet));
         const batten_vec3 n0 = frenet[0].x, b0 = cross(frenet[0].z, n0);
@@ -296,10 +297,10 @@ TEST(closing_frames_of_open_spines_are_refused)
     double angle = 7;
     CHECK_STATUS(batten_curve_frames(spine, 2, at, BATTEN_FRAME_CLOSING, frames),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_STATUS(batten_curve_holonomy(spine, 1e-6, &angle, NULL), BATTEN_NOT_COMPATIBLE);
-    CHECK_STATUS(batten_curve_minimising_frames(spine, 2, at, 0, frames, NULL),
+    CHECK_STATUS(batten_curve_holonomy(spine, 1e-6, NULL, &angle), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_curve_minimising_frames(spine, 2, at, 0, NULL, frames),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_minimising_frames(spine, 2, at, NAN, frames, NULL),
+    CHECK_STATUS(batten_curve_minimising_frames(spine, 2, at, NAN, NULL, frames),
                  BATTEN_BAD_ARGUMENT);
     CHECK_NEAR(angle, 7, 0);
     batten_curve_unref(spine);

@@ -52,7 +52,7 @@ TEST(a_side_that_is_straight_but_for_the_rounding_of_its_points_is_not_inflected
         const double points[14] = {200, 0, 0, 0, 0, 50, off[k], 75, 0, 100, 0, 150, 200, 150};
         batten_curve *curve = NULL;
         batten_parameters found = {0};
-        CHECK_OK(batten_curve_create(2, 2, 7, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create((batten_points){2, 7, points}, 2, NULL, knots, &curve));
         CHECK_OK(batten_curve_inflections(curve, &found));
         check_parameters(&found, k == 0 ? 0 : 2, ends, 1e-12);
         batten_release(found.at);
@@ -67,7 +67,8 @@ TEST(the_cubic_graph_is_inflected_at_its_centre)
     const double centre[1] = {0};
     batten_curve *curve = NULL;
     batten_parameters found = {0};
-    CHECK_OK(batten_curve_from_power(2, 3, 1, breaks, &powers[0][0], 1e-12, &curve));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 1, breaks}, &powers[0][0], 1e-12,
+                                     &curve));
     CHECK_OK(batten_curve_inflections(curve, &found));
     check_parameters(&found, 1, centre, 1e-14);
     batten_release(found.at);
@@ -81,7 +82,8 @@ TEST(an_inflection_at_a_knot_is_found_once)
     const double powers[2][3][2] = {{{-1, -1}, {1, 2}, {0, -1}}, {{0, 0}, {1, 0}, {0, 1}}};
     batten_curve *curve = NULL;
     batten_parameters found = {0};
-    CHECK_OK(batten_curve_from_power(2, 2, 2, breaks, &powers[0][0][0], 1e-12, &curve));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){2, 2, breaks}, &powers[0][0][0], 1e-12,
+                                     &curve));
     CHECK_OK(batten_curve_inflections(curve, &found));
     check_parameters(&found, 1, centre, 0);
     batten_release(found.at);
@@ -112,7 +114,7 @@ TEST(of_a_function_the_second_derivative_counts)
     const double inflections[2] = {-sqrt(1.0 / 12), sqrt(1.0 / 12)}, extremum[1] = {0};
     batten_curve *curve = NULL, *rational = NULL;
     batten_parameters found = {0};
-    CHECK_OK(batten_curve_from_power(1, 4, 1, breaks, powers, 1e-12, &curve));
+    CHECK_OK(batten_curve_from_power(1, (batten_pieces){4, 1, breaks}, powers, 1e-12, &curve));
     CHECK_OK(batten_curve_to_rational(curve, &rational));
     for (int k = 0; k < 2; k++) {
         const batten_curve *which = k == 0 ? curve : rational;
@@ -202,7 +204,8 @@ TEST(a_closed_periodic_curve_counts_its_seam)
     }
     for (int i = 0; i < 7; i++)
         knots[i] = i;
-    CHECK_OK(batten_curve_create_periodic(2, 3, 6, points, NULL, knots, &curve));
+    CHECK_OK(
+        batten_curve_create_periodic((batten_points){2, 6, points}, 3, NULL, knots, &curve));
     CHECK_OK(batten_curve_inflections(curve, &found));
     CHECK_INT(found.count, 0);
     batten_release(found.at);

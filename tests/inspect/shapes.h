@@ -20,7 +20,7 @@ static inline batten_status shape_ellipse(double a, double b, double cx, double 
         points[2 * i] = cx + a * corners[i][0];
         points[2 * i + 1] = cy + b * corners[i][1];
     }
-    return batten_curve_create(2, 2, 9, points, weights, knots, out);
+    return batten_curve_create((batten_points){2, 9, points}, 2, weights, knots, out);
 }
 
 static inline batten_status shape_bezier(int dimension, int degree, const double *points,
@@ -29,7 +29,8 @@ static inline batten_status shape_bezier(int dimension, int degree, const double
     double knots[2 * BATTEN_MAX_DEGREE + 2] = {0};
     for (int i = 0; i <= degree; i++)
         knots[degree + 1 + i] = 1;
-    return batten_curve_create(dimension, degree, degree + 1, points, NULL, knots, out);
+    return batten_curve_create((batten_points){dimension, degree + 1, points}, degree, NULL,
+                               knots, out);
 }
 
 /* A circle of radius `tube` in the plane of the axis, centred at distance `ring` from it,

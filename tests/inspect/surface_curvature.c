@@ -67,10 +67,12 @@ TEST(G5_a_pole_has_a_normal_but_no_curvature_from_its_tangents)
     CHECK_STATUS(batten_surface_local_at(sphere, 0.3, 0, &at), BATTEN_SINGULAR_HERE);
     CHECK_NEAR(fabs(at.normal.z), 1, 1e-12);
     CHECK_NEAR(at.point.z, -2, 1e-15);
-    CHECK_OK(batten_surface_curvature_grid(sphere, 1, u, 2, v, NULL, gaussian, mean));
+    CHECK_OK(batten_surface_curvature_grid(sphere, (batten_uv_grid){1, 2, u, v}, NULL, gaussian,
+                                           mean));
     CHECK(isnan(gaussian[0]) && isnan(mean[0]));
     CHECK_NEAR(gaussian[1], 0.25, 1e-12);
-    CHECK_OK(batten_surface_curvature_grid(sphere, 1, u, 2, v, NULL, NULL, NULL));
+    CHECK_OK(
+        batten_surface_curvature_grid(sphere, (batten_uv_grid){1, 2, u, v}, NULL, NULL, NULL));
     batten_surface_unref(sphere);
 }
 
@@ -83,7 +85,8 @@ TEST(the_grid_has_the_curvatures_of_single_points)
     for (int j = 0; j < 9; j++)
         v[j] = (j + 0.25) / 9;
     CHECK_OK(shape_torus(3, 1, false, &torus));
-    CHECK_OK(batten_surface_curvature_grid(torus, 12, u, 9, v, NULL, gaussian, mean));
+    CHECK_OK(batten_surface_curvature_grid(torus, (batten_uv_grid){12, 9, u, v}, NULL, gaussian,
+                                           mean));
     for (int i = 0; i < 12; i++)
         for (int j = 0; j < 9; j++) {
             batten_surface_local at;
@@ -102,7 +105,8 @@ TEST(a_surface_in_the_plane_has_no_curvature)
     batten_surface_local local;
     CHECK_OK(batten_surface_create(2, &axis, &axis, points, NULL, &flat));
     CHECK_STATUS(batten_surface_local_at(flat, 0.5, 0.5, &local), BATTEN_NOT_COMPATIBLE);
-    CHECK_STATUS(batten_surface_curvature_grid(flat, 1, at, 1, at, NULL, NULL, NULL),
-                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(
+        batten_surface_curvature_grid(flat, (batten_uv_grid){1, 1, at, at}, NULL, NULL, NULL),
+        BATTEN_NOT_COMPATIBLE);
     batten_surface_unref(flat);
 }

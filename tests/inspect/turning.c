@@ -15,7 +15,8 @@ static batten_curve *limacon(double b)
         knots[i] = i;
     }
     knots[64] = 64;
-    CHECK_OK(batten_curve_create_periodic(2, 3, 64, points, NULL, knots, &curve));
+    CHECK_OK(
+        batten_curve_create_periodic((batten_points){2, 64, points}, 3, NULL, knots, &curve));
     return curve;
 }
 
@@ -51,8 +52,8 @@ TEST(a_ray_through_corners_and_along_edges_counts_right)
     const double square[10] = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0};
     batten_curve *a = NULL, *b = NULL;
     int winding;
-    CHECK_OK(batten_curve_polyline(2, 5, diamond, &a));
-    CHECK_OK(batten_curve_polyline(2, 5, square, &b));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 5, diamond}, &a));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 5, square}, &b));
     const double inside[2] = {0, 0}, outside[2] = {-2, 0}, beside[2] = {-1, 1},
                  on[2] = {0.5, 1};
     CHECK_OK(batten_curve_winding(a, inside, 0, &winding));
@@ -97,7 +98,7 @@ TEST(G3_at_a_cusp_there_is_no_turning_number)
     CHECK_INT(still.count, 1);
     CHECK_NEAR(still.at[0], 0.5, 1e-14);
     batten_release(still.at);
-    CHECK_OK(batten_curve_polyline(2, 3, there, &back));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 3, there}, &back));
     CHECK_STATUS(batten_curve_turning(back, 0, &turns), BATTEN_SINGULAR_HERE);
     CHECK_OK(batten_curve_to_dimension(curve, 3, &space));
     CHECK_STATUS(batten_curve_turning(space, 0, &turns), BATTEN_NOT_COMPATIBLE);
@@ -137,7 +138,7 @@ TEST(flat_points_are_inflections_touching_places_and_ends_of_straight_pieces)
     CHECK_INT(at.count, 0);
     batten_release(at.at);
     batten_curve_unref(curve);
-    CHECK_OK(batten_curve_create(2, 3, 6, straight, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 6, straight}, 3, NULL, knots, &curve));
     CHECK_OK(batten_curve_flat_points(curve, &at)); /* straight on [0, 1] */
     CHECK_INT(at.count, 2);
     CHECK(at.at[0] == 0 && at.at[1] == 1);

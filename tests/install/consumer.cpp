@@ -10,7 +10,7 @@ int main()
     job.thread_count = 2;
     const double points[] = {0, 0, 1, 2, 3, 3, 4, 1};
     batten_curve *curve = nullptr;
-    if (batten_curve_interpolate(2, 4, points, nullptr, nullptr, &curve) != BATTEN_OK) {
+    if (batten_curve_interpolate({2, 4, points}, nullptr, nullptr, &curve) != BATTEN_OK) {
         std::puts(batten_message());
         return 1;
     }

@@ -41,8 +41,9 @@ static void add_line(bat_builder *builder, double bend, const double *a, const d
                                  {b[0], b[1], height(bend, b, b)}};
     batten_curve *curve = NULL, *parameters = NULL;
     int edge;
-    CHECK_OK(batten_curve_create(3, 2, 3, lifted[0], NULL, bent, &curve));
-    CHECK_OK(batten_curve_create(2, 1, 2, flat[0], NULL, straight, &parameters));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, lifted[0]}, 2, NULL, bent, &curve));
+    CHECK_OK(
+        batten_curve_create((batten_points){2, 2, flat[0]}, 1, NULL, straight, &parameters));
     CHECK_OK(bat_builder_edge(builder, curve, ends[0], ends[1], &edge));
     CHECK_OK(bat_builder_use(builder, edge, false, parameters));
     batten_curve_unref(parameters);

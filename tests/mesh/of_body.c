@@ -214,7 +214,7 @@ TEST(a_sliver_between_a_line_and_an_arc_is_meshed_at_every_chord)
             CHECK_OK(bat_builder_vertex(&s.builder, (double[]){ends[k][0], ends[k][1], 0},
                                         &vertices[k]));
         CHECK_OK(batten_curve_line(2, ends[0], ends[1], &line));
-        CHECK_OK(batten_curve_create(2, 2, 3, arc[0], NULL, knots, &bow));
+        CHECK_OK(batten_curve_create((batten_points){2, 3, arc[0]}, 2, NULL, knots, &bow));
         sheet_add(&s, bow, vertices[0], vertices[1], false);
         sheet_add(&s, line, vertices[0], vertices[1], true);
         batten_curve_unref(line);

@@ -19,7 +19,8 @@ static batten_triangles *bump(void)
                            DEGREE;
                 p[2] = sin(3 * p[0]) * cos(2 * p[1]);
             }
-    CHECK_OK(batten_triangles_create(3, DEGREE, 2, points[0][0], NULL, NULL, &made));
+    CHECK_OK(batten_triangles_create(
+        &(batten_triangles_parts){3, DEGREE, 2, points[0][0], NULL, NULL}, &made));
     return made;
 }
 

@@ -8,7 +8,8 @@ static const double line_knots[] = {0, 0, 1, 1};
 static batten_curve *make_line(void)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, line_points, NULL, line_knots, &curve));
+    CHECK_OK(
+        batten_curve_create((batten_points){3, 2, line_points}, 1, NULL, line_knots, &curve));
     return curve;
 }
 

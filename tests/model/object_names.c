@@ -19,8 +19,8 @@ static batten_model *curve_of(const char *name, double length)
 {
     batten_model *model = new_model(name);
     batten_curve *line = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, (double[]){0, 0, 0, length, 0, 0}, NULL,
-                                 (double[]){0, 0, 1, 1}, &line));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, (double[]){0, 0, 0, length, 0, 0}}, 1,
+                                 NULL, (double[]){0, 0, 1, 1}, &line));
     CHECK_OK(batten_model_add(
         model, &(batten_object){.name = "line", .kind = BATTEN_OBJECT_CURVE, .curve = line}));
     batten_curve_unref(line);

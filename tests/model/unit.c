@@ -17,7 +17,7 @@ static batten_model *make_model(double unit_metres, double offsets_unit)
     batten_offset_table *made_offsets = NULL;
     batten_model *model = NULL;
     CHECK_OK(batten_model_create(unit_metres, &model));
-    CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &made_curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, &made_curve));
     CHECK_OK(batten_surface_create(3, &axis, &axis, corners, NULL, &made_surface));
     CHECK_OK(batten_offset_table_create(offsets_unit, 0, NULL, 1, &station, &made_offsets));
     curve.curve = made_curve;

@@ -63,7 +63,8 @@ batten_curve *scene_curve(int dimension, int degree, int count, const double *po
 {
     const double *knots = even_knots(degree, count);
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(dimension, degree, count, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){dimension, count, points}, degree, NULL, knots,
+                                 &curve));
     return curve;
 }
 
@@ -86,7 +87,8 @@ batten_curve *scene_circle(double radius)
         weights[i] = quarter_weight(i);
     }
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(2, 2, 9, points[0], weights, quarter_knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 9, points[0]}, 2, weights, quarter_knots,
+                                 &curve));
     return curve;
 }
 

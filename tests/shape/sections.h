@@ -20,7 +20,8 @@ static inline batten_curve *jittered(test_random *random, int count, double x,
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(3, count, points, &options, NULL, &curve));
+    CHECK_OK(
+        batten_curve_interpolate((batten_points){3, count, points}, &options, NULL, &curve));
     return curve;
 }
 

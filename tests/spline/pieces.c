@@ -31,7 +31,7 @@ TEST(geometric_spans_are_found)
     knots[0] = knots[1];
     knots[61] = knots[60];
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(1, 1, 60, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 60, points}, 1, NULL, knots, &curve));
     const bat_pieces *pieces = bat_curve_pieces(curve, 1000);
     for (int i = 0; pieces && i < 59; i++) {
         CHECK_INT(bat_pieces_find(pieces, 1, ldexp(1, i)).knot, i + 1);

@@ -71,7 +71,8 @@ TEST(bernstein_of_a_square_is_off_by_x_times_1_minus_x_by_n)
 static batten_curve *uniform(int count, const double (*points)[2], batten_polygon_end ends)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_uniform(2, 3, count, &points[0][0], NULL, ends, &curve));
+    CHECK_OK(
+        batten_curve_uniform((batten_points){2, count, &points[0][0]}, 3, NULL, ends, &curve));
     return curve;
 }
 
@@ -172,14 +173,18 @@ TEST(K9_degrees_and_counts_of_polygons_are_checked)
 {
     const double V[2][2] = {{0, 0}, {1, 0}};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_uniform(2, 0, 2, &V[0][0], NULL, BATTEN_POLYGON_FREE, &curve),
+    CHECK_STATUS(batten_curve_uniform((batten_points){2, 2, &V[0][0]}, 0, NULL,
+                                      BATTEN_POLYGON_FREE, &curve),
                  BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_curve_uniform(2, 3, 2, &V[0][0], NULL, BATTEN_POLYGON_FREE, &curve),
+    CHECK_STATUS(batten_curve_uniform((batten_points){2, 2, &V[0][0]}, 3, NULL,
+                                      BATTEN_POLYGON_FREE, &curve),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_uniform(2, 2, 2, &V[0][0], NULL, BATTEN_POLYGON_PHANTOM, &curve),
+    CHECK_STATUS(batten_curve_uniform((batten_points){2, 2, &V[0][0]}, 2, NULL,
+                                      BATTEN_POLYGON_PHANTOM, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_from_edges(2, 26, V[0], &V[0][0], &curve), BATTEN_BAD_DEGREE);
-    CHECK_OK(batten_curve_uniform(2, 3, 2, &V[0][0], NULL, BATTEN_POLYGON_REPEATED, &curve));
+    CHECK_OK(batten_curve_uniform((batten_points){2, 2, &V[0][0]}, 3, NULL,
+                                  BATTEN_POLYGON_REPEATED, &curve));
     batten_curve_unref(curve);
 }
 
@@ -289,7 +294,8 @@ TEST(uniform_cubics_blend_as_in_the_notes)
         for (int i = 0; i < 6; i++)
             V[i] = sign * blends[which / 2].V[mirrored ? 5 - i : i];
         batten_curve *uniform = NULL, *curve = NULL;
-        CHECK_OK(batten_curve_uniform(1, 3, 6, V, NULL, BATTEN_POLYGON_FREE, &uniform));
+        CHECK_OK(batten_curve_uniform((batten_points){1, 6, V}, 3, NULL, BATTEN_POLYGON_FREE,
+                                      &uniform));
         CHECK_OK(batten_curve_set_domain(uniform, 0, 1, &curve));
         for (int i = 0; i <= 30; i++) {
             const double u = mirrored ? 1 - i / 30.0 : i / 30.0;

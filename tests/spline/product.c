@@ -15,7 +15,8 @@ static batten_curve *spline(int dimension, int degree, double a, double b, doubl
     for (int i = 0; i < (degree + 2) * dimension; i++)
         points[i] = sin(1.7 * (i + seed)) + 0.3;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(dimension, degree, degree + 2, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){dimension, degree + 2, points}, degree, NULL,
+                                 knots, &curve));
     return curve;
 }
 
@@ -50,7 +51,7 @@ TEST(a_product_of_too_high_a_degree_is_refused)
         knots[i] = i < 21 ? 0 : 1;
     for (int i = 0; i < 21; i++)
         points[i] = i;
-    CHECK_OK(batten_curve_create(1, 20, 21, points, NULL, knots, &high));
+    CHECK_OK(batten_curve_create((batten_points){1, 21, points}, 20, NULL, knots, &high));
     CHECK_STATUS(bat_curve_product(scalar, high, &product), BATTEN_BAD_DEGREE);
     CHECK_MESSAGE("degrees 6 and 20");
     batten_curve_unref(high);

@@ -45,12 +45,13 @@ static batten_status drilled_curve(int edge, batten_curve **out)
     const double *a = drilled_vertices[drilled_ends[edge][0]];
     const double *b = drilled_vertices[drilled_ends[edge][1]];
     if (edge < 14)
-        return batten_curve_create(3, 1, 2, (double[]){a[0], a[1], a[2], b[0], b[1], b[2]},
-                                   NULL, line, out);
+        return batten_curve_create(
+            (batten_points){3, 2, (double[]){a[0], a[1], a[2], b[0], b[1], b[2]}}, 1, NULL,
+            line, out);
     const double s = a[0] - 3, z = a[2]; /* the side that it begins on: 1 or -1 */
     const double points[] = {3 + s, 2,     z,     3 + s, 2 + s, z, 3, 2 + s,
                              z,     3 - s, 2 + s, z,     3 - s, 2, z};
-    return batten_curve_create(3, 2, 5, points, weights, arc, out);
+    return batten_curve_create((batten_points){3, 5, points}, 2, weights, arc, out);
 }
 
 /* The curve as the plane has it. */
@@ -65,7 +66,7 @@ static batten_status drilled_on_plane(int plane, const batten_curve *curve, batt
             points[2 * i] += (p[3 * i + k] - o[k]) * x[k];
             points[2 * i + 1] += (p[3 * i + k] - o[k]) * y[k];
         }
-    return batten_curve_create(2, batten_curve_degree(curve), count, points,
+    return batten_curve_create((batten_points){2, count, points}, batten_curve_degree(curve),
                                batten_curve_weights(curve), batten_curve_knots(curve), out);
 }
 
@@ -144,7 +145,7 @@ static batten_status drilled_wall(drilled_parts *d, int k, const int edges[4])
     for (int i = 0; status == BATTEN_OK && i < 4; i++) {
         const double *e = ends[i], line[] = {0, 0, i % 2 ? 2 : 1, i % 2 ? 2 : 1};
         batten_curve *parameters = NULL;
-        status = batten_curve_create(2, 1, 2, e, NULL, line, &parameters);
+        status = batten_curve_create((batten_points){2, 2, e}, 1, NULL, line, &parameters);
         status = drilled_add_use(d, edges[i], i >= 2, status, parameters);
     }
     return status;

@@ -127,7 +127,8 @@ batten_curve *test_curve(test_random *random, const test_wish *wish)
     test_points(random, wish, (size_t)n, d, points);
     test_weights(random, (size_t)n, weights);
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(d, p, n, points, rational ? weights : NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){d, n, points}, p, rational ? weights : NULL,
+                                 knots, &curve));
     return curve;
 }
 
@@ -151,8 +152,8 @@ batten_curve *test_periodic_curve(test_random *random, const test_wish *wish)
     test_points(random, wish, (size_t)m, d, points);
     test_weights(random, (size_t)m, weights);
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create_periodic(d, p, m, points, rational ? weights : NULL, knots,
-                                          &curve));
+    CHECK_OK(batten_curve_create_periodic((batten_points){d, m, points}, p,
+                                          rational ? weights : NULL, knots, &curve));
     return curve;
 }
 

@@ -46,7 +46,7 @@ static batten_status curve_of(sample *at, const void *data, int e, batten_curve 
             for (int c = 0; c < 3; c++)
                 points[3 * i + c] += inverse[i][k] * value[c];
     }
-    return batten_curve_create(3, 4, 5, points, NULL, knots, out);
+    return batten_curve_create((batten_points){3, 5, points}, 4, NULL, knots, out);
 }
 
 static void side_point(int e, double t, double out[2])
@@ -122,7 +122,7 @@ static batten_status space_slope(const frame *data, int e, batten_curve **out)
         points[3 + c] = (ends[0][c] + ends[1][c]) / 2 + (c == 2 ? 0.5 : 0.1);
         points[6 + c] = ends[1][c];
     }
-    return batten_curve_create(3, 2, 3, points, NULL, knots, out);
+    return batten_curve_create((batten_points){3, 3, points}, 2, NULL, knots, out);
 }
 
 void space_frame(test_random *random, frame *out)

@@ -11,8 +11,9 @@ batten_status random_triangles(test_random *random, int dimension, int degree, i
         points[i] = test_random_in(random, -1, 1);
     for (size_t i = 0; i < total; i++)
         weights[i] = test_random_in(random, 0.5, 2);
-    return batten_triangles_create(dimension, degree, count, points, rational ? weights : NULL,
-                                   domain, out);
+    return batten_triangles_create(&(batten_triangles_parts){dimension, degree, count, points,
+                                                             rational ? weights : NULL, domain},
+                                   out);
 }
 
 void random_place(test_random *random, double at[3])
@@ -86,5 +87,6 @@ batten_status example_triangles(int count, const batten_triangulation *domain,
                 }
                 *to++ = blossom(arguments[0], arguments[1], arguments[2]);
             }
-    return batten_triangles_create(1, 3, count, points, NULL, domain, out);
+    return batten_triangles_create(&(batten_triangles_parts){1, 3, count, points, NULL, domain},
+                                   out);
 }

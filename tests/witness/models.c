@@ -189,11 +189,11 @@ static void put_curves(const char *name, double unit)
     batten_curve *curve = NULL;
     batten_model *model = NULL;
     CHECK(batten_model_create(unit, &model));
-    CHECK(batten_curve_create(3, 3, 5, points, NULL, knots, &curve));
+    CHECK(batten_curve_create((batten_points){3, 5, points}, 3, NULL, knots, &curve));
     add_curve(model, "spline", curve);
-    CHECK(batten_curve_create(3, 3, 5, points, weights, knots, &curve));
+    CHECK(batten_curve_create((batten_points){3, 5, points}, 3, weights, knots, &curve));
     add_curve(model, "rational", curve);
-    CHECK(batten_curve_create(3, 1, 2, points, NULL, line, &curve));
+    CHECK(batten_curve_create((batten_points){3, 2, points}, 1, NULL, line, &curve));
     add_curve(model, "line", curve);
     put_model(name, model, 0);
     put_file(name, "dxf", model, NULL);
@@ -208,7 +208,7 @@ static void put_both(void)
     batten_model *model = NULL;
     CHECK(batten_model_create(0.001, &model));
     add_surface(model, "patch \xc3\xbc", patch(true));
-    CHECK(batten_curve_create(3, 3, 4, points, NULL, knots, &curve));
+    CHECK(batten_curve_create((batten_points){3, 4, points}, 3, NULL, knots, &curve));
     add_curve(model, "curve's \\ name", curve);
     put_model("both-mm", model, 1);
     batten_model_unref(model);

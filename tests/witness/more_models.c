@@ -59,7 +59,8 @@ void put_marks(void)
     batten_mesh *mesh = NULL;
     batten_model *model = NULL;
     CHECK(batten_model_create(1, &model));
-    CHECK(batten_curve_create(3, 1, 2, points, NULL, (const double[]){0, 0, 1, 1}, &curve));
+    CHECK(batten_curve_create((batten_points){3, 2, points}, 1, NULL,
+                              (const double[]){0, 0, 1, 1}, &curve));
     CHECK(batten_mesh_create(&triangle, &mesh));
     CHECK(batten_model_add(model, &(batten_object){.name = "it's \xc3\xbc \\ \xf0\x9f\x9a\xa2",
                                                    .has_colour = true,

@@ -101,7 +101,7 @@ static batten_status is_tiny(const batten_curve *curve, double tolerance, bool *
     }
     if (status != BATTEN_OK || *length >= tolerance)
         return status;
-    status = batten_curve_length(curve, tolerance / 100, length, NULL);
+    status = batten_curve_length(curve, tolerance / 100, NULL, length);
     *tiny = *length < tolerance;
     return status == BATTEN_TOLERANCE_NOT_MET ? BATTEN_OK : status;
 }

@@ -91,7 +91,7 @@ static batten_status find_miss(const bat_check *check, const batten_body_use *us
     batten_status status = put_places(curve, use->parameters, surface, &p);
     if (status == BATTEN_OK && !check->parts->is_traced) {
         batten_deviation deviation = {.max = 0};
-        status = batten_surface_deviation(surface, p.count, p.points[0],
+        status = batten_surface_deviation(surface, (batten_points){3, p.count, p.points[0]},
                                           use->parameters ? p.uv[0] : NULL, check->work.job,
                                           NULL, &deviation);
         *miss = deviation.max;

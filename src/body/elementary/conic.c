@@ -146,7 +146,7 @@ static batten_status check_conic(const bat_conic *conic, double t0, double t1)
 static batten_status line_between(double t0, double t1, batten_curve **out)
 {
     const double points[4] = {t0, 0, t1, 0}, knots[4] = {t0, t0, t1, t1};
-    return batten_curve_create(2, 1, 2, points, NULL, knots, out);
+    return batten_curve_create((batten_points){2, 2, points}, 1, NULL, knots, out);
 }
 
 static batten_status ellipse_between(const bat_conic *conic, double t0, double t1,
@@ -172,7 +172,7 @@ static batten_status parabola_between(const bat_conic *conic, double t0, double 
     const double a = conic->a, knots[6] = {t0, t0, t0, t1, t1, t1};
     const double points[6] = {a * t0 * t0,   2 * a * t0,  a * t0 * t1,
                               a * (t0 + t1), a * t1 * t1, 2 * a * t1};
-    return batten_curve_create(2, 2, 3, points, NULL, knots, out);
+    return batten_curve_create((batten_points){2, 3, points}, 2, NULL, knots, out);
 }
 
 /* Pieces of length 2 h <= 2, so that weights stay below 1.6: between t - h and t + h the
@@ -202,7 +202,7 @@ static batten_status hyperbola_between(const bat_conic *conic, double t0, double
         middle[1] /= weights[2 * i + 1];
     }
     const batten_status status =
-        batten_curve_from_bezier(2, 2, pieces, points, weights, breaks, out);
+        batten_curve_from_bezier(2, (batten_pieces){2, pieces, breaks}, points, weights, out);
     bat_release(points);
     return status;
 }

@@ -39,8 +39,9 @@ static batten_status locate(const whole *of, const double point[3], bool begins,
         return BATTEN_OK;
     }
     batten_deviation foot;
-    const batten_status status =
-        batten_curve_deviation(of->curve, 1, point, NULL, NULL, NULL, &foot);
+    const batten_status status = batten_curve_deviation(
+        of->curve, (batten_points){batten_curve_dimension(of->curve), 1, point}, NULL, NULL,
+        NULL, &foot);
     if (status == BATTEN_OK) {
         *at = foot.at[0];
         *miss = foot.max;

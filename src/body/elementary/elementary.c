@@ -81,7 +81,8 @@ static batten_status part_below(const batten_surface *surface, int count, const 
     batten_deviation deviation;
     batten_surface *part = batten_surface_ref(surface);
     batten_status status =
-        uv ? batten_surface_project(surface, count, points, NULL, NULL, uv, NULL, &deviation)
+        uv ? batten_surface_project(surface, (batten_points){3, count, points}, NULL, NULL,
+                                    (batten_feet){uv, NULL}, &deviation)
            : BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
         const batten_direction direction = k == 0 ? BATTEN_U : BATTEN_V;

@@ -138,10 +138,11 @@ static batten_status across(work *w, double other, double to, int fine,
         return status;
     put_nodes(w, a, b, first, knots, fine);
     w->evaluations += count;
-    status = w->inner == 0 ? batten_surface_evaluate_grid(w->surface, count, w->at, 1, &other,
-                                                          1, NULL, w->jets)
-                           : batten_surface_evaluate_grid(w->surface, 1, &other, count, w->at,
-                                                          1, NULL, w->jets);
+    status = w->inner == 0
+                 ? batten_surface_evaluate_grid(
+                       w->surface, (batten_uv_grid){count, 1, w->at, &other}, 1, NULL, w->jets)
+                 : batten_surface_evaluate_grid(
+                       w->surface, (batten_uv_grid){1, count, &other, w->at}, 1, NULL, w->jets);
     for (size_t i = 0; i < count && status == BATTEN_OK; i++)
         add_integrands(w, w->jets + 9 * i, sign * w->weight[i], sums[i % NODES >= SHORT]);
     return status;

@@ -133,7 +133,7 @@ static batten_status add_lengths(const batten_body_parts *parts, double precisio
         const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
         if (size == 0)
             continue;
-        batten_status status = batten_curve_length(curve, precision * size, &one, NULL);
+        batten_status status = batten_curve_length(curve, precision * size, NULL, &one);
         if (status != BATTEN_OK && status != BATTEN_TOLERANCE_NOT_MET)
             return status;
         *length += one;

@@ -234,7 +234,8 @@ static batten_status make_seeds(bat_chart *chart)
     if (!points)
         return BATTEN_OUT_OF_MEMORY;
     const batten_status status = batten_surface_evaluate_grid(
-        chart->surface, nu, chart->seed_at[0], nv, chart->seed_at[1], 0, NULL, points);
+        chart->surface, (batten_uv_grid){nu, nv, chart->seed_at[0], chart->seed_at[1]}, 0, NULL,
+        points);
     if (status == BATTEN_OK)
         chart->seeds = points;
     else
@@ -277,7 +278,8 @@ batten_status bat_chart_find(bat_chart *chart, const double q[3], const double *
     if (status != BATTEN_OK || *distance <= chart->tolerance)
         return status;
     batten_deviation worst;
-    status = batten_surface_project(chart->surface, 1, q, NULL, NULL, uv, NULL, &worst);
+    status = batten_surface_project(chart->surface, (batten_points){3, 1, q}, NULL, NULL,
+                                    (batten_feet){uv, NULL}, &worst);
     if (status == BATTEN_OK)
         status = bat_chart_foot(chart, q, uv, distance);
     return status;

@@ -289,7 +289,7 @@ static batten_status to_curve(const path *p, batten_curve **out)
         n += (i > 0) + (times > 2) + (i < last);
     }
     if (status == BATTEN_OK)
-        status = batten_curve_create(2, 3, n, points, NULL, knots, out);
+        status = batten_curve_create((batten_points){2, n, points}, 3, NULL, knots, out);
     bat_release(points);
     bat_release(knots);
     return status;

@@ -153,7 +153,8 @@ static batten_status lift_all(lifting *l, batten_curve **out)
     for (int i = 0; status == BATTEN_OK && i + 1 < count; i++)
         status = lift_piece(l, knots[i], knots[i + 1]);
     if (status == BATTEN_OK)
-        status = batten_curve_from_bezier(3, 3, l->spans, l->points, NULL, l->breaks, out);
+        status = batten_curve_from_bezier(3, (batten_pieces){3, l->spans, l->breaks}, l->points,
+                                          NULL, out);
     bat_release(knots);
     bat_release(l->points);
     bat_release(l->breaks);

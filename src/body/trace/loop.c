@@ -28,7 +28,9 @@ static batten_status cut_at_pole(bat_trace *trace, int edge, const double pole[3
     if (status == BATTEN_OK)
         status = batten_curve_evaluate(curve, on.b, 0, ends[1]);
     if (status == BATTEN_OK)
-        status = batten_curve_deviation(curve, 1, pole, NULL, NULL, NULL, &nearest);
+        status = batten_curve_deviation(curve,
+                                        (batten_points){batten_curve_dimension(curve), 1, pole},
+                                        NULL, NULL, NULL, &nearest);
     if (status != BATTEN_OK || nearest.max > trace->tolerance ||
         bat_distance(3, ends[0], pole) <= trace->tolerance ||
         bat_distance(3, ends[1], pole) <= trace->tolerance)

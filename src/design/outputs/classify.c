@@ -286,36 +286,34 @@ static void json_begin(batten_text *out, const char *name)
 static batten_status add_cubics(const batten_object *object, double within,
                                 const batten_canonical *forms, bool json, batten_text *out)
 {
-    batten_cubic *spans = NULL;
-    int count = 0;
-    const batten_status status = batten_curve_classify(object->curve, within, &count, &spans);
+    batten_cubics spans = {0, NULL};
+    const batten_status status = batten_curve_classify(object->curve, within, &spans);
     if (status != BATTEN_OK)
         return status;
     if (!json)
-        text_cubics(out, object->name, count, spans);
-    for (int i = 0; i < count && json; i++) {
+        text_cubics(out, object->name, spans.count, spans.at);
+    for (int i = 0; i < spans.count && json; i++) {
         batten_text_add(out, "%s\n      ", i ? "," : "");
-        json_cubic(out, &spans[i], forms ? &forms[i] : NULL);
+        json_cubic(out, &spans.at[i], forms ? &forms[i] : NULL);
     }
-    batten_release(spans);
+    batten_cubics_release(&spans);
     return BATTEN_OK;
 }
 
 static batten_status add_censuses(const batten_object *object, double within,
                                   const batten_canonical *forms, bool json, batten_text *out)
 {
-    batten_census *spans = NULL;
-    int count = 0;
-    const batten_status status = batten_curve_census(object->curve, within, &count, &spans);
+    batten_censuses spans = {0, NULL};
+    const batten_status status = batten_curve_census(object->curve, within, &spans);
     if (status != BATTEN_OK)
         return status;
     if (!json)
-        text_censuses(out, object->name, count, spans, forms);
-    for (int i = 0; i < count && json; i++) {
+        text_censuses(out, object->name, spans.count, spans.at, forms);
+    for (int i = 0; i < spans.count && json; i++) {
         batten_text_add(out, "%s\n      ", i ? "," : "");
-        json_census(out, &spans[i], forms ? &forms[i] : NULL);
+        json_census(out, &spans.at[i], forms ? &forms[i] : NULL);
     }
-    batten_censuses_release(count, spans);
+    batten_censuses_release(&spans);
     return BATTEN_OK;
 }
 
@@ -323,23 +321,21 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
                                batten_text *out)
 {
     const double within = bat_number(run, "within");
-    batten_canonical *forms = NULL;
-    int count = 0;
+    batten_canonicals forms = {0, NULL};
     /* They are an addition: what they refuse, rational curves apart, is classified all the
      * same.
      */
-    batten_status status =
-        batten_curve_canonical_forms(object->curve, rounding, &count, &forms);
+    batten_status status = batten_curve_canonical_forms(object->curve, rounding, &forms);
     if (status == BATTEN_OUT_OF_MEMORY)
         return status;
     if (json)
         json_begin(out, object->name);
     status = batten_curve_degree(object->curve) <= 3
-                 ? add_cubics(object, within, forms, json, out)
-                 : add_censuses(object, within, forms, json, out);
+                 ? add_cubics(object, within, forms.at, json, out)
+                 : add_censuses(object, within, forms.at, json, out);
     if (json)
         batten_text_add(out, "]}");
-    batten_release(forms);
+    batten_canonicals_release(&forms);
     if (status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY)
         return bat_fail(status, "%s: %s", object->name, batten_message());
     return status;

@@ -50,9 +50,10 @@ static batten_status add_chain(const batten_object *object, column *c)
     batten_fairness fairness;
     double length = 0;
     const batten_chain *chain = object->chain;
-    batten_status status = batten_chain_fairness(chain, 0, NULL, &fairness);
+    batten_status status = batten_chain_fairness(
+        chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &fairness);
     if (status == BATTEN_OK)
-        status = batten_chain_length(chain, &length, NULL);
+        status = batten_chain_length(chain, NULL, &length);
     if (status == BATTEN_OK)
         add(&fairness, length, false, c);
     return status;
@@ -72,10 +73,11 @@ static batten_status add_curve(const batten_object *object, column *c)
     const int axis = flat ? -1 : bat_flat_axis(n, batten_curve_points(object->curve));
     batten_status status = bat_curve_in_plane(object->curve, flat ? 2 : axis, &plane);
     if (status == BATTEN_OK)
-        status = batten_curve_fairness(plane, 0, NULL, &fairness);
+        status = batten_curve_fairness(
+            plane, (batten_points){batten_curve_dimension(plane), 0, NULL}, &fairness);
     if (status == BATTEN_OK)
         status =
-            batten_curve_length(plane, 1e-9 * batten_curve_point_count(plane), &length, NULL);
+            batten_curve_length(plane, 1e-9 * batten_curve_point_count(plane), NULL, &length);
     if (status == BATTEN_OK)
         add(&fairness, length, axis < 0 && !flat, c);
     batten_curve_unref(plane);

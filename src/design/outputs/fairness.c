@@ -163,8 +163,8 @@ static batten_status nearest_surface(const bat_check *check, const bat_checked *
         if (!surface || check->objects[k].given != checked->given ||
             check->objects[k].faired != checked->faired)
             continue;
-        status = batten_surface_deviation(surface, all->count, all->points, NULL,
-                                          check->run->job, distances, &deviation);
+        status = batten_surface_deviation(surface, (batten_points){3, all->count, all->points},
+                                          NULL, check->run->job, distances, &deviation);
         for (int i = 0; status == BATTEN_OK && i < all->count; i++)
             nearest[i] = bat_min(nearest[i], distances[i]);
     }
@@ -290,12 +290,15 @@ static batten_status judge(const batten_polyline *line, int axis, const bat_row 
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_CHORD;
     const int count = thin(line, axis, plane);
-    batten_status status = batten_curve_interpolate(2, count, plane, &options, NULL, &curve);
+    batten_status status =
+        batten_curve_interpolate((batten_points){2, count, plane}, &options, NULL, &curve);
     double *data = bat_points_in_plane(axis, row->count, row->points);
     if (status == BATTEN_OK && !data)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_curve_fairness(curve, row->count, data, &section->fairness);
+        status = batten_curve_fairness(
+            curve, (batten_points){batten_curve_dimension(curve), row->count, data},
+            &section->fairness);
     section->found = status == BATTEN_OK;
     section->visible = bat_visible_inflections(count, plane, tolerance);
     section->excess = bat_max_int(0, section->visible - (section->fairness.inflections -
@@ -406,7 +409,9 @@ static batten_status add_curve_distance(bat_check *check, bat_checked *checked)
     for (int i = 0; i < object->point_count; i++)
         memcpy(points + i * d, object->points + 3 * i, (size_t)d * sizeof *points);
     const batten_status status = batten_curve_deviation(
-        object->curve, object->point_count, points, NULL, check->run->job, NULL, &deviation);
+        object->curve,
+        (batten_points){batten_curve_dimension(object->curve), object->point_count, points},
+        NULL, check->run->job, NULL, &deviation);
     bat_release(points);
     if (status != BATTEN_OK)
         return status;
@@ -452,8 +457,11 @@ static batten_status check_curve(bat_check *check, bat_checked *checked)
     batten_status status =
         data ? bat_curve_in_plane(object->curve, axis, &curve) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_curve_fairness(curve, object->point_count,
-                                       object->point_count ? data : NULL, &checked->fairness);
+        status = batten_curve_fairness(curve,
+                                       (batten_points){batten_curve_dimension(curve),
+                                                       object->point_count,
+                                                       object->point_count ? data : NULL},
+                                       &checked->fairness);
     checked->has_fairness = status == BATTEN_OK;
     if (checked->has_fairness && axis >= 0) {
         check->fair &= checked->fairness.excess_inflections == 0;
@@ -470,18 +478,17 @@ static batten_status check_curve(bat_check *check, bat_checked *checked)
 /* How a set of triangles hangs together. */
 static batten_status check_triangles(const bat_check *check, bat_checked *checked)
 {
-    batten_triangle_join *joins = NULL;
-    int count = 0;
-    const batten_status status = batten_triangles_joins(
-        checked->object->triangles, bat_tolerance(check->run), &count, &joins);
+    batten_triangle_joins joins = {0, NULL};
+    const batten_status status =
+        batten_triangles_joins(checked->object->triangles, bat_tolerance(check->run), &joins);
     if (status != BATTEN_OK)
         return status;
-    checked->triangle_joins = count;
-    for (int i = 0; i < count; i++) {
-        checked->triangle_gap = bat_max(checked->triangle_gap, joins[i].gap);
-        checked->triangle_angle = bat_max(checked->triangle_angle, joins[i].angle);
+    checked->triangle_joins = joins.count;
+    for (int i = 0; i < joins.count; i++) {
+        checked->triangle_gap = bat_max(checked->triangle_gap, joins.at[i].gap);
+        checked->triangle_angle = bat_max(checked->triangle_angle, joins.at[i].angle);
     }
-    bat_release(joins);
+    batten_triangle_joins_release(&joins);
     return BATTEN_OK;
 }
 

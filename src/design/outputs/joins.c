@@ -120,7 +120,9 @@ static batten_status compare_at(const batten_surface *a, int side_a, const batte
     double p[3];
     batten_status status = batten_curve_evaluate(edge_a, t, 0, p);
     if (status == BATTEN_OK)
-        status = batten_curve_deviation(edge_b, 1, p, NULL, NULL, NULL, &foot);
+        status = batten_curve_deviation(edge_b,
+                                        (batten_points){batten_curve_dimension(edge_b), 1, p},
+                                        NULL, NULL, NULL, &foot);
     if (status != BATTEN_OK)
         return status;
     join->g0 = bat_max(join->g0, foot.max);

@@ -102,7 +102,7 @@ static batten_status measure(const batten_object *object, double within, facts *
     if (status == BATTEN_OK && batten_curve_dimension(curve) == 2)
         f->axis = 2;
     if (status == BATTEN_OK)
-        status = batten_curve_length(curve, 1e-12 * within, &f->length, &f->error);
+        status = batten_curve_length(curve, 1e-12 * within, &f->error, &f->length);
     if (status == BATTEN_OK)
         status = measure_gap(curve, &f->gap);
     if (status == BATTEN_OK)
@@ -280,7 +280,7 @@ typedef struct {
 static batten_status add_area(const bat_run *run, const batten_surface *surface, extent *e)
 {
     double area = 0, error = 0;
-    batten_status status = batten_surface_area(surface, precision, run->job, &area, &error);
+    batten_status status = batten_surface_area(surface, precision, run->job, &error, &area);
     if (status == BATTEN_TOLERANCE_NOT_MET)
         status = BATTEN_OK;
     e->area += area;
@@ -304,7 +304,7 @@ static batten_status add_bounds(const batten_surface *surface, bool first, exten
     batten_box box;
     double error = 0;
     const batten_status status =
-        batten_surface_bounds(surface, size > 0 ? 1e-9 * size : 1, &box, &error);
+        batten_surface_bounds(surface, size > 0 ? 1e-9 * size : 1, &error, &box);
     if (status != BATTEN_OK)
         return status;
     if (first)

@@ -111,8 +111,9 @@ static batten_status match_sides(const bat_objects *surfaces, double tolerance,
             batten_curve *edge[3] = {NULL, NULL, NULL};
             if (matches[e] >= 0)
                 continue;
-            status = batten_ribbon_along(surfaces->at[s]->surface, boundary->curves[e][0], 0,
-                                         NULL, tolerance, edge, NULL, NULL);
+            status =
+                batten_ribbon_along(surfaces->at[s]->surface, boundary->curves[e][0],
+                                    (batten_ribbon_wish){0, NULL, tolerance}, NULL, NULL, edge);
             if (status == BATTEN_OK) {
                 batten_curve_unref(boundary->curves[e][0]);
                 boundary->curves[e][0] = edge[0];
@@ -159,8 +160,9 @@ static batten_status take_slope(bat_run *run, const batten_object *object, int e
     double ends[6], misfit[2] = {0, 0}, error = 0;
     batten_status status = derivatives_beside(boundary, e, ends);
     if (status == BATTEN_OK)
-        status = batten_ribbon_along(object->surface, boundary->curves[e][0], order - 1, ends,
-                                     tolerance, ribbon, misfit, &error);
+        status = batten_ribbon_along(object->surface, boundary->curves[e][0],
+                                     (batten_ribbon_wish){order - 1, ends, tolerance}, misfit,
+                                     &error, ribbon);
     if (status != BATTEN_OK)
         return status;
     for (int k = 0; k < order; k++) {

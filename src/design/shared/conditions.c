@@ -168,9 +168,12 @@ batten_status bat_note_outliers(bat_run *run, const bat_data *data, const double
     int count = 0, *outliers = bat_array((size_t)data->count, sizeof *outliers);
     if (!outliers)
         return BATTEN_OUT_OF_MEMORY;
-    const batten_status status =
-        batten_curve_outliers(made->curve, data->count, data->points, made->parameters, weights,
-                              5, &distance, outliers, &count);
+    const batten_status status = batten_curve_outliers(
+        made->curve,
+        &(batten_fit_data){{batten_curve_dimension(made->curve), data->count, data->points},
+                           made->parameters,
+                           weights},
+        5, &distance, outliers, &count);
     if (status == BATTEN_OK && count > 0) {
         list(count, outliers, sizeof numbers, numbers);
         bat_note(run,

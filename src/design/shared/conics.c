@@ -28,8 +28,8 @@ batten_status bat_conics_make(bat_run *run, const bat_data *data,
     double *t = bat_array((size_t)data->count + 1, sizeof *t);
     if (!t)
         return BATTEN_OUT_OF_MEMORY;
-    const batten_status status =
-        batten_curve_conics(data->count, data->points, options, t, &report, &made->curve);
+    const batten_status status = batten_curve_conics(
+        (batten_points){2, data->count, data->points}, options, t, &report, &made->curve);
     if (status == BATTEN_OK) {
         memcpy(made->parameters, t, (size_t)data->count * sizeof *t);
         tell(run, data->name, &report);

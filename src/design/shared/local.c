@@ -39,8 +39,9 @@ static batten_status make_curve(const bat_data *data, const tangent_rows *of, bo
                                 bat_made *made)
 {
     memcpy(made->parameters, of->t, (size_t)data->count * sizeof *of->t);
-    return batten_curve_from_tangents(data->dimension, data->count, data->points, of->t,
-                                      of->leaving, of->arriving, closed, &made->curve);
+    return batten_curve_from_tangents(
+        (batten_points){data->dimension, data->count, data->points}, of->t, of->leaving,
+        of->arriving, closed, &made->curve);
 }
 
 batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
@@ -50,8 +51,8 @@ batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
     tangent_rows found;
     batten_status status = tangents_make(data, &found) ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_tangents(data->dimension, data->count, data->points, options, found.t,
-                                 found.leaving, found.arriving, &report);
+        status = batten_tangents((batten_points){data->dimension, data->count, data->points},
+                                 options, found.t, &report, found.leaving, found.arriving);
     if (status == BATTEN_OK)
         status = make_curve(data, &found, options->closed, made);
     if (status == BATTEN_OK)
@@ -73,9 +74,9 @@ batten_status bat_make_kochanek_bartels(bat_run *run, const bat_data *data,
     if (status == BATTEN_OK)
         status = bat_check_closed(run, data);
     if (status == BATTEN_OK)
-        status =
-            batten_tangents_kochanek_bartels(data->dimension, data->count, data->points,
-                                             options, found.t, found.leaving, found.arriving);
+        status = batten_tangents_kochanek_bartels(
+            (batten_points){data->dimension, data->count, data->points}, options, found.t,
+            found.leaving, found.arriving);
     if (status == BATTEN_OK)
         status = make_curve(data, &found, options->closed, made);
     tangents_free(&found);
@@ -89,8 +90,8 @@ batten_status bat_make_of_slopes(const bat_data *data, batten_slope_rule rule, b
     if (slopes)
         status = batten_slopes(data->count, data->abscissae, data->points, rule, slopes);
     if (status == BATTEN_OK)
-        status = batten_curve_from_tangents(1, data->count, data->points, data->abscissae,
-                                            slopes, NULL, false, &made->curve);
+        status = batten_curve_from_tangents((batten_points){1, data->count, data->points},
+                                            data->abscissae, slopes, NULL, false, &made->curve);
     if (status == BATTEN_OK)
         memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *slopes);
     bat_release(slopes);

@@ -46,7 +46,7 @@ static inline void bat_note_validation(const bat_run *run, const bat_data *data,
 }
 
 /* The smoothing spline and its like. */
-typedef batten_status bat_smoother(int dimension, int count, const double *points,
+typedef batten_status bat_smoother(batten_points points,
                                    const batten_curve_smooth_options *options,
                                    double *parameters, batten_fit_report *report,
                                    batten_curve **out);
@@ -61,8 +61,8 @@ static inline batten_status bat_make_smooth(const bat_run *run, const bat_data *
     options->order = bat_count(run, "order");
     batten_status status = bat_smooth_options(run, data, options);
     if (status == BATTEN_OK)
-        status = smoother(data->dimension, data->count, data->points, options, made->parameters,
-                          &report, &made->curve);
+        status = smoother((batten_points){data->dimension, data->count, data->points}, options,
+                          made->parameters, &report, &made->curve);
     if (status == BATTEN_OK && options->by == BATTEN_SMOOTH_BY_VALIDATION)
         bat_note_validation(run, data, &report);
     return bat_made_near(&report, status, made);

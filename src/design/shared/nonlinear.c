@@ -35,8 +35,9 @@ batten_status bat_nonlinear_make(bat_run *run, const bat_data *data, batten_span
     options.start = bat_nonlinear_end_of(run, true, &options.start_value);
     options.end = bat_nonlinear_end_of(run, false, &options.end_value);
     options.tensions = tensions;
-    const batten_status status = batten_chain_nonlinear(
-        data->count, data->points, &options, NULL, made->parameters, &report, &made->chain);
+    const batten_status status =
+        batten_chain_nonlinear((batten_points){2, data->count, data->points}, &options, NULL,
+                               made->parameters, &report, &made->chain);
     if (status == BATTEN_OK)
         note(run, data, &report);
     return status;

@@ -32,7 +32,7 @@ static batten_status through(int count, const double *values, batten_curve **out
     options.parameters = BATTEN_GIVEN;
     options.given = at;
     const batten_status status =
-        batten_curve_interpolate(1, count, values, &options, NULL, out);
+        batten_curve_interpolate((batten_points){1, count, values}, &options, NULL, out);
     bat_release(at);
     return status;
 }

@@ -102,7 +102,8 @@ static batten_status graph_of_chain(const batten_chain *chain, batten_chain **ou
             spans[i].bend[e][0] = 0;
         }
     }
-    const batten_status status = batten_chain_create(2, n, spans, breaks, false, HUGE_VAL, out);
+    const batten_status status =
+        batten_chain_create(&(batten_chain_parts){2, n, spans, breaks, false}, HUGE_VAL, out);
     bat_release(spans);
     return status;
 }

@@ -15,8 +15,8 @@ static inline batten_status bat_make_weighted(const bat_run *run, const bat_data
     options->start = bat_end(run, "start", "start-vector");
     options->end = bat_end(run, "end", "end-vector");
     options->parameters = bat_parametrization_of(run, data);
-    return batten_curve_weighted(data->dimension, data->count, data->points, options,
-                                 made->parameters, &made->curve);
+    return batten_curve_weighted((batten_points){data->dimension, data->count, data->points},
+                                 options, made->parameters, &made->curve);
 }
 
 #endif

@@ -148,7 +148,8 @@ static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_
     else
         options.start = options.end = batten_curve_interpolate_defaults().start;
     if (status == BATTEN_OK)
-        status = batten_curve_interpolate(3, (int)count, points, &options, NULL, out);
+        status = batten_curve_interpolate((batten_points){3, (int)count, points}, &options,
+                                          NULL, out);
     if (status == BATTEN_OK)
         batten_notes_add(pairs->input->notes, pairs->input->file, pairs->line, "SPLINE",
                          "it says only %zu point%s%s; a curve was put through them%s", count,
@@ -185,7 +186,8 @@ static batten_status read_spline(const bat_dxf_pairs *pairs, batten_curve **out)
     if (status == BATTEN_OK)
         status = read_points(pairs, 10, count, &points);
     if (status == BATTEN_OK)
-        status = batten_curve_create(3, degree, (int)count, points, weights, knots, out);
+        status = batten_curve_create((batten_points){3, (int)count, points}, degree, weights,
+                                     knots, out);
     bat_release(knots);
     bat_release(weights);
     bat_release(points);
@@ -328,7 +330,7 @@ static batten_status make_space(const bat_dxf_polyline *polyline, batten_curve *
             points[3 * used + k] = p[k];
         used++;
     }
-    const batten_status status = batten_curve_polyline(3, used, points, out);
+    const batten_status status = batten_curve_polyline((batten_points){3, used, points}, out);
     bat_release(points);
     return status;
 }

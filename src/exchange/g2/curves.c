@@ -59,8 +59,8 @@ static batten_status read_spline(bat_words *words, batten_curve **out)
         status =
             bat_g2_divide_weights(words, dimension, (size_t)axis.point_count, points, &weights);
     if (status == BATTEN_OK)
-        status = batten_curve_create(dimension, axis.degree, axis.point_count, points, weights,
-                                     knots, out);
+        status = batten_curve_create((batten_points){dimension, axis.point_count, points},
+                                     axis.degree, weights, knots, out);
     bat_release(knots);
     bat_release(points);
     bat_release(weights);

@@ -181,8 +181,8 @@ static batten_status create(const bat_obj *obj, const bat_obj_axis d[2], const d
     batten_surface *surface = NULL;
     batten_status status;
     if (obj->free.open == 1) {
-        status =
-            batten_curve_create(3, d[0].p, d[0].count, points, weights, d[0].knots, &curve);
+        status = batten_curve_create((batten_points){3, d[0].count, points}, d[0].p, weights,
+                                     d[0].knots, &curve);
         if (status == BATTEN_OK)
             status = cut_curve(obj, curve, &shape->curve);
     } else {

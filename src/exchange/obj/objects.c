@@ -59,7 +59,8 @@ static batten_status make_line(bat_obj_making *m, const bat_obj_part *part,
         knots[i + 1] = (double)i;
     if (status == BATTEN_OK) {
         knots[n + 1] = (double)(n - 1);
-        status = batten_curve_create(3, 1, (int)n, m->places.items, NULL, knots, &curve);
+        status = batten_curve_create((batten_points){3, (int)n, m->places.items}, 1, NULL,
+                                     knots, &curve);
     }
     if (status == BATTEN_OK)
         status = bat_obj_add_object(

@@ -87,7 +87,8 @@ static batten_status make_polyline(const tracing *t, batten_curve **out)
     for (int i = 0; i <= t->count; i++)
         for (int k = 0; k < 3; k++)
             ends[3 * i + k] = t->points[6 * i + k];
-    const batten_status status = batten_curve_polyline(3, t->count + 1, ends, out);
+    const batten_status status =
+        batten_curve_polyline((batten_points){3, t->count + 1, ends}, out);
     bat_release(ends);
     return status;
 }
@@ -117,7 +118,8 @@ batten_status bat_path_curve(const bat_path *path, batten_curve **out)
     if (status == BATTEN_OK)
         trace(&t);
     if (status == BATTEN_OK && has_arcs)
-        status = batten_curve_from_bezier(3, 2, t.count, t.points, t.weights, t.breaks, out);
+        status = batten_curve_from_bezier(3, (batten_pieces){2, t.count, t.breaks}, t.points,
+                                          t.weights, out);
     else if (status == BATTEN_OK)
         status = make_polyline(&t, out);
     bat_release(t.points);

@@ -46,7 +46,7 @@ batten_status bat_prepare_surface(const batten_object *object, double tolerance,
                         "surface '%.60s' has %d dimension%s; the format needs 3", object->name,
                         batten_surface_dimension(object->surface),
                         bat_plural(batten_surface_dimension(object->surface)));
-    batten_status status = batten_surface_to_nurbs(object->surface, tolerance, &nurbs, &error);
+    batten_status status = batten_surface_to_nurbs(object->surface, tolerance, &error, &nurbs);
     if (status == BATTEN_OK && error > 0)
         batten_notes_add(notes, "", 0, object->name, "approximated within %g", error);
     if (status == BATTEN_OK)

@@ -174,10 +174,10 @@ batten_status bat_svg_curve(const bat_svg_row *row, const bat_svg_map *map, batt
     for (int i = 0; status == BATTEN_OK && i <= pieces; i++)
         breaks[i] = i;
     if (status == BATTEN_OK && row->has_curves)
-        status = batten_curve_from_bezier(2, 3, pieces, points,
-                                          row->has_weights ? weights : NULL, breaks, out);
+        status = batten_curve_from_bezier(2, (batten_pieces){3, pieces, breaks}, points,
+                                          row->has_weights ? weights : NULL, out);
     else if (status == BATTEN_OK)
-        status = batten_curve_polyline(2, count, points, out);
+        status = batten_curve_polyline((batten_points){2, count, points}, out);
     bat_release(points);
     bat_release(weights);
     bat_release(breaks);

@@ -163,7 +163,7 @@ static batten_status measure_curve(const batten_curve *curve, double tolerance, 
 }
 
 batten_status batten_curve_affine_length(const batten_curve *curve, double tolerance,
-                                         double *length, double *error)
+                                         double *error, double *length)
 {
     measured m;
     const batten_status status = measure_curve(curve, tolerance, &m);

@@ -269,8 +269,14 @@ batten_status batten_canonical_form(int dimension, int degree, const double *poi
     return status == BATTEN_OK ? bring_to_form(&t, tolerance, out) : status;
 }
 
+void batten_canonicals_release(batten_canonicals *forms)
+{
+    bat_release(forms->at);
+    *forms = (batten_canonicals){0, NULL};
+}
+
 batten_status batten_curve_canonical_forms(const batten_curve *curve, double tolerance,
-                                           int *count, batten_canonical **out)
+                                           batten_canonicals *out)
 {
     const int d = batten_curve_dimension(curve), p = batten_curve_degree(curve);
     const int spans = batten_curve_spans(curve, NULL) - 1;
@@ -290,8 +296,7 @@ batten_status batten_curve_canonical_forms(const batten_curve *curve, double tol
         bat_release(forms);
         return status;
     }
-    *count = spans;
-    *out = forms;
+    *out = (batten_canonicals){spans, forms};
     return BATTEN_OK;
 }
 

@@ -218,7 +218,7 @@ static batten_status search_crossings(finding *f, const double *plane)
     batten_curve *curve = NULL;
     batten_parameters found = {0, NULL};
     batten_status status =
-        batten_curve_from_bezier(2, f->degree, 1, plane, NULL, breaks, &curve);
+        batten_curve_from_bezier(2, (batten_pieces){f->degree, 1, breaks}, plane, NULL, &curve);
     if (status == BATTEN_OK)
         status = batten_curve_self_crossings(curve, &found);
     for (int i = 0; i + 1 < found.count && status == BATTEN_OK; i += 2)
@@ -423,15 +423,16 @@ static void shift_parameters(batten_census *c, double a, double b)
     }
 }
 
-void batten_censuses_release(int count, batten_census *censuses)
+void batten_censuses_release(batten_censuses *censuses)
 {
-    for (int i = 0; i < count && censuses; i++)
-        batten_census_release(&censuses[i]);
-    bat_release(censuses);
+    for (int i = 0; i < censuses->count && censuses->at; i++)
+        batten_census_release(&censuses->at[i]);
+    bat_release(censuses->at);
+    *censuses = (batten_censuses){0, NULL};
 }
 
-batten_status batten_curve_census(const batten_curve *curve, double tolerance, int *count,
-                                  batten_census **out)
+batten_status batten_curve_census(const batten_curve *curve, double tolerance,
+                                  batten_censuses *out)
 {
     const int d = batten_curve_dimension(curve), p = batten_curve_degree(curve);
     const int spans = batten_curve_spans(curve, NULL) - 1;
@@ -464,10 +465,9 @@ batten_status batten_curve_census(const batten_curve *curve, double tolerance, i
     bat_release(breaks);
     batten_curve_unref(bezier);
     if (status != BATTEN_OK) {
-        batten_censuses_release(spans, found);
+        batten_censuses_release(&(batten_censuses){spans, found});
         return status;
     }
-    *count = spans;
-    *out = found;
+    *out = (batten_censuses){spans, found};
     return BATTEN_OK;
 }

@@ -341,8 +341,14 @@ static batten_status classify_spans(const batten_curve *bezier, double tolerance
     return status;
 }
 
-batten_status batten_curve_classify(const batten_curve *curve, double tolerance, int *count,
-                                    batten_cubic **out)
+void batten_cubics_release(batten_cubics *cubics)
+{
+    bat_release(cubics->at);
+    *cubics = (batten_cubics){0, NULL};
+}
+
+batten_status batten_curve_classify(const batten_curve *curve, double tolerance,
+                                    batten_cubics *out)
 {
     const int degree = batten_curve_degree(curve);
     batten_curve *cubic = NULL, *bezier = NULL;
@@ -371,7 +377,6 @@ batten_status batten_curve_classify(const batten_curve *curve, double tolerance,
         bat_release(found);
         return status;
     }
-    *count = spans;
-    *out = found;
+    *out = (batten_cubics){spans, found};
     return BATTEN_OK;
 }

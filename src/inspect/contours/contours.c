@@ -150,8 +150,10 @@ static batten_status evaluate_span(const void *shape, int piece, const double uv
     const double u = bat_max(s->knots[0][i], bat_min(uv[0], s->knots[0][i + 1]));
     const double v = bat_max(s->knots[1][j], bat_min(uv[1], s->knots[1][j + 1]));
     return batten_surface_evaluate_side(
-        s->surface, u, v, u < s->knots[0][i + 1] ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT,
-        v < s->knots[1][j + 1] ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, order, out);
+        s->surface, u, v,
+        (batten_sides){u < s->knots[0][i + 1] ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT,
+                       v < s->knots[1][j + 1] ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT},
+        order, out);
 }
 
 static batten_status list_spans(spans *s)
@@ -228,19 +230,20 @@ static batten_status surface_contours(const batten_surface *surface,
 }
 
 batten_status batten_surface_contours(const batten_surface *surface,
-                                      const batten_surface_field *field, int level_count,
-                                      const double *levels, double tolerance,
-                                      const batten_job *job, batten_contours *out)
+                                      const batten_surface_field *field, batten_levels levels,
+                                      double tolerance, const batten_job *job,
+                                      batten_contours *out)
 {
-    return surface_contours(surface, field, level_count, levels, tolerance, false, job, out);
+    return surface_contours(surface, field, levels.count, levels.at, tolerance, false, job,
+                            out);
 }
 
 batten_status batten_surface_smooth_contours(const batten_surface *surface,
-                                             const batten_surface_field *field, int level_count,
-                                             const double *levels, double tolerance,
+                                             const batten_surface_field *field,
+                                             batten_levels levels, double tolerance,
                                              const batten_job *job, batten_contours *out)
 {
-    return surface_contours(surface, field, level_count, levels, tolerance, true, job, out);
+    return surface_contours(surface, field, levels.count, levels.at, tolerance, true, job, out);
 }
 
 batten_status batten_surface_field_values(const batten_surface *surface,

@@ -107,19 +107,19 @@ static batten_status triangles_contours(const batten_triangles *triangles,
 }
 
 batten_status batten_triangles_contours(const batten_triangles *triangles,
-                                        const batten_surface_field *field, int level_count,
-                                        const double *levels, double tolerance,
-                                        const batten_job *job, batten_contours *out)
+                                        const batten_surface_field *field, batten_levels levels,
+                                        double tolerance, const batten_job *job,
+                                        batten_contours *out)
 {
-    return triangles_contours(triangles, field, level_count, levels, tolerance, false, job,
+    return triangles_contours(triangles, field, levels.count, levels.at, tolerance, false, job,
                               out);
 }
 
 batten_status batten_triangles_smooth_contours(const batten_triangles *triangles,
                                                const batten_surface_field *field,
-                                               int level_count, const double *levels,
-                                               double tolerance, const batten_job *job,
-                                               batten_contours *out)
+                                               batten_levels levels, double tolerance,
+                                               const batten_job *job, batten_contours *out)
 {
-    return triangles_contours(triangles, field, level_count, levels, tolerance, true, job, out);
+    return triangles_contours(triangles, field, levels.count, levels.at, tolerance, true, job,
+                              out);
 }

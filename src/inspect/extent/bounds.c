@@ -50,7 +50,7 @@ batten_status batten_curve_bounds(const batten_curve *curve, batten_box *out)
 /* ---- surfaces ---- */
 
 batten_status batten_surface_bounds(const batten_surface *surface, double tolerance,
-                                    batten_box *out, double *slack)
+                                    double *slack, batten_box *out)
 {
     batten_surface *nurbs = NULL;
     double error = 0;
@@ -58,7 +58,7 @@ batten_status batten_surface_bounds(const batten_surface *surface, double tolera
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g; it must be positive",
                         tolerance);
     bat_extent extent = {bat_box_of_nothing(), bat_box_of_nothing()};
-    batten_status status = batten_surface_to_nurbs(surface, tolerance / 4, &nurbs, &error);
+    batten_status status = batten_surface_to_nurbs(surface, tolerance / 4, &error, &nurbs);
     if (status == BATTEN_OK)
         status = bat_surface_extent(nurbs, NULL, tolerance / 2, &extent);
     batten_surface_unref(nurbs);

@@ -16,7 +16,7 @@ batten_status batten_curve_divide(const batten_curve *curve, int count, double t
     double length, *s = bat_array(n, sizeof *s), *at = bat_array(n, sizeof *at);
     batten_status status = s && at ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_curve_length(curve, tolerance / 4, &length, NULL);
+        status = batten_curve_length(curve, tolerance / 4, NULL, &length);
     for (int k = 0; status == BATTEN_OK && k <= count; k++)
         s[k] = length * k / count;
     if (status == BATTEN_OK)

@@ -136,13 +136,13 @@ static batten_status open_and_close(compasses *c, int count, double longest, dou
 }
 
 batten_status batten_curve_divide_equal_chords(const batten_curve *curve, int count,
-                                               double tolerance, double *u, double *chord)
+                                               double tolerance, double *chord, double *u)
 {
     compasses c = {0};
     double length, found = 0, *at = NULL;
     if (count < 1 || count > MOST_PARTS)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve is not cut into %d parts", count);
-    batten_status status = batten_curve_length(curve, tolerance, &length, NULL);
+    batten_status status = batten_curve_length(curve, tolerance, NULL, &length);
     if (status != BATTEN_OK)
         return status;
     if (!(length > tolerance))

@@ -150,7 +150,7 @@ static batten_status tabulate(const ruler *r, double a, double b, double toleran
 }
 
 batten_status batten_curve_length_between(const batten_curve *curve, double a, double b,
-                                          double tolerance, double *length, double *error)
+                                          double tolerance, double *error, double *length)
 {
     const batten_interval domain = batten_curve_domain(curve);
     if (isnan(a) && isnan(b)) {
@@ -177,11 +177,11 @@ batten_status batten_curve_length_between(const batten_curve *curve, double a, d
     return BATTEN_OK;
 }
 
-batten_status batten_curve_length(const batten_curve *curve, double tolerance, double *length,
-                                  double *error)
+batten_status batten_curve_length(const batten_curve *curve, double tolerance, double *error,
+                                  double *length)
 {
     const batten_interval domain = batten_curve_domain(curve);
-    return batten_curve_length_between(curve, domain.a, domain.b, tolerance, length, error);
+    return batten_curve_length_between(curve, domain.a, domain.b, tolerance, error, length);
 }
 
 /* ---- from length to parameter ---- */

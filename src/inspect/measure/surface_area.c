@@ -74,8 +74,8 @@ static batten_status measure_cell(const ruler *r, cell *c)
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < NODES; i++)
             at[k][i] = c->low[k] + (c->high[k] - c->low[k]) * (0.5 + 0.5 * r->nodes[i]);
-    const batten_status status = batten_surface_evaluate_grid(r->surface, NODES, at[0], NODES,
-                                                              at[1], 1, NULL, r->values);
+    const batten_status status = batten_surface_evaluate_grid(
+        r->surface, (batten_uv_grid){NODES, NODES, at[0], at[1]}, 1, NULL, r->values);
     if (status != BATTEN_OK)
         return status;
     sum_cell(r, c);
@@ -209,7 +209,7 @@ static batten_status check_area(const batten_surface *surface, double precision,
 }
 
 batten_status batten_surface_area(const batten_surface *surface, double precision,
-                                  const batten_job *job, double *area, double *error)
+                                  const batten_job *job, double *error, double *area)
 {
     ruler r = {.surface = surface, .dimension = batten_surface_dimension(surface)};
     heap h = {0, 0, NULL};

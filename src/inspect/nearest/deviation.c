@@ -10,6 +10,7 @@
 #include "inspect/affine/forms.h"
 #include "inspect/nearest/nearest.h"
 #include "numeric/vector.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>
@@ -295,20 +296,24 @@ batten_status bat_deviation_finish(int count, const bat_nearest *nearest, double
     return BATTEN_OK;
 }
 
-batten_status batten_curve_deviation(const batten_curve *curve, int count, const double *points,
+batten_status batten_curve_deviation(const batten_curve *curve, batten_points points,
                                      const double *start, const batten_job *job,
                                      double *distances, batten_deviation *out)
 {
-    query q = {.curve = curve, .points = points, .start = start};
-    batten_status status = bat_deviation_check(curve->dimension, count, points, start, 1);
+    if (points.dimension != batten_curve_dimension(curve))
+        return bat_wrong_dimension(points, batten_curve_dimension(curve));
+    query q = {.curve = curve, .points = points.at, .start = start};
+    batten_status status =
+        bat_deviation_check(curve->dimension, points.count, points.at, start, 1);
     if (status == BATTEN_OK)
         status = boxes_begin(curve, &q.boxes);
-    if (status == BATTEN_OK && !(q.nearest = bat_array((size_t)count, sizeof *q.nearest)))
+    if (status == BATTEN_OK &&
+        !(q.nearest = bat_array((size_t)points.count, sizeof *q.nearest)))
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = bat_parallel(job, (size_t)count, 64, search_chunk, &q);
+        status = bat_parallel(job, (size_t)points.count, 64, search_chunk, &q);
     if (status == BATTEN_OK)
-        status = bat_deviation_finish(count, q.nearest, distances, out);
+        status = bat_deviation_finish(points.count, q.nearest, distances, out);
     bat_release(q.nearest);
     boxes_end(&q.boxes);
     return status;

@@ -151,7 +151,7 @@ static batten_status look_on_surface(const void *context, const double at[2],
     for (int k = 0; k < 2; k++)
         side[k] = at[k] >= in->high[k] ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
     const batten_status status = batten_surface_evaluate_side(
-        in->surface, at[0], at[1], side[0], side[1], search->order, s);
+        in->surface, at[0], at[1], (batten_sides){side[0], side[1]}, search->order, s);
     if (status != BATTEN_OK)
         return status;
     bat_foot_slopes(batten_surface_dimension(in->surface), s, search->order, search->q, out);

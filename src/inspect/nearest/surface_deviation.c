@@ -11,6 +11,7 @@
 #include "inspect/nearest/foot.h"
 #include "inspect/nearest/nearest.h"
 #include "numeric/vector.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>
@@ -119,8 +120,8 @@ static batten_status patches_begin(const batten_surface *surface, const batten_j
     for (int i = 0; i < p->along[0].count; i++)
         for (int j = 0; j < p->along[1].count; j++)
             set_box(p, i, j, box_of(p, i, j), box_of(p, i, j) + d);
-    return batten_surface_evaluate_grid(surface, nu, p->along[0].at, nv, p->along[1].at, 0, job,
-                                        p->points);
+    return batten_surface_evaluate_grid(
+        surface, (batten_uv_grid){nu, nv, p->along[0].at, p->along[1].at}, 0, job, p->points);
 }
 
 static void patches_end(patches *p)
@@ -279,38 +280,42 @@ static batten_status search_chunk(void *context, size_t begin, size_t end)
     return status;
 }
 
-batten_status batten_surface_deviation(const batten_surface *surface, int count,
-                                       const double *points, const double *start,
-                                       const batten_job *job, double *distances,
-                                       batten_deviation *out)
+batten_status batten_surface_deviation(const batten_surface *surface, batten_points points,
+                                       const double *start, const batten_job *job,
+                                       double *distances, batten_deviation *out)
 {
-    return batten_surface_project(surface, count, points, start, job, NULL, distances, out);
+    if (points.dimension != 3)
+        return bat_wrong_dimension(points, 3);
+    return batten_surface_project(surface, (batten_points){3, points.count, points.at}, start,
+                                  job, (batten_feet){NULL, distances}, out);
 }
 
-batten_status batten_surface_project(const batten_surface *surface, int count,
-                                     const double *points, const double *start,
-                                     const batten_job *job, double *uv, double *distances,
-                                     batten_deviation *out)
+batten_status batten_surface_project(const batten_surface *surface, batten_points points,
+                                     const double *start, const batten_job *job,
+                                     batten_feet feet, batten_deviation *out)
 {
-    query q = {.points = points, .start = start};
+    if (points.dimension != 3)
+        return bat_wrong_dimension(points, 3);
+    query q = {.points = points.at, .start = start};
     batten_surface *nurbs = NULL;
-    batten_status status =
-        bat_deviation_check(batten_surface_dimension(surface), count, points, start, 2);
+    batten_status status = bat_deviation_check(batten_surface_dimension(surface), points.count,
+                                               points.at, start, 2);
     const batten_box box = batten_surface_box(surface);
     const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
     /* What is not NURBS is made so to twelve digits: distances are asked for as exactly. */
     if (status == BATTEN_OK)
-        status = batten_surface_to_nurbs(surface, 1e-12 * size + DBL_MIN, &nurbs, NULL);
+        status = batten_surface_to_nurbs(surface, 1e-12 * size + DBL_MIN, NULL, &nurbs);
     if (status == BATTEN_OK)
         status = patches_begin(nurbs, job, &q.patches);
-    if (status == BATTEN_OK && !(q.nearest = bat_array((size_t)count, sizeof *q.nearest)))
+    if (status == BATTEN_OK &&
+        !(q.nearest = bat_array((size_t)points.count, sizeof *q.nearest)))
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = bat_parallel(job, (size_t)count, 16, search_chunk, &q);
+        status = bat_parallel(job, (size_t)points.count, 16, search_chunk, &q);
     if (status == BATTEN_OK)
-        status = bat_deviation_finish(count, q.nearest, distances, out);
-    for (int i = 0; status == BATTEN_OK && uv && i < count; i++)
-        memcpy(uv + 2 * (size_t)i, q.nearest[i].at, sizeof q.nearest[i].at);
+        status = bat_deviation_finish(points.count, q.nearest, feet.distances, out);
+    for (int i = 0; status == BATTEN_OK && feet.uv && i < points.count; i++)
+        memcpy(feet.uv + 2 * (size_t)i, q.nearest[i].at, sizeof q.nearest[i].at);
     bat_release(q.nearest);
     patches_end(&q.patches);
     batten_surface_unref(nurbs);

@@ -100,8 +100,8 @@ static batten_status judge_use(const bat_meshing *m, int use, const piece *p, do
         bat_sheet_wrap(sheet, uv);
         const batten_side side[2] = {side_of((const double(*)[2])ends, 0, i == 4),
                                      side_of((const double(*)[2])ends, 1, i == 4)};
-        status = batten_surface_evaluate_side(sheet->surface, uv[0], uv[1], side[0], side[1], 1,
-                                              d[i]);
+        status = batten_surface_evaluate_side(sheet->surface, uv[0], uv[1],
+                                              (batten_sides){side[0], side[1]}, 1, d[i]);
         if (status == BATTEN_OK)
             status = bat_sheet_steady(sheet, uv, side, d[i]);
     }

@@ -135,8 +135,8 @@ static batten_status one_sided(const bat_face_mesh *f, const bat_side_triangle *
         if (f->sheet->closed[i] && uv[i] == (left ? domain.a : domain.b))
             uv[i] = left ? domain.b : domain.a;
     }
-    const batten_status status =
-        batten_surface_evaluate_side(f->sheet->surface, uv[0], uv[1], side[0], side[1], 1, d);
+    const batten_status status = batten_surface_evaluate_side(
+        f->sheet->surface, uv[0], uv[1], (batten_sides){side[0], side[1]}, 1, d);
     *found = status == BATTEN_OK && bat_sheet_normal(d, normal);
     return status;
 }
@@ -152,7 +152,7 @@ static batten_status limit_normal(const bat_face_mesh *f, const bat_side_triangl
         uv[i] = bat_lattice_from_plane(&f->lattice->axis[i], at[i]);
     bat_sheet_wrap(f->sheet, uv);
     const batten_status status =
-        batten_surface_normal(f->sheet->surface, uv[0], uv[1], &n, NULL);
+        batten_surface_normal(f->sheet->surface, uv[0], uv[1], NULL, &n);
     *found = status == BATTEN_OK;
     normal[0] = *found ? n.x : 0;
     normal[1] = *found ? n.y : 0;

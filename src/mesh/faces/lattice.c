@@ -46,8 +46,8 @@ batten_status bat_sheet_steady(const bat_sheet *sheet, const double uv[2],
         at[k] = bat_min(bat_max(uv[k], sheet->steady[k].a), sheet->steady[k].b);
     if (at[0] == uv[0] && at[1] == uv[1])
         return BATTEN_OK;
-    const batten_status status =
-        batten_surface_evaluate_side(sheet->surface, at[0], at[1], side[0], side[1], 1, steady);
+    const batten_status status = batten_surface_evaluate_side(
+        sheet->surface, at[0], at[1], (batten_sides){side[0], side[1]}, 1, steady);
     if (status == BATTEN_OK)
         memcpy(d + 3, steady + 3, 6 * sizeof *d);
     return status;
@@ -179,8 +179,9 @@ static batten_status is_crease(const bat_sheet *sheet, int d, double at, bool *f
         for (int k = 0; k < 2; k++) {
             const batten_side side = k ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT;
             const batten_status status = batten_surface_evaluate_side(
-                sheet->surface, d ? other : at, d ? at : other, d ? BATTEN_FROM_RIGHT : side,
-                d ? side : BATTEN_FROM_RIGHT, 1, sides[k]);
+                sheet->surface, d ? other : at, d ? at : other,
+                (batten_sides){d ? BATTEN_FROM_RIGHT : side, d ? side : BATTEN_FROM_RIGHT}, 1,
+                sides[k]);
             if (status != BATTEN_OK)
                 return status;
             regular = bat_sheet_normal(sides[k], n[k]) && regular;

@@ -94,7 +94,8 @@ batten_status bat_sides_begin(bat_sides *s, int count, const double (*points)[2]
     batten_triangulate_options options = batten_triangulate_defaults();
     options.sliver = 0;
     *s = (bat_sides){0};
-    batten_status status = batten_triangulate(count, points[0], &options, &made);
+    batten_status status =
+        batten_triangulate((batten_points){2, count, points[0]}, &options, &made);
     if (status != BATTEN_OK)
         return status;
     status = take(s, &made);

@@ -347,12 +347,11 @@ static void draw_mark(const drawing *d, bat_colour colour, const batten_cubic *c
 static batten_status draw_marks(const drawing *d, const batten_object *object,
                                 bat_colour colour, tally *t)
 {
-    batten_cubic *cubics = NULL;
-    int count = 0;
+    batten_cubics cubics = {0, NULL};
     const batten_status status =
-        batten_curve_classify(object->curve, d->plane->tolerance, &count, &cubics);
-    for (int i = 0; status == BATTEN_OK && i < count; i++) {
-        const batten_cubic *c = &cubics[i];
+        batten_curve_classify(object->curve, d->plane->tolerance, &cubics);
+    for (int i = 0; status == BATTEN_OK && i < cubics.count; i++) {
+        const batten_cubic *c = &cubics.at[i];
         t->total++;
         if (!c->has_tangents)
             t->without++;
@@ -361,7 +360,7 @@ static batten_status draw_marks(const drawing *d, const batten_object *object,
         else
             draw_mark(d, colour, c, i + 1);
     }
-    batten_release(cubics);
+    batten_cubics_release(&cubics);
     return status;
 }
 

@@ -84,8 +84,9 @@ static batten_status extend(const batten_surface *surface, double low[3], double
         status = parameters(surface, BATTEN_V, &count_v, &v);
     if (status == BATTEN_OK) {
         points = bat_array3(count_u, count_v, 3 * sizeof *points);
-        status = points ? batten_surface_evaluate_grid(surface, count_u, u, count_v, v, 0, NULL,
-                                                       points)
+        status = points ? batten_surface_evaluate_grid(surface,
+                                                       (batten_uv_grid){count_u, count_v, u, v},
+                                                       0, NULL, points)
                         : BATTEN_OUT_OF_MEMORY;
     }
     for (size_t i = 0; status == BATTEN_OK && i < count_u * count_v; i++)

@@ -26,7 +26,7 @@ static batten_status evaluate(const isoline *line, double at, bool from_left, sp
     const bool u_fixed = line->direction == BATTEN_U;
     const batten_status status = batten_surface_evaluate_side(
         line->surface, u_fixed ? line->fixed : at, u_fixed ? at : line->fixed,
-        u_fixed ? line->side : side, u_fixed ? side : line->side, 0, point);
+        (batten_sides){u_fixed ? line->side : side, u_fixed ? side : line->side}, 0, point);
     out->at = at;
     memcpy(out->point, point, sizeof point);
     return status;

@@ -68,8 +68,8 @@ static batten_status add_object(bat_wires *w, const bat_eye *eye, int object)
         .point = {c[0] + d * e[0], c[1] + d * e[1], c[2] + d * e[2]}};
     batten_contours found = {0};
     batten_status status =
-        batten_surface_contours(batten_model_object(w->model, object)->surface, &field, 1,
-                                &level, 0.5 * w->tolerance, w->job, &found);
+        batten_surface_contours(batten_model_object(w->model, object)->surface, &field,
+                                (batten_levels){1, &level}, 0.5 * w->tolerance, w->job, &found);
     for (int i = 0; i < found.count && status == BATTEN_OK; i++)
         status = add_silhouette(w, eye, object, &found.lines[i].line);
     batten_contours_release(&found);

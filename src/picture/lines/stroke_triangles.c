@@ -17,8 +17,8 @@ static batten_status inner_line(const batten_triangles *triangles, int t, int e,
     double *points = bat_array3(STEPS + 1, 3, sizeof *points);
     if (!points)
         return BATTEN_OUT_OF_MEMORY;
-    const batten_status status =
-        batten_triangles_evaluate_many(triangles, STEPS + 1, which, places, 0, NULL, points);
+    const batten_status status = batten_triangles_evaluate_many(
+        triangles, (batten_triangle_places){STEPS + 1, which, places}, 0, NULL, points);
     if (status == BATTEN_OK)
         return bat_strokes_add(lines, (bat_stroke){STEPS + 1, points});
     bat_release(points);

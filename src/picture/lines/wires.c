@@ -123,8 +123,10 @@ static batten_status normal_at(const batten_surface *surface, batten_direction d
     const double uv[2] = {direction == BATTEN_U ? at : across,
                           direction == BATTEN_U ? across : at};
     const batten_status status = batten_surface_evaluate_side(
-        surface, uv[0], uv[1], direction == BATTEN_U ? side : BATTEN_FROM_RIGHT,
-        direction == BATTEN_U ? BATTEN_FROM_RIGHT : side, 1, d);
+        surface, uv[0], uv[1],
+        (batten_sides){direction == BATTEN_U ? side : BATTEN_FROM_RIGHT,
+                       direction == BATTEN_U ? BATTEN_FROM_RIGHT : side},
+        1, d);
     if (status != BATTEN_OK)
         return status;
     n[0] = d[4] * d[8] - d[5] * d[7];
@@ -219,8 +221,8 @@ static batten_status add_contours(bat_wires *w, int object, int level_count,
 {
     batten_contours found = {0};
     batten_status status = batten_surface_contours(
-        batten_model_object(w->model, object)->surface, &w->options->contour_field, level_count,
-        levels, w->tolerance, w->job, &found);
+        batten_model_object(w->model, object)->surface, &w->options->contour_field,
+        (batten_levels){level_count, levels}, w->tolerance, w->job, &found);
     for (int i = 0; i < found.count && status == BATTEN_OK; i++)
         status = bat_wires_add_contour(w, BAT_WIRE_CONTOUR, object,
                                        levels[found.lines[i].level], &found.lines[i].line);

@@ -8,16 +8,16 @@ static batten_status mark_set(const batten_triangles *triangles, double toleranc
 {
     /* Edge i lies opposite corner i; the patch has corner 0 at u = 0. */
     static const unsigned char side_of[3] = {BAT_SIDE_U1, BAT_SIDE_V1, BAT_SIDE_V0};
-    batten_triangle_join *joins = NULL;
-    int count = 0;
+    batten_triangle_joins joins = {0, NULL};
     for (int t = 0; t < batten_triangles_count(triangles); t++)
         sides[t] |= BAT_SIDE_U0; /* the pole is a point */
-    const batten_status status = batten_triangles_joins(triangles, tolerance, &count, &joins);
-    for (int i = 0; status == BATTEN_OK && i < count; i++)
+    const batten_status status = batten_triangles_joins(triangles, tolerance, &joins);
+    for (int i = 0; status == BATTEN_OK && i < joins.count; i++)
         for (int k = 0; k < 2; k++)
-            if (joins[i].angle >= 0 && joins[i].angle < one_degree && joins[i].gap <= tolerance)
-                sides[joins[i].triangle[k]] |= side_of[joins[i].edge[k]];
-    batten_release(joins);
+            if (joins.at[i].angle >= 0 && joins.at[i].angle < one_degree &&
+                joins.at[i].gap <= tolerance)
+                sides[joins.at[i].triangle[k]] |= side_of[joins.at[i].edge[k]];
+    batten_triangle_joins_release(&joins);
     return status;
 }
 

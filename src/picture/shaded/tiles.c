@@ -120,10 +120,12 @@ static batten_status choose_steps(const batten_surface *surface, batten_directio
     }
     if (status == BATTEN_OK)
         status = p.along_first
-                     ? batten_surface_evaluate_grid(surface, p.count_along, at, p.count_across,
-                                                    lines, 0, NULL, p.points)
-                     : batten_surface_evaluate_grid(surface, p.count_across, lines,
-                                                    p.count_along, at, 0, NULL, p.points);
+                     ? batten_surface_evaluate_grid(
+                           surface, (batten_uv_grid){p.count_along, p.count_across, at, lines},
+                           0, NULL, p.points)
+                     : batten_surface_evaluate_grid(
+                           surface, (batten_uv_grid){p.count_across, p.count_along, lines, at},
+                           0, NULL, p.points);
     for (int i = 0; status == BATTEN_OK && i + 1 < along->knot_count; i++)
         along->steps[i] = steps_for(&p, (size_t)i, tolerance, least);
     bat_release(p.points);
@@ -187,11 +189,12 @@ static batten_status evaluate(const batten_surface *surface, bat_curvature curva
         t->curvature = bat_array3(t->count_u, t->count_v, sizeof *t->curvature);
     if (!t->points || !t->normals || (curvature && !t->curvature))
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status = batten_surface_normal_grid(surface, t->count_u, t->u, t->count_v,
-                                                      t->v, job, t->points, t->normals);
+    batten_status status = batten_surface_normal_grid(
+        surface, (batten_uv_grid){t->count_u, t->count_v, t->u, t->v}, job, t->points,
+        t->normals);
     if (status == BATTEN_OK && curvature)
         status = batten_surface_curvature_grid(
-            surface, t->count_u, t->u, t->count_v, t->v, job,
+            surface, (batten_uv_grid){t->count_u, t->count_v, t->u, t->v}, job,
             curvature == BAT_CURVATURE_GAUSSIAN ? t->curvature : NULL,
             curvature == BAT_CURVATURE_MEAN ? t->curvature : NULL);
     return status;

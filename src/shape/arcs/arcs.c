@@ -382,8 +382,8 @@ batten_status bat_arcs_chain(const bat_arcs_list *list, const batten_arcs_option
             spans[count] = list->parts[i].biarc.arcs[k];
             straighten(&spans[count++], rounding);
         }
-    batten_status status =
-        batten_chain_create(2, count, spans, NULL, closed, 32 * rounding, &chain);
+    batten_status status = batten_chain_create(
+        &(batten_chain_parts){2, count, spans, NULL, closed}, 32 * rounding, &chain);
     bat_release(spans);
     if (status == BATTEN_OK)
         status = batten_chain_merge_arcs(chain, 0, &merged);

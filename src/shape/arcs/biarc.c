@@ -208,25 +208,25 @@ void bat_direction(int dimension, const double *from, double *to)
         to[k] /= norm;
 }
 
-batten_status batten_biarc_between(const double start[2], const double start_direction[2],
-                                   const double end[2], const double end_direction[2],
-                                   batten_biarc_joint joint, double place, batten_biarc *out)
+batten_status batten_biarc_between(batten_ray start, batten_ray end, batten_biarc_joint joint,
+                                   double place, batten_biarc *out)
 {
-    assert(start && start_direction && end && end_direction && out);
+    assert(start.point && start.direction && end.point && end.direction && out);
     const batten_status status =
-        bat_biarc_check_ends(2, start, start_direction, end, end_direction);
+        bat_biarc_check_ends(2, start.point, start.direction, end.point, end.direction);
     if (status != BATTEN_OK)
         return status;
     if (joint == BATTEN_JOINT_GIVEN && !(place > 0 && place < 1))
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "the place of the joint is %g; it must be between 0 and 1", place);
-    const double l = bat_distance(2, start, end);
-    const double chord[2] = {(end[0] - start[0]) / l, (end[1] - start[1]) / l};
+    const double l = bat_distance(2, start.point, end.point);
+    const double chord[2] = {(end.point[0] - start.point[0]) / l,
+                             (end.point[1] - start.point[1]) / l};
     double T0[2], T1[2];
-    bat_direction(2, start_direction, T0);
-    bat_direction(2, end_direction, T1);
+    bat_direction(2, start.direction, T0);
+    bat_direction(2, end.direction, T1);
     const double alpha = bat_turn(chord, T0), beta = bat_turn(chord, T1);
     return bat_biarc_make(
-        start, atan2(chord[1], chord[0]), l, alpha, beta,
+        start.point, atan2(chord[1], chord[0]), l, alpha, beta,
         joint == BATTEN_JOINT_GIVEN ? place : bat_biarc_place(alpha, beta, joint), out);
 }

@@ -148,9 +148,9 @@ static batten_status add_span(work *w, int i, double *length)
     const int j = (i + 1) % w->count;
     const double *a = w->points + 2 * i, *b = w->points + 2 * j;
     batten_biarc made;
-    const batten_status status =
-        batten_biarc_between(a, w->directions + 2 * i, b, w->directions + 2 * j,
-                             w->options.joint, w->options.place, &made);
+    const batten_status status = batten_biarc_between(
+        (batten_ray){a, w->directions + 2 * i}, (batten_ray){b, w->directions + 2 * j},
+        w->options.joint, w->options.place, &made);
     if (status != BATTEN_OK)
         return bat_fail(status, "between points %d and %d: %s", i, j, batten_message());
     double end[2];
@@ -216,27 +216,29 @@ static void hand_over(const work *w, double *parameters, batten_chain_biarcs_rep
         *report = w->report;
 }
 
-batten_status batten_chain_biarcs(int count, const double *points,
+batten_status batten_chain_biarcs(batten_points points,
                                   const batten_chain_biarcs_options *options,
                                   double *parameters, batten_chain_biarcs_report *report,
                                   batten_chain **out)
 {
-    assert(points && out);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    assert(points.at && out);
     batten_chain_biarcs_options chosen = batten_chain_biarcs_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_chain_biarcs_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    work w = {.count = count, .points = points, .options = chosen};
+    work w = {.count = points.count, .points = points.at, .options = chosen};
     w.closed = w.options.closed;
-    status = bat_biarcs_check(2, count, points, &w.options);
+    status = bat_biarcs_check(2, points.count, points.at, &w.options);
     if (status != BATTEN_OK)
         return status;
     status = reserve(&w);
     if (status == BATTEN_OK)
         status = make_spans(&w);
     if (status == BATTEN_OK)
-        status =
-            batten_chain_create(2, w.span_count, w.spans, NULL, w.closed, rounding(&w), out);
+        status = batten_chain_create(
+            &(batten_chain_parts){2, w.span_count, w.spans, NULL, w.closed}, rounding(&w), out);
     if (status == BATTEN_OK)
         hand_over(&w, parameters, report);
     bat_release(w.directions);
@@ -309,7 +311,8 @@ batten_status batten_chain_merge_arcs(const batten_chain *chain, double toleranc
         kept[count] = breaks[i + 1];
     }
     const batten_status status = batten_chain_create(
-        2, count, spans, kept, batten_chain_is_closed(chain), 8 * allowed, out);
+        &(batten_chain_parts){2, count, spans, kept, batten_chain_is_closed(chain)},
+        8 * allowed, out);
     bat_release(spans);
     bat_release(kept);
     return status;

@@ -115,14 +115,14 @@ static batten_status add_biarc(pieces *p, const double *a, const double *a_direc
 
 static batten_status finish(const pieces *p, batten_curve **out)
 {
-    return batten_curve_from_bezier(p->d, 2, p->count, p->points, p->weights, p->breaks, out);
+    return batten_curve_from_bezier(p->d, (batten_pieces){2, p->count, p->breaks}, p->points,
+                                    p->weights, out);
 }
 
-batten_status batten_curve_biarc(int dimension, const double *start,
-                                 const double *start_direction, const double *end,
-                                 const double *end_direction, double ratio, batten_curve **out)
+batten_status batten_curve_biarc(int dimension, batten_ray start, batten_ray end, double ratio,
+                                 batten_curve **out)
 {
-    assert(start && start_direction && end && end_direction && out);
+    assert(start.point && start.direction && end.point && end.direction && out);
     if (dimension != 2 && dimension != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a biarc of %d dimensions; there are 2 and 3",
                         dimension);
@@ -130,13 +130,13 @@ batten_status batten_curve_biarc(int dimension, const double *start,
         return bat_fail(BATTEN_BAD_ARGUMENT, "the ratio of the legs is %g; it must be above 0",
                         ratio);
     batten_status status =
-        bat_biarc_check_ends(dimension, start, start_direction, end, end_direction);
+        bat_biarc_check_ends(dimension, start.point, start.direction, end.point, end.direction);
     if (status != BATTEN_OK)
         return status;
     pieces p;
     status = pieces_make(&p, dimension, 1);
     if (status == BATTEN_OK)
-        status = add_biarc(&p, start, start_direction, end, end_direction, ratio);
+        status = add_biarc(&p, start.point, start.direction, end.point, end.direction, ratio);
     if (status == BATTEN_OK)
         status = finish(&p, out);
     pieces_end(&p);
@@ -163,24 +163,24 @@ static batten_status add_all(pieces *p, int count, const double *points, bool cl
     return status;
 }
 
-batten_status batten_curve_biarcs(int dimension, int count, const double *points,
+batten_status batten_curve_biarcs(batten_points points,
                                   const batten_chain_biarcs_options *options,
                                   double *parameters, batten_curve **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_chain_biarcs_options wanted = batten_chain_biarcs_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_chain_biarcs_options, options, &wanted);
     if (status != BATTEN_OK)
         return status;
-    if (dimension != 2 && dimension != 3)
+    if (points.dimension != 2 && points.dimension != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "biarcs of %d dimensions; there are 2 and 3",
-                        dimension);
-    status = bat_biarcs_check(dimension, count, points, &wanted);
+                        points.dimension);
+    status = bat_biarcs_check(points.dimension, points.count, points.at, &wanted);
     if (status != BATTEN_OK)
         return status;
-    const size_t n = (size_t)count, d = (size_t)dimension;
+    const size_t n = (size_t)points.count, d = (size_t)points.dimension;
     pieces p;
-    status = pieces_make(&p, dimension, n);
+    status = pieces_make(&p, points.dimension, n);
     double *directions = bat_array3(n, d, sizeof *directions);
     double *at = bat_array(n, sizeof *at);
     if (status == BATTEN_OK && (!directions || !at))
@@ -188,9 +188,10 @@ batten_status batten_curve_biarcs(int dimension, int count, const double *points
     if (status == BATTEN_OK && wanted.directions)
         memcpy(directions, wanted.directions, n * d * sizeof *directions);
     else if (status == BATTEN_OK)
-        status = bat_circle_directions(dimension, count, points, wanted.closed, directions);
+        status = bat_circle_directions(points.dimension, points.count, points.at, wanted.closed,
+                                       directions);
     if (status == BATTEN_OK)
-        status = add_all(&p, count, points, wanted.closed, directions, at);
+        status = add_all(&p, points.count, points.at, wanted.closed, directions, at);
     if (status == BATTEN_OK)
         status = finish(&p, out);
     if (status == BATTEN_OK && parameters)

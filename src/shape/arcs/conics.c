@@ -248,8 +248,9 @@ static void add_arc(task *t, const batten_span *arc, const double end[2])
 static batten_status add_biarc(task *t, int i, const span *s)
 {
     batten_biarc biarc;
-    const batten_status status = batten_biarc_between(s->start, s->t0, s->end, s->t1,
-                                                      BATTEN_JOINT_AUTOMATIC, 0.5, &biarc);
+    const batten_status status =
+        batten_biarc_between((batten_ray){s->start, s->t0}, (batten_ray){s->end, s->t1},
+                             BATTEN_JOINT_AUTOMATIC, 0.5, &biarc);
     if (status != BATTEN_OK)
         return status;
     if (t->report.arcs++ == 0)
@@ -343,7 +344,8 @@ static batten_status make_curve(const task *t, double *steps, batten_curve **out
         memcpy(points + 4 * m, t->pieces[m - 1].c, 2 * sizeof *points);
         weights[2 * m] = 1;
         knots[2 * m + 3] = steps[m];
-        status = batten_curve_create(2, 2, 2 * m + 1, points, weights, knots, out);
+        status =
+            batten_curve_create((batten_points){2, 2 * m + 1, points}, 2, weights, knots, out);
     }
     bat_release(points);
     bat_release(weights);
@@ -397,8 +399,8 @@ static batten_status find_tangents(task *t)
         batten_tangents_options rule = batten_tangents_defaults();
         rule.closed = o->closed;
         double *parameters = bat_array(n + 1, sizeof *parameters);
-        status = parameters ? batten_tangents(2, t->count, t->points, &rule, parameters,
-                                              t->units, NULL, NULL)
+        status = parameters ? batten_tangents((batten_points){2, t->count, t->points}, &rule,
+                                              parameters, NULL, t->units, NULL)
                             : BATTEN_OUT_OF_MEMORY;
         bat_release(parameters);
     } else {
@@ -420,7 +422,8 @@ static batten_status find_curvatures(task *t)
     if (o->kind != BATTEN_CONICS_PAIRS)
         memset(t->curvatures, 0, (size_t)t->count * sizeof *t->curvatures);
     else if (!o->curvatures)
-        return batten_circle_curvatures(t->count, t->points, o->closed, t->curvatures);
+        return batten_circle_curvatures((batten_points){2, t->count, t->points}, o->closed,
+                                        t->curvatures);
     else
         memcpy(t->curvatures, o->curvatures, (size_t)t->count * sizeof *t->curvatures);
     const size_t bad = bat_first_not_finite(t->curvatures, (size_t)t->count);
@@ -440,20 +443,22 @@ static batten_status allocate(task *t, int spans)
                                                               : BATTEN_OUT_OF_MEMORY;
 }
 
-batten_status batten_curve_conics(int count, const double *points,
+batten_status batten_curve_conics(batten_points points,
                                   const batten_curve_conics_options *options,
                                   double *parameters, batten_curve_conics_report *report,
                                   batten_curve **out)
 {
-    assert(points && out);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    assert(points.at && out);
     batten_curve_conics_options chosen = batten_curve_conics_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_conics_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.count = count, .points = points, .options = &chosen};
+    task t = {.count = points.count, .points = points.at, .options = &chosen};
     t.report.first_arcs = t.report.first_fallen_back = -1;
-    status = check(count, points, t.options);
-    const int spans = t.options->closed ? count : count - 1;
+    status = check(points.count, points.at, t.options);
+    const int spans = t.options->closed ? points.count : points.count - 1;
     if (status == BATTEN_OK)
         status = allocate(&t, spans);
     if (status == BATTEN_OK)

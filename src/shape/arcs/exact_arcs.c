@@ -195,9 +195,10 @@ static batten_status of_plane_curve(const batten_curve *curve, batten_chain **ou
     batten_chain *chain = NULL;
     batten_status status = s.spans && s.breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && isfinite(tolerance) && find(curve, tolerance, &s))
-        status = batten_chain_create(2, s.count, s.spans, s.breaks,
-                                     batten_curve_is_closed(curve, tolerance), 16 * tolerance,
-                                     &chain);
+        status =
+            batten_chain_create(&(batten_chain_parts){2, s.count, s.spans, s.breaks,
+                                                      batten_curve_is_closed(curve, tolerance)},
+                                16 * tolerance, &chain);
     bat_release(s.spans);
     bat_release(s.breaks);
     if (status == BATTEN_OK)

@@ -1,6 +1,7 @@
 /* Rows of points as few arcs: from point to point the longest that passes those between. */
 #include "numeric/vector.h"
 #include "shape/arcs/arcs.h"
+#include "spline/data_check.h"
 
 #include <string.h>
 
@@ -249,11 +250,13 @@ static batten_status run_all(task *t, int count, double *parameters, batten_arcs
     return status;
 }
 
-batten_status batten_arcs_from_points(int count, const double *points,
-                                      const batten_arcs_options *options, double *parameters,
-                                      batten_arcs_report *report, batten_chain **out)
+batten_status batten_arcs_from_points(batten_points points, const batten_arcs_options *options,
+                                      double *parameters, batten_arcs_report *report,
+                                      batten_chain **out)
 {
-    assert(points && options && out);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    assert(points.at && options && out);
     batten_arcs_options chosen = batten_arcs_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_arcs_options, options, &chosen);
     if (status != BATTEN_OK)
@@ -263,15 +266,15 @@ batten_status batten_arcs_from_points(int count, const double *points,
     row.closed = options->closed;
     status = bat_arcs_check(options);
     if (status == BATTEN_OK)
-        status = bat_biarcs_check(2, count, points, &row);
+        status = bat_biarcs_check(2, points.count, points.at, &row);
     if (status != BATTEN_OK)
         return status;
     task t = {.options = *options};
     batten_arcs_report found = {0};
-    t.slack = 32 * DBL_EPSILON * bat_largest(2 * count, points);
-    status = prepare(&t, count, points);
+    t.slack = 32 * DBL_EPSILON * bat_largest(2 * points.count, points.at);
+    status = prepare(&t, points.count, points.at);
     if (status == BATTEN_OK)
-        status = run_all(&t, count, parameters, &found, out);
+        status = run_all(&t, points.count, parameters, &found, out);
     if (status == BATTEN_OK && report)
         *report = found;
     bat_arcs_list_end(&t.list);

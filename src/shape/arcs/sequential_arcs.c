@@ -147,29 +147,32 @@ static batten_status make(const chords *c, const double *points, double start_an
         breaks[i + 1] = breaks[i] + spans[i].length;
         size = bat_max(size, spans[i].length);
     }
-    return batten_chain_create(2, c->count, spans, breaks, false, 64 * DBL_EPSILON * size, out);
+    return batten_chain_create(&(batten_chain_parts){2, c->count, spans, breaks, false},
+                               64 * DBL_EPSILON * size, out);
 }
 
-batten_status batten_chain_sequential_arcs(int count, const double *points, double start_angle,
+batten_status batten_chain_sequential_arcs(batten_points points, double start_angle,
                                            double *angles, double *parameters,
                                            batten_chain_sequential_arcs_report *report,
                                            batten_chain **out)
 {
-    assert(points && out);
-    batten_status status = bat_points_check(2, count, points, 2);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    assert(points.at && out);
+    batten_status status = bat_points_check(2, points.count, points.at, 2);
     if (status != BATTEN_OK)
         return status;
     if (isinf(start_angle))
         return bat_fail(BATTEN_NOT_FINITE, "the direction at the start is infinite");
-    const size_t n = (size_t)count;
+    const size_t n = (size_t)points.count;
     batten_chain_sequential_arcs_report found = {0};
-    chords c = {count - 1, bat_array(n, sizeof(double)), bat_array(n, sizeof(double)),
+    chords c = {points.count - 1, bat_array(n, sizeof(double)), bat_array(n, sizeof(double)),
                 bat_array(n, sizeof(double))};
     batten_span *spans = bat_array(n, sizeof *spans);
     double *made = bat_array(n, sizeof *made), *breaks = bat_array(n, sizeof *breaks);
     status = BATTEN_OUT_OF_MEMORY;
     if (c.length && c.direction && c.base && spans && made && breaks)
-        status = make(&c, points, start_angle, spans, made, breaks, &found, out);
+        status = make(&c, points.at, start_angle, spans, made, breaks, &found, out);
     if (status == BATTEN_OK && angles)
         memcpy(angles, made, n * sizeof *made);
     if (status == BATTEN_OK && parameters)

@@ -156,14 +156,15 @@ static batten_status find_chain(const task *t, double *parameters, batten_chain 
     nonlinear.end_value = spiro.end.tangent = angles[1];
     spiro.start.has_tangent = tangents[0], spiro.end.has_tangent = tangents[1];
     nonlinear.family = BATTEN_FAMILY_ELASTICA;
-    batten_status status =
-        bending ? batten_chain_nonlinear(t->count, t->points, &nonlinear, NULL, parameters,
-                                         NULL, out)
-                : batten_chain_spiro(t->count, t->points, &spiro, parameters, NULL, out);
+    batten_status status = bending
+                               ? batten_chain_nonlinear((batten_points){2, t->count, t->points},
+                                                        &nonlinear, NULL, parameters, NULL, out)
+                               : batten_chain_spiro((batten_points){2, t->count, t->points},
+                                                    &spiro, parameters, NULL, out);
     nonlinear.family = BATTEN_FAMILY_EULER_SPIRAL;
     if (status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY)
-        status = batten_chain_nonlinear(t->count, t->points, &nonlinear, NULL, parameters, NULL,
-                                        out);
+        status = batten_chain_nonlinear((batten_points){2, t->count, t->points}, &nonlinear,
+                                        NULL, parameters, NULL, out);
     return status;
 }
 
@@ -220,8 +221,8 @@ static batten_status start_of_cubic(task *t)
     options.start.kind = options.end.kind =
         natural ? BATTEN_END_NATURAL : BATTEN_END_NOT_A_KNOT;
     batten_curve *curve = NULL;
-    batten_status status =
-        batten_curve_interpolate(t->d, t->count, t->points, &options, NULL, &curve);
+    batten_status status = batten_curve_interpolate((batten_points){t->d, t->count, t->points},
+                                                    &options, NULL, &curve);
     if (status == BATTEN_OK)
         status = sample(t, NULL, curve);
     batten_curve_unref(curve);
@@ -312,7 +313,8 @@ static batten_status make_curve(const task *t, batten_curve **out)
     if (status == BATTEN_OK && nodes->closed)
         memcpy(points + spans * 5 * d, t->given, d * sizeof *points);
     if (status == BATTEN_OK)
-        status = batten_curve_from_bezier(t->d, 5, nodes->spans, points, NULL, breaks, out);
+        status = batten_curve_from_bezier(t->d, (batten_pieces){5, nodes->spans, breaks},
+                                          points, NULL, out);
     bat_release(points);
     bat_release(breaks);
     return status;
@@ -443,26 +445,27 @@ static batten_status find(task *t, batten_curve_minimum_energy_report *report,
     return status;
 }
 
-batten_status batten_curve_minimum_energy(int dimension, int count, const double *points,
+batten_status batten_curve_minimum_energy(batten_points points,
                                           const batten_curve_minimum_energy_options *options,
                                           double *parameters,
                                           batten_curve_minimum_energy_report *report,
                                           batten_curve **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_curve_minimum_energy_options chosen = batten_curve_minimum_energy_defaults();
     batten_status status =
         BAT_TAKE_OPTIONS(batten_curve_minimum_energy_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.options = &chosen, .d = dimension, .count = count, .given = points};
+    task t = {
+        .options = &chosen, .d = points.dimension, .count = points.count, .given = points.at};
     batten_curve_minimum_energy_report found = {0};
     batten_curve *curve = NULL;
-    status = check(dimension, count, points, t.options);
+    status = check(points.dimension, points.count, points.at, t.options);
     if (status == BATTEN_OK)
         status = find(&t, &found, &curve);
     if (status == BATTEN_OK) {
-        for (int i = 0; i < count && parameters; i++)
+        for (int i = 0; i < points.count && parameters; i++)
             parameters[i] = t.parameters[i];
         if (report)
             *report = found;

@@ -12,6 +12,7 @@
 #include "numeric/vector.h"
 #include "shape/arcs/biarc.h"
 #include "spline/chain/chain.h"
+#include "spline/data_check.h"
 #include <batten/bent.h>
 
 enum { MOST_ARCS = 10000 };
@@ -283,7 +284,8 @@ static batten_status make_chain(const task *t, double *parameters, batten_chain 
     }
     const double size = bat_largest(2 * t->count, t->points) + t->arcs * longest;
     const batten_status status = batten_chain_create(
-        2, t->arcs, t->made, breaks, t->options->closed, 64 * DBL_EPSILON * size, out);
+        &(batten_chain_parts){2, t->arcs, t->made, breaks, t->options->closed},
+        64 * DBL_EPSILON * size, out);
     for (int i = 0; i < t->count && parameters && status == BATTEN_OK; i++)
         parameters[i] = breaks[t->first[i]];
     bat_release(breaks);
@@ -300,17 +302,19 @@ static batten_status make(task *t, double *parameters, batten_chain **out)
     return status == BATTEN_OK ? make_chain(t, parameters, out) : status;
 }
 
-batten_status batten_chain_mehlum(int count, const double *points,
+batten_status batten_chain_mehlum(batten_points points,
                                   const batten_chain_mehlum_options *options, double *angles,
                                   double *parameters, batten_chain_mehlum_report *report,
                                   batten_chain **out)
 {
-    assert(points && out);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    assert(points.at && out);
     batten_chain_mehlum_options chosen = batten_chain_mehlum_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_chain_mehlum_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.count = count, .points = points, .options = &chosen};
+    task t = {.count = points.count, .points = points.at, .options = &chosen};
     const batten_chain_mehlum_options *o = t.options;
     batten_chain_nonlinear_options elastica = batten_chain_nonlinear_defaults();
     batten_chain *beam = NULL;
@@ -322,7 +326,8 @@ batten_status batten_chain_mehlum(int count, const double *points,
     elastica.closed = o->closed;
     status = check(o);
     if (status == BATTEN_OK)
-        status = batten_chain_nonlinear(count, points, &elastica, angles, NULL, NULL, &beam);
+        status = batten_chain_nonlinear((batten_points){2, points.count, points.at}, &elastica,
+                                        angles, NULL, NULL, &beam);
     if (status == BATTEN_OK) {
         t.elastica = beam;
         t.spans = batten_chain_span_count(beam);

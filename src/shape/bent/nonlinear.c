@@ -185,7 +185,8 @@ static batten_status make_chain(const polygon *p, int count, const double *point
         parameters[count - 1] = breaks[total];
     /* Families are solved to about 1e-13 of the chord. */
     const double tolerance = 1e-11 * p->chords.unit + 16 * DBL_EPSILON * p->chords.size;
-    return batten_chain_create(2, total, spans, breaks, p->task.closed, tolerance, out);
+    return batten_chain_create(&(batten_chain_parts){2, total, spans, breaks, p->task.closed},
+                               tolerance, out);
 }
 
 static batten_status emit(const polygon *p, int count, const double *points, double *parameters,
@@ -310,12 +311,14 @@ static batten_status make(int count, const double *points,
     return status;
 }
 
-batten_status batten_chain_nonlinear(int count, const double *points,
+batten_status batten_chain_nonlinear(batten_points points,
                                      const batten_chain_nonlinear_options *options,
                                      double *angles, double *parameters,
                                      batten_chain_nonlinear_report *report, batten_chain **out)
 {
-    assert(points && out);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    assert(points.at && out);
     batten_chain_nonlinear_options chosen = batten_chain_nonlinear_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_chain_nonlinear_options, options, &chosen);
     if (status != BATTEN_OK)
@@ -323,9 +326,9 @@ batten_status batten_chain_nonlinear(int count, const double *points,
     options = &chosen;
     batten_chain_nonlinear_report reached = {0};
     polygon p = {0};
-    status = check(count, points, options);
+    status = check(points.count, points.at, options);
     if (status == BATTEN_OK)
-        status = make(count, points, options, parameters, &p, &reached, out);
+        status = make(points.count, points.at, options, parameters, &p, &reached, out);
     if (status == BATTEN_OK && angles)
         bat_chord_polygon_directions(&p.chords, p.angles, angles);
     if (status == BATTEN_OK && report) {

@@ -72,22 +72,22 @@ static double end_error(const batten_span *span, const double *end, double end_a
     return bat_max(bat_distance(2, at, end), fabs(turn) * span->length);
 }
 
-batten_status batten_spiral_hermite(const double *start, double start_angle, const double *end,
-                                    double end_angle, int *steps, double *error,
-                                    batten_span *out)
+batten_status batten_spiral_hermite(batten_heading start, batten_heading end, int *steps,
+                                    double *error, batten_span *out)
 {
-    assert(start && end && out);
-    const double q[2] = {end[0] - start[0], end[1] - start[1]}, l = bat_norm(2, q);
-    if (!isfinite(start_angle) || !isfinite(end_angle) || bat_first_not_finite(start, 2) < 2 ||
-        bat_first_not_finite(end, 2) < 2)
+    assert(start.point && end.point && out);
+    const double q[2] = {end.point[0] - start.point[0], end.point[1] - start.point[1]},
+                 l = bat_norm(2, q);
+    if (!isfinite(start.angle) || !isfinite(end.angle) ||
+        bat_first_not_finite(start.point, 2) < 2 || bat_first_not_finite(end.point, 2) < 2)
         return bat_fail(BATTEN_NOT_FINITE, "a point or a direction is not finite");
     if (l == 0)
         return bat_fail(BATTEN_COINCIDENT, "start and end coincide");
     if (!isfinite(l))
         return bat_fail(BATTEN_OVERFLOW, "start and end are too far apart");
     const double phi = atan2(q[1], q[0]);
-    const double alpha = remainder(start_angle - phi, 2 * BAT_PI);
-    const double beta = remainder(end_angle - phi, 2 * BAT_PI);
+    const double alpha = remainder(start.angle - phi, 2 * BAT_PI);
+    const double beta = remainder(end.angle - phi, 2 * BAT_PI);
     if (fabs(alpha) > limit && fabs(beta) > limit)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "both directions, %g and %g radians from the chord, lead away from the "
@@ -101,10 +101,10 @@ batten_status batten_spiral_hermite(const double *start, double start_angle, con
     const batten_span span = {
         .kind = BATTEN_SPAN_SPIRAL,
         .length = length,
-        .start = {start[0], start[1]},
-        .angle = start_angle,
+        .start = {start.point[0], start.point[1]},
+        .angle = start.angle,
         .curvature = {(beta - alpha - c.A) / length, 2 * c.A / length / length}};
-    const double off = end_error(&span, end, end_angle);
+    const double off = end_error(&span, end.point, end.angle);
     if (!isfinite(length) || bat_first_not_finite(span.curvature, 4) < 4 || !isfinite(off))
         return bat_fail(BATTEN_OVERFLOW, "the curvature is too large for a number");
     if (steps)

@@ -229,7 +229,8 @@ static batten_status emit(const spline *s, const double *points, double *paramet
     /* The angles are solved to about 1e-12. */
     const double tolerance = 1e-11 * p->unit + 16 * DBL_EPSILON * p->size;
     if (status == BATTEN_OK)
-        status = batten_chain_create(2, p->spans, spans, breaks, p->closed, tolerance, out);
+        status = batten_chain_create(
+            &(batten_chain_parts){2, p->spans, spans, breaks, p->closed}, tolerance, out);
     if (status == BATTEN_OK && parameters)
         memcpy(parameters, breaks, (size_t)p->count * sizeof *breaks);
     bat_release(spans);
@@ -255,11 +256,13 @@ static batten_status make(int count, const double *points,
     return status;
 }
 
-batten_status batten_chain_spiro(int count, const double *points,
+batten_status batten_chain_spiro(batten_points points,
                                  const batten_chain_spiro_options *options, double *parameters,
                                  batten_chain_spiro_report *report, batten_chain **out)
 {
-    assert(points && out);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    assert(points.at && out);
     batten_chain_spiro_options chosen = batten_chain_spiro_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_chain_spiro_options, options, &chosen);
     if (status != BATTEN_OK)
@@ -267,9 +270,9 @@ batten_status batten_chain_spiro(int count, const double *points,
     options = &chosen;
     batten_chain_spiro_report reached = {0};
     spline s = {.kinds = NULL};
-    status = check(count, points, options);
+    status = check(points.count, points.at, options);
     if (status == BATTEN_OK)
-        status = make(count, points, options, parameters, &s, &reached, out);
+        status = make(points.count, points.at, options, parameters, &s, &reached, out);
     if (status == BATTEN_OK && report) {
         reached.curvature /= s.chords.unit;
         reached.turn = bat_chord_polygon_sharpest(&s.chords, &reached.turn_at);

@@ -1,7 +1,7 @@
 /*
  * The common scheme of all nonlinear plane splines through points: a span family tells the
  * curvatures at both ends of a span from the two angles between its chord and its tangents; one
- * driver finds the tangents for which curvature is continuous (curves-nonlinear.md 0).
+ * driver finds the tangents for which curvature is continuous.
  *
  * Of a span with chord length l: alpha = theta_0 - phi, beta = theta_1 - phi, where phi is the
  * direction of the chord and theta that of the tangents. A left turn is positive.

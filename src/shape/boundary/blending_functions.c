@@ -40,7 +40,7 @@ static batten_status make_function(const family *of, int which, batten_curve **o
     double values[MOST];
     for (int i = 0; i < n; i++)
         values[i] = which % 2 ? sign * of->left[order][n - 1 - i] : of->left[order][i];
-    return batten_curve_create(1, of->degree, n, values, NULL, of->knots, out);
+    return batten_curve_create((batten_points){1, n, values}, of->degree, NULL, of->knots, out);
 }
 
 batten_status batten_blending_functions(batten_blending blending, int order, batten_curve **out)

@@ -57,8 +57,8 @@ static batten_status take_ribbon(const batten_surface *surface, batten_edge edge
                                  double tolerance, batten_curve *ribbon[3], double *error)
 {
     if (surface->kind == &bat_nurbs_kind && !batten_surface_is_rational(surface))
-        return batten_edge_ribbon(surface, edge, bat_max_int(1, order), tolerance, ribbon,
-                                  error);
+        return batten_edge_ribbon(surface, edge, bat_max_int(1, order), tolerance, error,
+                                  ribbon);
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k <= order; k++) {
         double far = 0;
@@ -162,7 +162,8 @@ static batten_status times_linear(const double f[2], const batten_curve *curve,
         const batten_affine map = batten_affine_scaling(f[0], f[0], f[0]);
         return batten_curve_transform(curve, &map, out);
     }
-    batten_status status = batten_curve_create(1, 1, 2, f, NULL, knots, &linear);
+    batten_status status =
+        batten_curve_create((batten_points){1, 2, f}, 1, NULL, knots, &linear);
     if (status == BATTEN_OK)
         status = bat_curve_product(linear, curve, out);
     batten_curve_unref(linear);
@@ -274,19 +275,20 @@ static batten_status check_edge(const batten_surface *surface, const batten_curv
 }
 
 batten_status batten_ribbon_along(const batten_surface *surface, const batten_curve *curve,
-                                  int order, const double *ends, double tolerance,
-                                  batten_curve **ribbon, double *misfit, double *error)
+                                  batten_ribbon_wish wish, double *misfit, double *error,
+                                  batten_curve **ribbon)
 {
     assert(surface && curve && ribbon);
     batten_curve *made[3] = {NULL, NULL, NULL};
     batten_edge edge = BATTEN_EDGE_V0;
     double at[2] = {0, 0}, far = 0, off[2] = {0, 0};
-    batten_status status = check_edge(surface, curve, order, ends, tolerance);
+    batten_status status = check_edge(surface, curve, wish.order, wish.ends, wish.tolerance);
     if (status == BATTEN_OK)
-        status = bat_edge_beside(surface, curve, tolerance, &edge, at);
+        status = bat_edge_beside(surface, curve, wish.tolerance, &edge, at);
     if (status == BATTEN_OK)
-        status = ribbon_of(surface, edge, at, order, ends, tolerance, made, off, &far);
-    for (int k = 0; k <= order && k < 3; k++) {
+        status = ribbon_of(surface, edge, at, wish.order, wish.ends, wish.tolerance, made, off,
+                           &far);
+    for (int k = 0; k <= wish.order && k < 3; k++) {
         if (status == BATTEN_OK)
             ribbon[k] = made[k];
         else

@@ -53,7 +53,8 @@ static batten_status make_line(grid *g, int k, int line, double *room)
         memcpy(room + i * d,
                g->points + (k ? line * g->count[1] + i : i * g->count[1] + line) * d,
                (size_t)d * sizeof *room);
-    return batten_curve_interpolate(d, n, room, &options, NULL, &g->lines[k][line]);
+    return batten_curve_interpolate((batten_points){d, n, room}, &options, NULL,
+                                    &g->lines[k][line]);
 }
 
 static batten_status make_lines(grid *g, int k)
@@ -99,8 +100,9 @@ static batten_status fit_surface(const grid *g, batten_surface **out)
     options.parameters = BATTEN_GIVEN;
     options.given_u = g->at[0];
     options.given_v = g->at[1];
-    return batten_surface_interpolate(g->dimension, g->count[0], g->count[1], g->points,
-                                      &options, NULL, NULL, NULL, NULL, out);
+    return batten_surface_interpolate(
+        (batten_grid){g->dimension, g->count[0], g->count[1], g->points}, &options, NULL,
+        (batten_uv_out){NULL, NULL}, NULL, out);
 }
 
 static batten_status curvature_twists(grid *g)
@@ -120,9 +122,11 @@ static batten_status curvature_twists(grid *g)
             status = look_along(g, i, j, surface);
     const batten_twist_shape shape = {g->values[2], g->values[3], g->values[5]};
     if (status == BATTEN_OK)
-        status = batten_net_twists(BATTEN_TWISTS_SELESNICK, 3, g->count[0], g->at[0],
-                                   g->count[1], g->at[1], g->points, g->values[0], g->values[1],
-                                   &shape, g->values[4], NULL);
+        status =
+            batten_net_twists(BATTEN_TWISTS_SELESNICK,
+                              &(batten_net){3, g->count[0], g->count[1], g->at[0], g->at[1],
+                                            g->points, g->values[0], g->values[1]},
+                              &shape, NULL, g->values[4]);
     batten_surface_unref(surface);
     return status;
 }
@@ -160,17 +164,17 @@ static batten_status build_patches(grid *g, batten_surface **out)
     /* The curves pass the points but for rounding, which has nothing to do with tolerances. */
     options.tolerance = INFINITY;
     return status == BATTEN_OK
-               ? batten_surface_coons_network(g->count[0], g->at[0], g->count[1], g->at[1],
-                                              (const batten_curve *const *)g->lines[0],
-                                              (const batten_curve *const *)g->lines[1],
-                                              &options, NULL, out)
+               ? batten_surface_coons_network(
+                     &(batten_curve_net){g->count[0], g->count[1], g->at[0], g->at[1],
+                                         (const batten_curve *const *)g->lines[0],
+                                         (const batten_curve *const *)g->lines[1]},
+                     &options, NULL, out)
                : status;
 }
 
-batten_status batten_surface_coons_grid(int dimension, int count_u, int count_v,
-                                        const double *points,
+batten_status batten_surface_coons_grid(batten_grid points,
                                         const batten_surface_coons_network_options *options,
-                                        double *u, double *v, batten_surface **out)
+                                        batten_uv_out uv, batten_surface **out)
 {
     batten_surface_coons_network_options chosen = batten_surface_coons_network_defaults();
     batten_status status =
@@ -180,18 +184,18 @@ batten_status batten_surface_coons_grid(int dimension, int count_u, int count_v,
     options = &chosen;
     const batten_surface_coons_network_options standard =
         batten_surface_coons_network_defaults();
-    assert(points && out);
+    assert(points.at && out);
     grid g = {.options = options ? options : &standard,
-              .dimension = dimension,
-              .count = {count_u, count_v},
-              .points = points};
-    status = check_grid(dimension, count_u, count_v, points);
+              .dimension = points.dimension,
+              .count = {points.count_u, points.count_v},
+              .points = points.at};
+    status = check_grid(points.dimension, points.count_u, points.count_v, points.at);
     if (status == BATTEN_OK)
         status = build_patches(&g, out);
-    if (status == BATTEN_OK && u)
-        memcpy(u, g.at[0], (size_t)count_u * sizeof *u);
-    if (status == BATTEN_OK && v)
-        memcpy(v, g.at[1], (size_t)count_v * sizeof *v);
+    if (status == BATTEN_OK && uv.u)
+        memcpy(uv.u, g.at[0], (size_t)points.count_u * sizeof *uv.u);
+    if (status == BATTEN_OK && uv.v)
+        memcpy(uv.v, g.at[1], (size_t)points.count_v * sizeof *uv.v);
     grid_release(&g);
     return status;
 }

@@ -98,8 +98,8 @@ static batten_status remove_free_knots(const piecewise *p, int smooth, batten_cu
     for (int c = 1; status == BATTEN_OK && c < p->cells; c++) {
         batten_curve *thinner = NULL;
         int removed = 0;
-        status = batten_curve_remove_knot(*out, p->ends[c], smooth, BAT_ROUNDING * largest,
-                                          &removed, NULL, &thinner);
+        status = batten_curve_remove_knot(*out, (batten_knot){p->ends[c], smooth},
+                                          BAT_ROUNDING * largest, &removed, NULL, &thinner);
         if (status == BATTEN_OK && removed < smooth)
             status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
                               "a blending function is not smooth at parameter %g", p->ends[c]);
@@ -123,8 +123,8 @@ static batten_status line_blend(const network *net, int k, int i, int order,
     batten_curve *full = NULL;
     pieces_of(net->count[k], net->at[k], i, functions[2 * order + 1], functions[2 * order],
               order > 0, &p);
-    batten_status status =
-        batten_curve_create(1, p.degree, p.count, p.values, NULL, p.knots, &full);
+    batten_status status = batten_curve_create((batten_points){1, p.count, p.values}, p.degree,
+                                               NULL, p.knots, &full);
     if (status == BATTEN_OK)
         status = remove_free_knots(&p, smooth, full, out);
     batten_curve_unref(full);
@@ -207,9 +207,11 @@ static batten_status find_crossings(network *net)
                    ? bat_fail(BATTEN_NOT_FINITE, "a given twist is not finite")
                    : BATTEN_OK;
     }
-    return batten_net_twists(net->options->twists, net->dimension, net->count[0], net->at[0],
-                             net->count[1], net->at[1], net->points, net->tangents[0],
-                             net->tangents[1], NULL, net->twists, NULL);
+    return batten_net_twists(net->options->twists,
+                             &(batten_net){net->dimension, net->count[0], net->count[1],
+                                           net->at[0], net->at[1], net->points,
+                                           net->tangents[0], net->tangents[1]},
+                             NULL, NULL, net->twists);
 }
 
 /* ---- the surface ---- */
@@ -305,9 +307,7 @@ static batten_status check_network(const network *net)
     return status;
 }
 
-batten_status batten_surface_coons_network(int count_u, const double *u, int count_v,
-                                           const double *v, const batten_curve *const *along_u,
-                                           const batten_curve *const *along_v,
+batten_status batten_surface_coons_network(const batten_curve_net *given,
                                            const batten_surface_coons_network_options *options,
                                            double *gap, batten_surface **out)
 {
@@ -319,13 +319,13 @@ batten_status batten_surface_coons_network(int count_u, const double *u, int cou
     options = &chosen;
     const batten_surface_coons_network_options standard =
         batten_surface_coons_network_defaults();
-    assert(u && v && along_u && along_v && out);
+    assert(given->u && given->v && given->along_u && given->along_v && out);
     network net = {.options = options ? options : &standard,
-                   .count = {count_u, count_v},
-                   .at = {u, v},
-                   .curves = {along_u, along_v}};
+                   .count = {given->count_u, given->count_v},
+                   .at = {given->u, given->v},
+                   .curves = {given->along_u, given->along_v}};
     net.order = net.options->blending == BATTEN_BLENDING_LINEAR ? 1 : 2;
-    net.dimension = count_v > 0 ? along_u[0]->dimension : 1;
+    net.dimension = given->count_v > 0 ? given->along_u[0]->dimension : 1;
     status = check_network(&net);
     if (status == BATTEN_OK)
         status = build_network(&net, out);

@@ -26,7 +26,7 @@ static batten_status orient(const batten_curve *curve, bool reversed, bool by_le
     else if (status == BATTEN_OK)
         turned = batten_curve_ref(open);
     if (status == BATTEN_OK && by_length)
-        status = batten_curve_length(turned, BAT_MEANT_SAME * size, &length, NULL);
+        status = batten_curve_length(turned, BAT_MEANT_SAME * size, NULL, &length);
     if (status == BATTEN_OK)
         status = batten_curve_set_domain(turned, 0, length, out);
     batten_curve_unref(turned);
@@ -49,7 +49,7 @@ static batten_status make_pole(const batten_curve *const *curves,
         return status;
     for (int x = 0; x < d; x++)
         points[d + x] = points[x];
-    return batten_curve_create(d, 1, 2, points, NULL, knots, out);
+    return batten_curve_create((batten_points){d, 2, points}, 1, NULL, knots, out);
 }
 
 static batten_status make_side(const batten_curve *const *curves,

@@ -39,7 +39,9 @@ static batten_status probe(const batten_curve *edge, const double *points, doubl
     batten_status status = BATTEN_OK;
     *far = 0;
     for (int e = 0; status == BATTEN_OK && e < 2; e++) {
-        status = batten_curve_deviation(edge, 1, points + e * d, NULL, NULL, NULL, &found);
+        status = batten_curve_deviation(
+            edge, (batten_points){batten_curve_dimension(edge), 1, points + e * d}, NULL, NULL,
+            NULL, &found);
         if (status != BATTEN_OK)
             break;
         at[e] = found.at[0];
@@ -47,7 +49,9 @@ static batten_status probe(const batten_curve *edge, const double *points, doubl
     }
     if (status != BATTEN_OK || *far > tolerance)
         return status;
-    status = batten_curve_deviation(edge, PROBES, points, NULL, NULL, NULL, &found);
+    status = batten_curve_deviation(
+        edge, (batten_points){batten_curve_dimension(edge), PROBES, points}, NULL, NULL, NULL,
+        &found);
     *far = bat_max(*far, found.max);
     return status;
 }

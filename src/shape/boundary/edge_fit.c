@@ -38,7 +38,8 @@ static batten_status true_derivatives(const fit *f, double t, batten_side side, 
     double all[BATTEN_SURFACE_DERIVATIVES(4) * 3];
     const batten_status status = batten_surface_evaluate_side(
         f->surface, along_u ? t : f->place.at, along_u ? f->place.at : t,
-        along_u ? side : f->place.side, along_u ? f->place.side : side, f->k + rows - 1, all);
+        (batten_sides){along_u ? side : f->place.side, along_u ? f->place.side : side},
+        f->k + rows - 1, all);
     const double sign = f->k == 1 ? f->place.outward : 1;
     for (int r = 0; status == BATTEN_OK && r < rows; r++) {
         const int place =
@@ -145,8 +146,9 @@ batten_status bat_edge_fit(const batten_surface *surface, batten_edge edge, int 
     batten_curve *pieces = NULL;
     batten_status status = halve_until_near(&f);
     if (status == BATTEN_OK)
-        status = batten_curve_from_bezier(f.dimension, 2 * f.values - 1, f.count, f.points,
-                                          NULL, f.breaks, &pieces);
+        status = batten_curve_from_bezier(f.dimension,
+                                          (batten_pieces){2 * f.values - 1, f.count, f.breaks},
+                                          f.points, NULL, &pieces);
     /* The pieces join as smoothly as the truth, up to the derivatives they share with it. */
     if (status == BATTEN_OK)
         status = batten_curve_remove_knots(

@@ -251,7 +251,7 @@ static batten_status fitted_ribbon(const batten_surface *surface, batten_edge ed
 }
 
 batten_status batten_edge_ribbon(const batten_surface *surface, batten_edge edge, int order,
-                                 double tolerance, batten_curve **curves, double *error)
+                                 double tolerance, double *error, batten_curve **curves)
 {
     assert(surface && curves);
     if (order < 1 || order > 2)

@@ -27,7 +27,7 @@ static batten_status take_ribbon(const batten_surface *surface, batten_edge edge
                                  batten_curve **curves)
 {
     batten_curve *whole[3] = {NULL}, *cut[3] = {NULL};
-    batten_status status = batten_edge_ribbon(surface, edge, order, tolerance, whole, NULL);
+    batten_status status = batten_edge_ribbon(surface, edge, order, tolerance, NULL, whole);
     if (status == BATTEN_OK)
         status = settle_on_break(whole[0], &part.a);
     if (status == BATTEN_OK)
@@ -44,20 +44,20 @@ static batten_status take_ribbon(const batten_surface *surface, batten_edge edge
     return status;
 }
 
-batten_status batten_ribbon_beside(const batten_curve *curve, int count,
-                                   const batten_surface *const *surfaces, int order,
-                                   double tolerance, batten_curve **curves, int *surface)
+batten_status batten_ribbon_beside(const batten_curve *curve, batten_surface_row surfaces,
+                                   int order, double tolerance, int *surface,
+                                   batten_curve **curves)
 {
     assert(order == 1 || order == 2);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < surfaces.count; i++) {
         batten_edge edge = BATTEN_EDGE_V0;
         double at[2] = {0, 0};
-        batten_status status = bat_edge_beside(surfaces[i], curve, tolerance, &edge, at);
+        batten_status status = bat_edge_beside(surfaces.at[i], curve, tolerance, &edge, at);
         if (status == BATTEN_NOT_FOUND)
             continue;
         const batten_interval part = {bat_min(at[0], at[1]), bat_max(at[0], at[1])};
         if (status == BATTEN_OK)
-            status = take_ribbon(surfaces[i], edge, part, order, tolerance, curves);
+            status = take_ribbon(surfaces.at[i], edge, part, order, tolerance, curves);
         if (status == BATTEN_OK)
             *surface = i;
         return status;

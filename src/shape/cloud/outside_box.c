@@ -71,8 +71,9 @@ batten_status bat_scatter_outside(bat_scatter *s)
     if (status == BATTEN_OK)
         status = bat_scatter_net(s, &surface);
     if (status == BATTEN_OK)
-        status = batten_surface_evaluate_grid(surface, counts[0], places[0], counts[1],
-                                              places[1], 0, NULL, grid);
+        status = batten_surface_evaluate_grid(
+            surface, (batten_uv_grid){counts[0], counts[1], places[0], places[1]}, 0, NULL,
+            grid);
     s->report.outside = s->report.outside_share = 0;
     memset(s->report.outside_at, 0, sizeof s->report.outside_at);
     if (status == BATTEN_OK)

@@ -24,7 +24,8 @@ static batten_status project(int count, const double *points, const batten_surfa
         return bat_fail(BATTEN_BAD_ARGUMENT, "the base has %d dimension%s, not 3",
                         batten_surface_dimension(base),
                         bat_plural(batten_surface_dimension(base)));
-    return batten_surface_project(base, count, points, NULL, job, uv, NULL, &ignored);
+    return batten_surface_project(base, (batten_points){3, count, points}, NULL, job,
+                                  (batten_feet){uv, NULL}, &ignored);
 }
 
 /* ---- steps to the feet ---- */
@@ -145,8 +146,9 @@ static batten_status find_lengths(const bat_scatter *s, const batten_surface *su
             for (size_t i = 0; i < counts[e]; i++)
                 places[(e ? counts[0] : 0) + i] =
                     s->side[e] * (double)i / (double)(counts[e] - 1);
-        status = batten_surface_evaluate_grid(surface, counts[0], places, counts[1],
-                                              places + counts[0], 0, NULL, grid);
+        status = batten_surface_evaluate_grid(
+            surface, (batten_uv_grid){counts[0], counts[1], places, places + counts[0]}, 0,
+            NULL, grid);
     }
     lengths[0] = 0;
     for (size_t i = 1; status == BATTEN_OK && i <= STEPS; i++) {
@@ -257,26 +259,30 @@ static batten_status fit_cloud(bat_scatter *s, double *uv, const batten_job *job
     return status;
 }
 
-batten_status batten_surface_cloud(int count, const double *points, const batten_surface *base,
+batten_status batten_surface_cloud(const batten_cloud *cloud,
                                    const batten_surface_scattered_options *options,
                                    const batten_job *job, double *uv,
                                    batten_surface_fit_report *report, batten_surface **out)
 {
+    if (cloud->points.dimension != 3)
+        return bat_wrong_dimension(cloud->points, 3);
     batten_surface_scattered_options o = batten_surface_scattered_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_surface_scattered_options, options, &o);
     if (status != BATTEN_OK)
         return status;
     bat_scatter s = {.dimension = 3,
-                     .count = (size_t)bat_max_int(count, 0),
-                     .values = points,
+                     .count = (size_t)bat_max_int(cloud->points.count, 0),
+                     .values = cloud->points.at,
                      .given = o.weights,
                      .options = &o};
-    status = bat_points_check(3, count, points, 3);
+    status = bat_points_check(3, cloud->points.count, cloud->points.at, 3);
     double *at = status == BATTEN_OK ? bat_array3(s.count, 2, sizeof *at) : NULL;
     if (status == BATTEN_OK)
-        status = at ? project(count, points, base, job, at) : BATTEN_OUT_OF_MEMORY;
-    for (int k = 0; status == BATTEN_OK && base && k < 2; k++) {
-        const batten_interval domain = batten_surface_domain(base, k ? BATTEN_V : BATTEN_U);
+        status = at ? project(cloud->points.count, cloud->points.at, cloud->base, job, at)
+                    : BATTEN_OUT_OF_MEMORY;
+    for (int k = 0; status == BATTEN_OK && cloud->base && k < 2; k++) {
+        const batten_interval domain =
+            batten_surface_domain(cloud->base, k ? BATTEN_V : BATTEN_U);
         if (o.domain[k][0] == 0 && o.domain[k][1] == 0) {
             o.domain[k][0] = domain.a;
             o.domain[k][1] = domain.b;

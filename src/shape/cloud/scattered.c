@@ -79,8 +79,7 @@ batten_status bat_scatter_fit(bat_scatter *s)
     return status == BATTEN_OK ? find_empty(s) : status;
 }
 
-batten_status batten_surface_scattered(int dimension, int count, const double *uv,
-                                       const double *values,
+batten_status batten_surface_scattered(const double *uv, batten_points values,
                                        const batten_surface_scattered_options *options,
                                        const batten_job *job, batten_surface_fit_report *report,
                                        batten_surface **out)
@@ -89,9 +88,9 @@ batten_status batten_surface_scattered(int dimension, int count, const double *u
     batten_status status = BAT_TAKE_OPTIONS(batten_surface_scattered_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    bat_scatter s = {.dimension = dimension,
-                     .count = (size_t)bat_max_int(count, 0),
-                     .values = values,
+    bat_scatter s = {.dimension = values.dimension,
+                     .count = (size_t)bat_max_int(values.count, 0),
+                     .values = values.at,
                      .options = &chosen};
     s.given = s.options->weights;
     status = bat_scatter_begin(&s, uv, job);

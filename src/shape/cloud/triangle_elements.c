@@ -51,7 +51,8 @@ batten_status batten_triangles_linear(const batten_triangulation *domain, int co
         const int v = domain->corners[i];
         points[i] = v >= 0 && v < domain->vertex_count ? values[v] : 0; /* refused below */
     }
-    status = batten_triangles_create(1, 1, count, points, NULL, domain, out);
+    status = batten_triangles_create(
+        &(batten_triangles_parts){1, 1, count, points, NULL, domain}, out);
     bat_release(points);
     return status;
 }

@@ -1,5 +1,6 @@
 /* From scattered points to a smooth function: vertices, triangles, gradients, elements. */
 #include "base/base.h"
+#include "spline/data_check.h"
 
 #include <batten/scattered.h>
 
@@ -91,10 +92,10 @@ static batten_status find_gradients(pipeline *p)
     if (status == BATTEN_OK)
         status = check_slopes(p);
     if (status == BATTEN_OK)
-        status = batten_triangle_gradients(&p->triangles, p->f, p->g, &p->report.planes);
+        status = batten_triangle_gradients(&p->triangles, p->f, &p->report.planes, p->g);
     if (status == BATTEN_OK && p->options->network) {
         p->report.planes = 0;
-        status = batten_triangle_network(&p->triangles, p->f, p->g, &p->report.iterations);
+        status = batten_triangle_network(&p->triangles, p->f, &p->report.iterations, p->g);
     }
     return status;
 }
@@ -157,7 +158,7 @@ static batten_status carry_out(pipeline *p, const double *xy, batten_triangles *
     options.sliver = p->options->sliver;
     batten_status status = report_progress(p, 0, "triangles");
     if (status == BATTEN_OK)
-        status = batten_triangulate(p->count, xy, &options, &p->triangles);
+        status = batten_triangulate((batten_points){2, p->count, xy}, &options, &p->triangles);
     if (status == BATTEN_OK)
         status = take_values(p);
     if (status == BATTEN_OK && p->options->data_dependent)
@@ -175,24 +176,26 @@ static batten_status carry_out(pipeline *p, const double *xy, batten_triangles *
     return BATTEN_OK;
 }
 
-batten_status batten_triangles_scattered(int count, const double *xy, const double *values,
+batten_status batten_triangles_scattered(batten_points xy, const double *values,
                                          const batten_triangles_scattered_options *options,
                                          const batten_job *job,
                                          batten_triangles_scattered_report *report,
                                          batten_triangles **out)
 {
-    assert(xy && values && out);
+    if (xy.dimension != 2)
+        return bat_wrong_dimension(xy, 2);
+    assert(xy.at && values && out);
     batten_triangles_scattered_options chosen = batten_triangles_scattered_defaults();
     batten_status status =
         BAT_TAKE_OPTIONS(batten_triangles_scattered_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    const size_t n = count > 0 ? (size_t)count : 0, bad = bat_first_not_finite(values, n);
+    const size_t n = xy.count > 0 ? (size_t)xy.count : 0, bad = bat_first_not_finite(values, n);
     if (bad < n)
         return bat_fail(BATTEN_NOT_FINITE, "value %zu is %g", bad, values[bad]);
-    pipeline p = {.count = count, .values = values, .options = &chosen, .job = job};
+    pipeline p = {.count = xy.count, .values = values, .options = &chosen, .job = job};
     p.report.thinnest = 0.5;
-    status = carry_out(&p, xy, out);
+    status = carry_out(&p, xy.at, out);
     if (status == BATTEN_OK && report)
         *report = p.report;
     bat_release(p.f);

@@ -195,7 +195,7 @@ static batten_status all_gradients(surroundings *s, double *gradients, int *plan
 }
 
 batten_status batten_triangle_gradients(const batten_plane_triangles *triangles,
-                                        const double *values, double *gradients, int *planes)
+                                        const double *values, int *planes, double *gradients)
 {
     assert(triangles && values && gradients);
     const size_t n = (size_t)triangles->vertex_count;
@@ -364,7 +364,7 @@ static batten_status solve_network(network *n, const double *values, double *x, 
 }
 
 batten_status batten_triangle_network(const batten_plane_triangles *triangles,
-                                      const double *values, double *gradients, int *iterations)
+                                      const double *values, int *iterations, double *gradients)
 {
     assert(triangles && values && gradients);
     const size_t size = 2 * (size_t)triangles->vertex_count;

@@ -225,8 +225,9 @@ static batten_status thin_axis(batten_surface **surface, batten_direction direct
         batten_surface *thinner = NULL;
         int removed = 0;
         double error = 0;
-        const batten_status status = batten_surface_remove_knot(
-            *surface, direction, at, 1, bat_min(limit, *budget), &removed, &error, &thinner);
+        const batten_status status =
+            batten_surface_remove_knot(*surface, (batten_knot_line){direction, at, 1},
+                                       bat_min(limit, *budget), &removed, &error, &thinner);
         if (status != BATTEN_OK)
             return status;
         batten_surface_unref(*surface);

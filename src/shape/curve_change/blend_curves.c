@@ -117,7 +117,7 @@ static batten_status build_blend(int d, const bat_side sides[2], const batten_bl
         for (int k = 0; k < d; k++)
             points[i * d + k] = p[k];
     }
-    return batten_curve_from_bezier(d, n, 1, points, NULL, breaks, out);
+    return batten_curve_from_bezier(d, (batten_pieces){n, 1, breaks}, points, NULL, out);
 }
 
 /* ---- the whole ---- */

@@ -30,7 +30,7 @@ static batten_status find_cut(const batten_curve *curve, int k, double length, d
                               double *u)
 {
     double whole;
-    batten_status status = batten_curve_length(curve, tolerance / 4, &whole, NULL);
+    batten_status status = batten_curve_length(curve, tolerance / 4, NULL, &whole);
     if (status == BATTEN_OK && length > whole + tolerance)
         return bat_fail(BATTEN_NOT_FOUND, "%g of the %s curve shall go, which is %g long",
                         length, k ? "second" : "first", whole);
@@ -57,16 +57,15 @@ static batten_status make_line(const batten_curve *first, double u, const double
         points[k] = a[k];
         points[d + k] = b[k];
     }
-    return batten_curve_from_bezier(d, 1, 1, points, NULL, breaks, out);
+    return batten_curve_from_bezier(d, (batten_pieces){1, 1, breaks}, points, NULL, out);
 }
 
 batten_status batten_curves_chamfer(const batten_curve *first, const batten_curve *second,
-                                    double before, double behind, double tolerance, double u[2],
+                                    const double lengths[2], double tolerance, double u[2],
                                     batten_curve **line)
 {
     assert(first && second && line);
     const batten_curve *const curves[2] = {first, second};
-    const double lengths[2] = {before, behind};
     double at[2], p[2][3], ends[2][3];
     batten_status status = check_lengths(first, second, lengths, tolerance);
     if (status == BATTEN_OK)
@@ -102,17 +101,17 @@ static batten_status cut_corner(void *context, const bat_corner *corner, bat_cor
 {
     cutting *c = context;
     c->report.cut++;
-    return batten_curves_chamfer(corner->before, corner->behind, c->before, c->behind,
-                                 c->tolerance, out->u, &out->link);
+    return batten_curves_chamfer(corner->before, corner->behind,
+                                 (double[2]){c->before, c->behind}, c->tolerance, out->u,
+                                 &out->link);
 }
 
-batten_status batten_curve_chamfer(const batten_curve *curve, double before, double behind,
+batten_status batten_curve_chamfer(const batten_curve *curve, const double lengths[2],
                                    double tolerance, batten_corners_report *report,
                                    batten_curve **out)
 {
     assert(curve && out);
-    const double lengths[2] = {before, behind};
-    cutting c = {before, behind, tolerance, {.complete = true}};
+    cutting c = {lengths[0], lengths[1], tolerance, {.complete = true}};
     const bat_cutter cutter = {cut_corner, &c,
                                2 * tolerance + BAT_ROUNDING * bat_curve_size(curve)};
     batten_status status = check_lengths(curve, curve, lengths, tolerance);

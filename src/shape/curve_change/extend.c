@@ -55,7 +55,8 @@ static batten_status line_piece(const bat_tip *tip, double length, double b, bat
     double points[2 * 3];
     put_point(tip->dimension, tip->p, points);
     put_point(tip->dimension, place(tip, tip->p, length, 0), points + tip->dimension);
-    return batten_curve_from_bezier(tip->dimension, 1, 1, points, NULL, breaks, out);
+    return batten_curve_from_bezier(tip->dimension, (batten_pieces){1, 1, breaks}, points, NULL,
+                                    out);
 }
 
 /* Rational quadratics that each turn by 90 degrees at most. At the angle a the circle has come
@@ -87,7 +88,7 @@ static batten_status arc_piece(const bat_tip *tip, double length, double b, batt
                   points + (size_t)((2 * i + 1) * d));
         weights[2 * i + 1] = cos(turn / 2);
     }
-    return batten_curve_from_bezier(d, 2, count, points, weights, breaks, out);
+    return batten_curve_from_bezier(d, (batten_pieces){2, count, breaks}, points, weights, out);
 }
 
 static batten_status spiral_piece(const bat_tip *tip, double length, double tolerance, double b,
@@ -99,7 +100,8 @@ static batten_status spiral_piece(const bat_tip *tip, double length, double tole
     const double breaks[2] = {b, b + length / tip->speed};
     batten_chain *flat = NULL, *placed = NULL;
     batten_curve *space = NULL;
-    batten_status status = batten_chain_create(2, 1, &span, breaks, false, 0, &flat);
+    batten_status status =
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, breaks, false}, 0, &flat);
     if (status == BATTEN_OK)
         status = batten_chain_place(flat, &frame, &placed);
     if (status == BATTEN_OK)
@@ -198,7 +200,7 @@ static batten_status extend_end(task *t)
     if (status == BATTEN_OK)
         status = batten_curve_subrange(t->made, domain.b, u, &tail);
     if (status == BATTEN_OK)
-        status = batten_curve_length(tail, t->tolerance, &t->report.length, NULL);
+        status = batten_curve_length(tail, t->tolerance, NULL, &t->report.length);
     if (status == BATTEN_OK)
         status = batten_curves_continuity(t->curve, BATTEN_CURVE_END, tail, BATTEN_CURVE_START,
                                           NULL, &t->report.join);
@@ -281,12 +283,12 @@ static batten_status extend_curve(task *t, const batten_curve *curve, batten_cur
 }
 
 batten_status batten_curve_extend(const batten_curve *curve, batten_curve_end end,
-                                  batten_extension extension, double length, double tolerance,
+                                  batten_lengthening how, double length,
                                   batten_curve_extend_report *report, batten_curve **out)
 {
     assert(curve && out);
-    task t = {.extension = extension, .length = length, .to = NAN, .tolerance = tolerance};
-    batten_status status = check_amount(curve, length, tolerance);
+    task t = {.extension = how.kind, .length = length, .to = NAN, .tolerance = how.tolerance};
+    batten_status status = check_amount(curve, length, how.tolerance);
     if (status == BATTEN_OK && !(length > 0))
         status =
             bat_fail(BATTEN_BAD_ARGUMENT, "the curve is extended by %g, not above 0", length);
@@ -294,15 +296,15 @@ batten_status batten_curve_extend(const batten_curve *curve, batten_curve_end en
 }
 
 batten_status batten_curve_extend_to(const batten_curve *curve, batten_curve_end end,
-                                     batten_extension extension, double u, double tolerance,
+                                     batten_lengthening how, double u,
                                      batten_curve_extend_report *report, batten_curve **out)
 {
     assert(curve && out);
     const batten_interval domain = batten_curve_domain(curve);
     const bool start = end == BATTEN_CURVE_START;
     task t = {
-        .extension = extension, .length = NAN, .to = start ? -u : u, .tolerance = tolerance};
-    batten_status status = check_amount(curve, u, tolerance);
+        .extension = how.kind, .length = NAN, .to = start ? -u : u, .tolerance = how.tolerance};
+    batten_status status = check_amount(curve, u, how.tolerance);
     if (status == BATTEN_OK && !(start ? u < domain.a : u > domain.b))
         status = bat_fail(BATTEN_OUT_OF_DOMAIN,
                           "u = %.17g is not beyond the %s of the domain [%.17g, %.17g]", u,

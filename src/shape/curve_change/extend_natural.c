@@ -98,7 +98,7 @@ static batten_status reach_parameter(const batten_curve *curve, double b, double
     if (status == BATTEN_OK)
         status = batten_curve_subrange(longer, b, u, &tail);
     if (status == BATTEN_OK)
-        status = batten_curve_length(tail, tolerance / 4, &reached, NULL);
+        status = batten_curve_length(tail, tolerance / 4, NULL, &reached);
     *enough = reached >= length;
     if (status == BATTEN_OK && *enough)
         status = batten_curve_at_length(tail, 1, &length, tolerance / 2, at);

@@ -101,10 +101,10 @@ static batten_status try_pair(search *s, int side, double u0, double u1)
         return status;
     const double tolerance = BAT_MEANT_SAME * s->size;
     status =
-        batten_curve_length_between(s->curves[0], u[0], first.b, tolerance, &lost[0], NULL);
+        batten_curve_length_between(s->curves[0], u[0], first.b, tolerance, NULL, &lost[0]);
     if (status == BATTEN_OK)
-        status = batten_curve_length_between(s->curves[1], second.a, u[1], tolerance, &lost[1],
-                                             NULL);
+        status = batten_curve_length_between(s->curves[1], second.a, u[1], tolerance, NULL,
+                                             &lost[1]);
     if (status != BATTEN_OK)
         return status;
     s->best.found++;

@@ -35,8 +35,9 @@ static batten_status fill_column(end *e, int i)
     if (!values)
         return BATTEN_OUT_OF_MEMORY;
     values[index_of(e, i)] = 1;
-    batten_status status = batten_curve_create(1, curve->degree, curve->count, values,
-                                               curve->weights, curve->knots, &basis);
+    batten_status status =
+        batten_curve_create((batten_points){1, curve->count, values}, curve->degree,
+                            curve->weights, curve->knots, &basis);
     if (status == BATTEN_OK)
         status = batten_curve_evaluate_side(basis, e->at_end ? domain.b : domain.a,
                                             e->at_end ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT,
@@ -255,19 +256,18 @@ static batten_status match(const batten_curve *first, const batten_curve *second
 }
 
 batten_status batten_curves_match(const batten_curve *first, const batten_curve *second,
-                                  batten_match_kind kind, int order, batten_match_mover mover,
-                                  double *moved, batten_curve **first_out,
+                                  batten_match how, double *moved, batten_curve **first_out,
                                   batten_curve **second_out)
 {
     batten_curve *clamped[2] = {NULL, NULL}, *made[2] = {NULL, NULL};
     double longest = 0;
-    batten_status status = check_match(first, second, kind, order);
+    batten_status status = check_match(first, second, how.kind, how.order);
     if (status == BATTEN_OK)
         status = batten_curve_clamp(first, &clamped[0]);
     if (status == BATTEN_OK)
         status = batten_curve_clamp(second, &clamped[1]);
     if (status == BATTEN_OK)
-        status = match(clamped[0], clamped[1], kind, order, mover, &longest, made);
+        status = match(clamped[0], clamped[1], how.kind, how.order, how.mover, &longest, made);
     if (status == BATTEN_OK) {
         *first_out = batten_curve_ref(made[0]);
         *second_out = batten_curve_ref(made[1]);

@@ -10,7 +10,7 @@ static batten_status add_polyline(bat_offset *o, int count, const double *points
 {
     batten_curve *curve = NULL;
     const batten_status status =
-        batten_curve_polyline(o->full->dimension, count, points, &curve);
+        batten_curve_polyline((batten_points){o->full->dimension, count, points}, &curve);
     return bat_offset_add(o, status, curve);
 }
 

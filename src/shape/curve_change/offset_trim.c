@@ -58,7 +58,9 @@ static batten_status add_part(trim *t, int run, double a, double b)
 static batten_status distances(const trim *t, int count, const double *points, double *out)
 {
     batten_deviation all;
-    return batten_curve_deviation(t->o->plan, count, points, NULL, NULL, out, &all);
+    return batten_curve_deviation(
+        t->o->plan, (batten_points){batten_curve_dimension(t->o->plan), count, points}, NULL,
+        NULL, out, &all);
 }
 
 /* Between a, judged `good`, and b, judged otherwise: the last good place. */
@@ -327,7 +329,9 @@ static batten_status slide_end(trim *t, int i, bool end, const double *target, b
     const batten_curve *plan = t->o->runs[p->run].plan;
     batten_deviation near;
     double point[2], far = 0;
-    batten_status status = batten_curve_deviation(plan, 1, target, NULL, NULL, NULL, &near);
+    batten_status status =
+        batten_curve_deviation(plan, (batten_points){batten_curve_dimension(plan), 1, target},
+                               NULL, NULL, NULL, &near);
     const double u = near.at[0];
     *met = status == BATTEN_OK && near.max <= t->near && (end ? u > p->a : u < p->b);
     if (status == BATTEN_OK && *met)

@@ -32,8 +32,9 @@ static batten_status settle_middle(const batten_curve *curve, batten_curve **out
     for (int i = 0; i < count; i++)
         settled[i] = fabs(knots[i] - 1) < BAT_ROUNDING ? 1 : knots[i];
     const batten_status status = batten_curve_create(
-        batten_curve_dimension(curve), batten_curve_degree(curve),
-        batten_curve_point_count(curve), batten_curve_points(curve), NULL, settled, out);
+        (batten_points){batten_curve_dimension(curve), batten_curve_point_count(curve),
+                        batten_curve_points(curve)},
+        batten_curve_degree(curve), NULL, settled, out);
     bat_release(settled);
     return status;
 }

@@ -61,7 +61,7 @@ static void central_angles(int n, const double *lengths, double *angles)
 static batten_status segment(const double a[2], const double b[2], batten_curve **out)
 {
     const double points[6] = {a[0], a[1], 0, b[0], b[1], 0}, knots[4] = {0, 0, 2, 2};
-    return batten_curve_create(3, 1, 2, points, NULL, knots, out);
+    return batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, out);
 }
 
 /* The quad between a corner, the middles of its sides, and the centre, bilinear. */

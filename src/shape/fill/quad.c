@@ -40,9 +40,9 @@ static batten_status sum_of(batten_status status, int count, batten_curve **curv
     }
     batten_curve *sum = NULL;
     if (status == BATTEN_OK)
-        status = batten_curve_create(3, batten_curve_degree(same[0]),
-                                     batten_curve_point_count(same[0]), points, NULL,
-                                     batten_curve_knots(same[0]), &sum);
+        status = batten_curve_create(
+            (batten_points){3, batten_curve_point_count(same[0]), points},
+            batten_curve_degree(same[0]), NULL, batten_curve_knots(same[0]), &sum);
     if (status == BATTEN_OK)
         status = batten_curve_remove_knots(sum, rounding, NULL, NULL, out);
     batten_curve_unref(sum);
@@ -74,7 +74,8 @@ static batten_status derivative(const batten_curve *curve, double factor, batten
                     points[3 * k * (p - 1) + j] = factor * p *
                                                   (P[3 * k * p + j + 3] - P[3 * k * p + j]) /
                                                   (breaks[k + 1] - breaks[k]);
-            status = batten_curve_from_bezier(3, p - 1, count, points, NULL, breaks, out);
+            status = batten_curve_from_bezier(3, (batten_pieces){p - 1, count, breaks}, points,
+                                              NULL, out);
         } else {
             status = BATTEN_OUT_OF_MEMORY;
         }
@@ -239,7 +240,8 @@ static batten_status spoke_edges(const bat_fill *fill, int i, double sign, batte
     if (status == BATTEN_OK)
         status = derivative(*spoke, 1, &along);
     if (status == BATTEN_OK)
-        status = batten_curve_from_bezier(1, 1, 1, linear, NULL, ends, &factor);
+        status =
+            batten_curve_from_bezier(1, (batten_pieces){1, 1, ends}, linear, NULL, &factor);
     if (status == BATTEN_OK)
         status = bat_curve_product(factor, along, &parts[1]);
     batten_curve_unref(factor);
@@ -276,7 +278,8 @@ static batten_status unify(const edge_set *edges, direction_set *out)
         {1, 0, 0}, {1, 1.0 / 3, 0}, {0, 0, -1.0 / 3}, {0, 0, 0}};
     static const double ends[2] = {0, 1};
     batten_curve *blends = NULL;
-    batten_status status = batten_curve_from_bezier(3, 3, 1, points[0], NULL, ends, &blends);
+    batten_status status =
+        batten_curve_from_bezier(3, (batten_pieces){3, 1, ends}, points[0], NULL, &blends);
     if (status == BATTEN_OK) {
         const batten_curve *all[5] = {edges->curves[0], edges->curves[1], edges->curves[2],
                                       edges->curves[3], blends};

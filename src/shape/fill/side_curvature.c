@@ -75,7 +75,8 @@ static batten_status through(const double values[NODES + 1][3], const double slo
     options.knots_at_data = false;
     options.derivative_count = 3;
     options.derivatives = conditions;
-    return batten_curve_interpolate(3, NODES + 1, values[0], &options, NULL, &out->curve);
+    return batten_curve_interpolate((batten_points){3, NODES + 1, values[0]}, &options, NULL,
+                                    &out->curve);
 }
 
 /* That of the surface in the half of side i, so that N brings its own knots alone; up to 9
@@ -121,7 +122,7 @@ static batten_status functions(batten_curve **out)
     static const double points[6][3] = {{0, 0, 0},        {0, 0, 0},    {0.05, 0, 0},
                                         {0, -0.1, -0.15}, {0, -0.2, 0}, {0, 0, 0}};
     static const double ends[2] = {0, 1};
-    return batten_curve_from_bezier(3, 5, 1, points[0], NULL, ends, out);
+    return batten_curve_from_bezier(3, (batten_pieces){5, 1, ends}, points[0], NULL, out);
 }
 
 /* One direction: N (zero where there is none) and the functions on the knots of the surface to

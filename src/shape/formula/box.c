@@ -75,7 +75,8 @@ batten_status bat_formula_find_box(const batten_surface *surface, batten_box *ou
     double *points = bat_array3(count_u * count_v, (size_t)surface->dimension, sizeof *points);
     batten_status status = u && v && points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_surface_evaluate_grid(surface, count_u, u, count_v, v, 0, NULL, points);
+        status = batten_surface_evaluate_grid(surface, (batten_uv_grid){count_u, count_v, u, v},
+                                              0, NULL, points);
     if (status == BATTEN_OK)
         *out = box_of_samples(surface->dimension, count_u, count_v, points);
     bat_release(u);

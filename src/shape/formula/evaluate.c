@@ -178,7 +178,7 @@ static batten_status normal_chunk(void *context, size_t begin, size_t end)
         parameters_at(work, i, at);
         batten_status status = batten_surface_evaluate(work->surface, at[0], at[1], 0, point);
         if (status == BATTEN_OK && work->normals)
-            status = batten_surface_normal(work->surface, at[0], at[1], &n, NULL);
+            status = batten_surface_normal(work->surface, at[0], at[1], NULL, &n);
         if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
             return status;
         if (work->points)

@@ -200,9 +200,10 @@ static batten_status interpolate(task *t)
     double *turned = bat_array3(total, (size_t)d, sizeof *turned);
     batten_status status = t->points && turned ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status =
-            batten_surface_evaluate_grid(t->surface, (size_t)u->count, u->greville,
-                                         (size_t)v->count, v->greville, 0, NULL, t->points);
+        status = batten_surface_evaluate_grid(
+            t->surface,
+            (batten_uv_grid){(size_t)u->count, (size_t)v->count, u->greville, v->greville}, 0,
+            NULL, t->points);
     if (status == BATTEN_OK && u->lu)
         bat_banded_solve(u->count, DEGREE, DEGREE, u->lu, (size_t)v->count * (size_t)d,
                          t->points);
@@ -225,7 +226,8 @@ static batten_status make_surface(const task *t, batten_surface **out)
 
 static batten_status make_curve(const task *t, const line *l, batten_curve **out)
 {
-    return batten_curve_create(t->dimension, DEGREE, l->count, t->points, NULL, l->knots, out);
+    return batten_curve_create((batten_points){t->dimension, l->count, t->points}, DEGREE, NULL,
+                               l->knots, out);
 }
 
 /* ---- errors ---- */
@@ -251,8 +253,8 @@ static batten_status evaluate_made(const task *t, size_t count_u, const double *
     if (t->lines[0].span_count > 0 && t->lines[1].span_count > 0) {
         status = make_surface(t, &surface);
         if (status == BATTEN_OK)
-            status =
-                batten_surface_evaluate_grid(surface, count_u, u, count_v, v, 0, NULL, out);
+            status = batten_surface_evaluate_grid(
+                surface, (batten_uv_grid){count_u, count_v, u, v}, 0, NULL, out);
     } else {
         const bool along_u = t->lines[0].span_count > 0;
         status = make_curve(t, &t->lines[along_u ? 0 : 1], &curve);
@@ -274,8 +276,8 @@ static batten_status compare(task *t, size_t count_u, const double *u, bool prob
     double *made = bat_array3(count_u * count_v, d, sizeof *made);
     batten_status status = truth && made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status =
-            batten_surface_evaluate_grid(t->surface, count_u, u, count_v, v, 0, NULL, truth);
+        status = batten_surface_evaluate_grid(
+            t->surface, (batten_uv_grid){count_u, count_v, u, v}, 0, NULL, truth);
     if (status == BATTEN_OK)
         status = evaluate_made(t, count_u, u, count_v, v, made);
     for (size_t i = 0; status == BATTEN_OK && i < count_u; i++)

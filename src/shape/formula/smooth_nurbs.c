@@ -43,8 +43,8 @@ static batten_status angle_along_edges(const batten_surface *a, const batten_sur
 }
 
 batten_status batten_surface_to_smooth_nurbs(const batten_surface *surface, double tolerance,
-                                             double angle, batten_surface **out, double *error,
-                                             double *reached)
+                                             double angle, double *error, double *reached,
+                                             batten_surface **out)
 {
     if (batten_surface_dimension(surface) != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a surface of dimension %d has no normals",
@@ -56,7 +56,7 @@ batten_status batten_surface_to_smooth_nurbs(const batten_surface *surface, doub
     for (int round = 0; round < ROUNDS; round++) {
         batten_surface *nurbs = NULL;
         double moved = 0;
-        batten_status status = batten_surface_to_nurbs(surface, tolerance, &nurbs, &moved);
+        batten_status status = batten_surface_to_nurbs(surface, tolerance, &moved, &nurbs);
         if (status == BATTEN_OK)
             status = angle_along_edges(surface, nurbs, &turned);
         if (status == BATTEN_OK && turned <= angle) {

@@ -118,10 +118,9 @@ static batten_status fit_within(const bat_grid_fit *start, const batten_job *job
     return BATTEN_OK;
 }
 
-batten_status batten_surface_fit_grid(int dimension, int count_u, int count_v,
-                                      const double *points,
+batten_status batten_surface_fit_grid(batten_grid points,
                                       const batten_surface_fit_grid_options *options,
-                                      const batten_job *job, double *u, double *v,
+                                      const batten_job *job, batten_uv_out uv,
                                       batten_surface_fit_report *report, batten_surface **out)
 {
     batten_surface_fit_grid_options chosen = batten_surface_fit_grid_defaults();
@@ -129,13 +128,13 @@ batten_status batten_surface_fit_grid(int dimension, int count_u, int count_v,
         BAT_TAKE_OPTIONS(batten_surface_fit_grid_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    const bat_grid_fit start = {.dimension = dimension,
-                                .count = {count_u, count_v},
-                                .points = points,
+    const bat_grid_fit start = {.dimension = points.dimension,
+                                .count = {points.count_u, points.count_v},
+                                .points = points.at,
                                 .options = &chosen};
     const double tolerance = start.options->tolerance;
     if (!(tolerance >= 0 && tolerance < HUGE_VAL))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not 0 or above", tolerance);
-    return tolerance > 0 ? fit_within(&start, job, u, v, report, out)
-                         : bat_grid_least_squares(&start, job, u, v, report, out);
+    return tolerance > 0 ? fit_within(&start, job, uv.u, uv.v, report, out)
+                         : bat_grid_least_squares(&start, job, uv.u, uv.v, report, out);
 }

@@ -166,8 +166,9 @@ static batten_status measure_fit(const bat_grid_fit *t, const batten_surface *su
     double *weights = bat_array3(nu, nv, sizeof *weights);
     batten_status status = found && weights ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_surface_evaluate_grid(surface, nu, t->parameters[0], nv,
-                                              t->parameters[1], 0, t->work.job, found);
+        status = batten_surface_evaluate_grid(
+            surface, (batten_uv_grid){nu, nv, t->parameters[0], t->parameters[1]}, 0,
+            t->work.job, found);
     for (size_t i = 0; status == BATTEN_OK && i < nu * nv; i++) {
         weights[i] = (t->weights[0] ? t->weights[0][i / nv] : 1) *
                      (t->weights[1] ? t->weights[1][i % nv] : 1);

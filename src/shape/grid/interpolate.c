@@ -458,10 +458,9 @@ static void free_task(task *t)
     bat_release(t->u);
 }
 
-batten_status batten_surface_interpolate(int dimension, int count_u, int count_v,
-                                         const double *points,
+batten_status batten_surface_interpolate(batten_grid points,
                                          const batten_surface_interpolate_options *options,
-                                         const batten_job *job, double *u, double *v,
+                                         const batten_job *job, batten_uv_out uv,
                                          batten_surface_interpolate_report *report,
                                          batten_surface **out)
 {
@@ -470,10 +469,10 @@ batten_status batten_surface_interpolate(int dimension, int count_u, int count_v
         BAT_TAKE_OPTIONS(batten_surface_interpolate_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = dimension,
-              .count_u = count_u,
-              .count_v = count_v,
-              .points = points,
+    task t = {.dimension = points.dimension,
+              .count_u = points.count_u,
+              .count_v = points.count_v,
+              .points = points.at,
               .options = &chosen,
               .work = {job, 0}};
     status = check_grid(&t);
@@ -481,10 +480,10 @@ batten_status batten_surface_interpolate(int dimension, int count_u, int count_v
     if (status == BATTEN_OK)
         status = solve_directions(&t, &residual, out);
     if (status == BATTEN_OK) {
-        if (u)
-            memcpy(u, t.u, (size_t)count_u * sizeof *u);
-        if (v)
-            memcpy(v, t.v, (size_t)count_v * sizeof *v);
+        if (uv.u)
+            memcpy(uv.u, t.u, (size_t)points.count_u * sizeof *uv.u);
+        if (uv.v)
+            memcpy(uv.v, t.v, (size_t)points.count_v * sizeof *uv.v);
         if (report)
             *report = (batten_surface_interpolate_report){residual, t.spread_u, t.spread_v,
                                                           t.gap_count};

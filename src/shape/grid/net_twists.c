@@ -114,7 +114,8 @@ static batten_status spline_slopes(int d, int count, const double *t, const doub
     memcpy(options.start.vector, start, (size_t)d * sizeof *start);
     memcpy(options.end.vector, end, (size_t)d * sizeof *end);
     batten_curve *spline = NULL;
-    batten_status status = batten_curve_interpolate(d, count, values, &options, NULL, &spline);
+    batten_status status =
+        batten_curve_interpolate((batten_points){d, count, values}, &options, NULL, &spline);
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
         double out[6];
         status = batten_curve_evaluate(spline, t[i], 1, out);
@@ -299,13 +300,16 @@ static void at_point(const bat_net *net, batten_twists method, const batten_twis
         memset(out, 0, (size_t)net->dimension * sizeof *out);
 }
 
-batten_status batten_net_twists(batten_twists method, int dimension, int count_u,
-                                const double *u, int count_v, const double *v,
-                                const double *points, const double *su, const double *sv,
-                                const batten_twist_shape *shape, double *twists, int *clamped)
+batten_status batten_net_twists(batten_twists method, const batten_net *given,
+                                const batten_twist_shape *shape, int *clamped, double *twists)
 {
-    assert(u && v && points && su && sv && twists);
-    const bat_net net = {dimension, {count_u, count_v}, {u, v}, points, su, sv};
+    assert(given->u && given->v && given->points && given->su && given->sv && twists);
+    const bat_net net = {given->dimension,
+                         {given->count_u, given->count_v},
+                         {given->u, given->v},
+                         given->points,
+                         given->su,
+                         given->sv};
     const batten_status status = check_net(&net, method, shape);
     int lost = 0;
     if (status != BATTEN_OK)
@@ -314,8 +318,8 @@ batten_status batten_net_twists(batten_twists method, int dimension, int count_u
         return spline_twists(&net, twists);
     if (method == BATTEN_TWISTS_ENERGY)
         return bat_net_energy_twists(&net, twists);
-    for (int i = 0; i < count_u; i++)
-        for (int j = 0; j < count_v; j++)
+    for (int i = 0; i < given->count_u; i++)
+        for (int j = 0; j < given->count_v; j++)
             at_point(&net, method, shape, i, j, twists + bat_net_index(&net, i, j), &lost);
     if (clamped)
         *clamped = lost;

@@ -340,10 +340,9 @@ static batten_status check_smoothing(const batten_surface_fit_grid_options *o)
     return BATTEN_OK;
 }
 
-batten_status batten_surface_smooth_grid(int dimension, int count_u, int count_v,
-                                         const double *points,
+batten_status batten_surface_smooth_grid(batten_grid points,
                                          const batten_surface_fit_grid_options *options,
-                                         const batten_job *job, double *u, double *v,
+                                         const batten_job *job, batten_uv_out uv,
                                          batten_surface_fit_report *report,
                                          batten_surface **out)
 {
@@ -351,14 +350,14 @@ batten_status batten_surface_smooth_grid(int dimension, int count_u, int count_v
     batten_status status = BAT_TAKE_OPTIONS(batten_surface_fit_grid_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    bat_grid_fit t = {.dimension = dimension,
-                      .count = {count_u, count_v},
-                      .points = points,
+    bat_grid_fit t = {.dimension = points.dimension,
+                      .count = {points.count_u, points.count_v},
+                      .points = points.at,
                       .options = &chosen};
     smoothing s = {.grid = &t};
     const batten_surface_fit_grid_options *o = t.options;
-    t.wanted[0] = o->points_u ? 0 : usual_points(count_u, o->closed_u, o->degree_u);
-    t.wanted[1] = o->points_v ? 0 : usual_points(count_v, o->closed_v, o->degree_v);
+    t.wanted[0] = o->points_u ? 0 : usual_points(points.count_u, o->closed_u, o->degree_u);
+    t.wanted[1] = o->points_v ? 0 : usual_points(points.count_v, o->closed_v, o->degree_v);
     status = check_smoothing(t.options);
     if (status == BATTEN_OK)
         status = bat_grid_fit_begin(&t, job);
@@ -369,5 +368,5 @@ batten_status batten_surface_smooth_grid(int dimension, int count_u, int count_v
         bat_modes_free(&s.modes[k]);
     }
     bat_release(s.data);
-    return bat_grid_fit_finish(&t, status, u, v, report, out);
+    return bat_grid_fit_finish(&t, status, uv.u, uv.v, report, out);
 }

@@ -65,21 +65,20 @@ void bat_grid_parameters_release(bat_grid_parameters *parameters)
     bat_release(parameters->v);
 }
 
-batten_status batten_grid_parametrize(int dimension, int count_u, int count_v,
-                                      const double *points, batten_parametrization kind,
-                                      bool closed_u, bool closed_v, double *u, double *v,
-                                      double *spread)
+batten_status batten_grid_parametrize(batten_grid points, batten_parametrization kind,
+                                      bool closed_u, bool closed_v, double *spread,
+                                      batten_uv_out uv)
 {
-    assert(points && u && v);
+    assert(points.at && uv.u && uv.v);
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
-    batten_status status =
-        bat_grid_check(dimension, count_u, count_v, points, closed_u, closed_v);
+    batten_status status = bat_grid_check(points.dimension, points.count_u, points.count_v,
+                                          points.at, closed_u, closed_v);
     if (status == BATTEN_OK)
-        status = bat_grid_parameters_of(dimension, count_u, count_v, points, kind, closed_u,
-                                        closed_v, NULL, NULL, &at);
+        status = bat_grid_parameters_of(points.dimension, points.count_u, points.count_v,
+                                        points.at, kind, closed_u, closed_v, NULL, NULL, &at);
     if (status == BATTEN_OK) {
-        memcpy(u, at.u, ((size_t)count_u + closed_u) * sizeof *u);
-        memcpy(v, at.v, ((size_t)count_v + closed_v) * sizeof *v);
+        memcpy(uv.u, at.u, ((size_t)points.count_u + closed_u) * sizeof *uv.u);
+        memcpy(uv.v, at.v, ((size_t)points.count_v + closed_v) * sizeof *uv.v);
         if (spread)
             memcpy(spread, at.spread, sizeof at.spread);
     }
@@ -242,7 +241,7 @@ static batten_status find_off(const batten_surface *surface, int dimension, int 
     if (!there)
         return BATTEN_OUT_OF_MEMORY;
     const batten_status status = batten_surface_evaluate_grid(
-        surface, (size_t)count_u, u, (size_t)count_v, v, 0, NULL, there);
+        surface, (batten_uv_grid){(size_t)count_u, (size_t)count_v, u, v}, 0, NULL, there);
     double largest = 0;
     for (size_t i = 0; status == BATTEN_OK && i < total; i++)
         largest = bat_max(largest, bat_distance(dimension, points + i * d, there + i * d));
@@ -252,44 +251,44 @@ static batten_status find_off(const batten_surface *surface, int dimension, int 
     return status;
 }
 
-batten_status batten_surface_tensor(int dimension, int count_u, int count_v,
-                                    const double *points, const double *u, const double *v,
-                                    const batten_line_method *along_u,
-                                    const batten_line_method *along_v, const batten_job *job,
-                                    double *off, batten_surface **out)
+batten_status batten_surface_tensor(batten_grid points, batten_uv uv,
+                                    const batten_line_method *const along[2],
+                                    const batten_job *job, double *off, batten_surface **out)
 {
-    assert(points && u && v && along_u && along_v && out);
+    assert(points.at && uv.u && uv.v && along[0] && along[1] && out);
     bat_work work = {job, 0};
     stage first = {.direction = "u",
-                   .method = along_u,
-                   .dimension = dimension,
-                   .count = count_u,
-                   .lines = (size_t)count_v,
-                   .parameters = u};
+                   .method = along[0],
+                   .dimension = points.dimension,
+                   .count = points.count_u,
+                   .lines = (size_t)points.count_v,
+                   .parameters = uv.u};
     stage second = {.direction = "v",
-                    .method = along_v,
-                    .dimension = dimension,
-                    .count = count_v,
-                    .parameters = v};
+                    .method = along[1],
+                    .dimension = points.dimension,
+                    .count = points.count_v,
+                    .parameters = uv.v};
     batten_surface *surface = NULL;
     double *turned = NULL;
-    batten_status status =
-        bat_grid_check(dimension, count_u, count_v, points, along_u->closed, along_v->closed);
+    batten_status status = bat_grid_check(points.dimension, points.count_u, points.count_v,
+                                          points.at, along[0]->closed, along[1]->closed);
     if (status == BATTEN_OK)
-        status = bat_parameters_check(count_u + along_u->closed, u);
+        status = bat_parameters_check(points.count_u + along[0]->closed, uv.u);
     if (status == BATTEN_OK)
-        status = bat_parameters_check(count_v + along_v->closed, v);
+        status = bat_parameters_check(points.count_v + along[1]->closed, uv.v);
     if (status == BATTEN_OK)
-        status = run_stage(&first, &work, points);
+        status = run_stage(&first, &work, points.at);
     if (status == BATTEN_OK) {
-        turned = transposed(first.shape.count, first.lines, (size_t)dimension, first.control);
+        turned =
+            transposed(first.shape.count, first.lines, (size_t)points.dimension, first.control);
         second.lines = (size_t)first.shape.count;
         status = turned ? run_stage(&second, &work, turned) : BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK)
         status = make_surface(&first, &second, &surface);
     if (status == BATTEN_OK && off)
-        status = find_off(surface, dimension, count_u, count_v, points, u, v, off);
+        status = find_off(surface, points.dimension, points.count_u, points.count_v, points.at,
+                          uv.u, uv.v, off);
     if (status == BATTEN_OK)
         *out = batten_surface_ref(surface);
     batten_surface_unref(surface);

@@ -16,7 +16,7 @@ static batten_status make_nu(void *user, int dimension, int count, const double 
 {
     batten_curve_weighted_options o = *(const batten_curve_weighted_options *)user;
     o.given = parameters;
-    return batten_curve_weighted(dimension, count, points, &o, NULL, out);
+    return batten_curve_weighted((batten_points){dimension, count, points}, &o, NULL, out);
 }
 
 static batten_curve_weighted_options weighted(bool closed, double nu, const double *nus)
@@ -29,11 +29,10 @@ static batten_curve_weighted_options weighted(bool closed, double nu, const doub
     return o;
 }
 
-batten_status batten_surface_nu(int dimension, int count_u, int count_v, const double *points,
-                                const batten_surface_nu_options *options, const batten_job *job,
-                                batten_surface **out)
+batten_status batten_surface_nu(batten_grid points, const batten_surface_nu_options *options,
+                                const batten_job *job, batten_surface **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_surface_nu_options chosen = batten_surface_nu_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_surface_nu_options, options, &chosen);
     if (status != BATTEN_OK)
@@ -44,13 +43,16 @@ batten_status batten_surface_nu(int dimension, int count_u, int count_v, const d
     const batten_line_method u = {make_nu, &curves[0], o->closed_u},
                              v = {make_nu, &curves[1], o->closed_v};
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
-    status = bat_grid_check(dimension, count_u, count_v, points, o->closed_u, o->closed_v);
+    status = bat_grid_check(points.dimension, points.count_u, points.count_v, points.at,
+                            o->closed_u, o->closed_v);
     if (status == BATTEN_OK)
-        status = bat_grid_parameters_of(dimension, count_u, count_v, points, BATTEN_CHORD,
-                                        o->closed_u, o->closed_v, o->u, o->v, &at);
+        status =
+            bat_grid_parameters_of(points.dimension, points.count_u, points.count_v, points.at,
+                                   BATTEN_CHORD, o->closed_u, o->closed_v, o->u, o->v, &at);
     if (status == BATTEN_OK)
-        status = batten_surface_tensor(dimension, count_u, count_v, points, at.u, at.v, &u, &v,
-                                       job, NULL, out);
+        status =
+            batten_surface_tensor(points, (batten_uv){at.u, at.v},
+                                  (const batten_line_method *const[2]){&u, &v}, job, NULL, out);
     bat_grid_parameters_release(&at);
     return status;
 }
@@ -67,29 +69,31 @@ static batten_status make_uniform(void *user, int dimension, int count, const do
 {
     const polygon_way *way = user;
     (void)parameters;
-    return batten_curve_uniform(dimension, way->degree, count, points, NULL, way->ends, out);
+    return batten_curve_uniform((batten_points){dimension, count, points}, way->degree, NULL,
+                                way->ends, out);
 }
 
-batten_status batten_surface_uniform(int dimension, int count_u, int count_v,
-                                     const double *points, int degree_u, int degree_v,
+batten_status batten_surface_uniform(batten_grid points, int degree_u, int degree_v,
                                      batten_polygon_end ends_u, batten_polygon_end ends_v,
                                      batten_surface **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     polygon_way ways[2] = {{degree_u, ends_u}, {degree_v, ends_v}};
     const batten_line_method u = {make_uniform, &ways[0], false},
                              v = {make_uniform, &ways[1], false};
-    batten_status status = bat_grid_check(dimension, count_u, count_v, points, false, false);
+    batten_status status = bat_grid_check(points.dimension, points.count_u, points.count_v,
+                                          points.at, false, false);
     if (status != BATTEN_OK)
         return status;
-    const int most = bat_max_int(count_u, count_v);
+    const int most = bat_max_int(points.count_u, points.count_v);
     double *steps = bat_array((size_t)most, sizeof *steps);
     if (!steps)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < most; i++)
         steps[i] = i;
-    status = batten_surface_tensor(dimension, count_u, count_v, points, steps, steps, &u, &v,
-                                   NULL, NULL, out);
+    status =
+        batten_surface_tensor(points, (batten_uv){steps, steps},
+                              (const batten_line_method *const[2]){&u, &v}, NULL, NULL, out);
     bat_release(steps);
     return status;
 }
@@ -102,36 +106,37 @@ static batten_status make_catmull_rom(void *user, int dimension, int count,
 {
     batten_curve_catmull_rom_options o = *(const batten_curve_catmull_rom_options *)user;
     o.given = parameters;
-    return batten_curve_catmull_rom(dimension, count, points, &o, NULL, NULL, out);
+    return batten_curve_catmull_rom((batten_points){dimension, count, points}, &o, NULL, NULL,
+                                    out);
 }
 
-batten_status batten_surface_catmull_rom(int dimension, int count_u, int count_v,
-                                         const double *points, const double *u, const double *v,
-                                         const batten_curve_catmull_rom_options *along_u,
-                                         const batten_curve_catmull_rom_options *along_v,
+batten_status batten_surface_catmull_rom(batten_grid points, batten_uv uv,
+                                         const batten_curve_catmull_rom_options *const along[2],
                                          const batten_job *job, double *off,
                                          batten_surface **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_curve_catmull_rom_options curves[2] = {batten_curve_catmull_rom_defaults(),
                                                   batten_curve_catmull_rom_defaults()};
     batten_status status =
-        BAT_TAKE_OPTIONS(batten_curve_catmull_rom_options, along_u, &curves[0]);
+        BAT_TAKE_OPTIONS(batten_curve_catmull_rom_options, along[0], &curves[0]);
     if (status == BATTEN_OK)
-        status = BAT_TAKE_OPTIONS(batten_curve_catmull_rom_options, along_v, &curves[1]);
+        status = BAT_TAKE_OPTIONS(batten_curve_catmull_rom_options, along[1], &curves[1]);
     if (status != BATTEN_OK)
         return status;
     const batten_line_method ways[2] = {{make_catmull_rom, &curves[0], curves[0].closed},
                                         {make_catmull_rom, &curves[1], curves[1].closed}};
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
-    status =
-        bat_grid_check(dimension, count_u, count_v, points, curves[0].closed, curves[1].closed);
+    status = bat_grid_check(points.dimension, points.count_u, points.count_v, points.at,
+                            curves[0].closed, curves[1].closed);
     if (status == BATTEN_OK)
-        status = bat_grid_parameters_of(dimension, count_u, count_v, points, BATTEN_CENTRIPETAL,
-                                        curves[0].closed, curves[1].closed, u, v, &at);
+        status = bat_grid_parameters_of(points.dimension, points.count_u, points.count_v,
+                                        points.at, BATTEN_CENTRIPETAL, curves[0].closed,
+                                        curves[1].closed, uv.u, uv.v, &at);
     if (status == BATTEN_OK)
-        status = batten_surface_tensor(dimension, count_u, count_v, points, at.u, at.v,
-                                       &ways[0], &ways[1], job, off, out);
+        status = batten_surface_tensor(points, (batten_uv){at.u, at.v},
+                                       (const batten_line_method *const[2]){&ways[0], &ways[1]},
+                                       job, off, out);
     bat_grid_parameters_release(&at);
     return status;
 }

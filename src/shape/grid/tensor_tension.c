@@ -138,8 +138,9 @@ static batten_status run_line(const pass *p, int line, int from, int to)
     batten_chain *chain = NULL;
     for (int i = 0; i < p->along->count; i++)
         memcpy(p->points + (size_t)i * d, on_line(p, line, i, from), d * sizeof(double));
-    const batten_status status = batten_chain_tension(p->surface->dimension, p->along->count,
-                                                      p->points, &p->options, NULL, &chain);
+    const batten_status status =
+        batten_chain_tension((batten_points){p->surface->dimension, p->along->count, p->points},
+                             &p->options, NULL, &chain);
     for (int i = 0; status == BATTEN_OK && i < p->along->count; i++) {
         const int span = bat_min_int(i, p->along->spans - 1);
         memcpy(on_line(p, line, i, to), batten_chain_span(chain, span)->bend[i > span],
@@ -220,24 +221,24 @@ static batten_status hand_over_patches(tension_surface *s, size_t total, batten_
     return bat_formula_create(&formula, s, s->dimension, &u, &v, largest, out);
 }
 
-batten_status batten_surface_tension(int dimension, int count_u, int count_v,
-                                     const double *points,
+batten_status batten_surface_tension(batten_grid points,
                                      const batten_surface_tension_options *options,
                                      batten_surface **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_surface_tension_options chosen = batten_surface_tension_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_surface_tension_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
     const batten_surface_tension_options *o = &chosen;
-    status = bat_grid_check(dimension, count_u, count_v, points, o->closed_u, o->closed_v);
+    status = bat_grid_check(points.dimension, points.count_u, points.count_v, points.at,
+                            o->closed_u, o->closed_v);
     if (status != BATTEN_OK)
         return status;
     tension_surface *s = bat_array(1, sizeof *s);
     if (!s)
         return BATTEN_OUT_OF_MEMORY;
-    status = prepare_axes(dimension, count_u, count_v, points, o, s);
+    status = prepare_axes(points.dimension, points.count_u, points.count_v, points.at, o, s);
     if (status == BATTEN_OK)
         status = run_pass(s, true, o->tension_u, o->tensions_u, POINT, UU);
     if (status == BATTEN_OK)
@@ -245,7 +246,7 @@ batten_status batten_surface_tension(int dimension, int count_u, int count_v,
     if (status == BATTEN_OK)
         status = run_pass(s, false, o->tension_v, o->tensions_v, UU, UUVV);
     if (status == BATTEN_OK)
-        status = hand_over_patches(s, (size_t)count_u * (size_t)count_v, out);
+        status = hand_over_patches(s, (size_t)points.count_u * (size_t)points.count_v, out);
     if (status != BATTEN_OK)
         free_surface(s);
     return status;

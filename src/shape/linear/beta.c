@@ -147,9 +147,10 @@ static batten_status make_curve(int d, int pieces, bool closed, const arrays *a,
     const int times = closed ? 3 : 1;
     for (int i = 0; i <= times * pieces; i++)
         a->breaks[i] = (i + times - 1) / times;
-    return closed
-               ? batten_curve_create_periodic(d, 3, 3 * pieces, a->bezier, NULL, a->breaks, out)
-               : batten_curve_from_bezier(d, 3, pieces, a->bezier, NULL, a->breaks, out);
+    return closed ? batten_curve_create_periodic((batten_points){d, 3 * pieces, a->bezier}, 3,
+                                                 NULL, a->breaks, out)
+                  : batten_curve_from_bezier(d, (batten_pieces){3, pieces, a->breaks},
+                                             a->bezier, NULL, out);
 }
 
 static batten_status make(int d, int count, const double *points, batten_beta_use use,
@@ -179,12 +180,12 @@ static batten_status make(int d, int count, const double *points, batten_beta_us
     return status == BATTEN_OK ? make_curve(d, pieces, closed, a, out) : status;
 }
 
-batten_status batten_curve_beta(int dimension, int count, const double *points,
-                                batten_beta_use use, double beta1, double beta2, bool closed,
-                                batten_curve **out)
+batten_status batten_curve_beta(batten_points points, batten_beta_use use, double beta1,
+                                double beta2, bool closed, batten_curve **out)
 {
-    assert(points && out);
-    batten_status status = bat_points_check(dimension, count, points, closed ? 3 : 2);
+    assert(points.at && out);
+    batten_status status =
+        bat_points_check(points.dimension, points.count, points.at, closed ? 3 : 2);
     if (status != BATTEN_OK)
         return status;
     if (!(beta1 > 0 && beta1 * beta1 * beta1 > 0 && isfinite(4 * beta1 * beta1 * beta1)))
@@ -194,12 +195,13 @@ batten_status batten_curve_beta(int dimension, int count, const double *points,
                         beta1);
     if (!(beta2 >= 0 && isfinite(beta2)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "beta2 is %g, not 0 or more", beta2);
-    const size_t n = (size_t)count, d = (size_t)dimension;
+    const size_t n = (size_t)points.count, d = (size_t)points.dimension;
     arrays a = {bat_array3(n + 3, d, sizeof(double)), bat_array3(3 * n + 1, d, sizeof(double)),
                 bat_array(3 * n + 1, sizeof(double))};
     status = BATTEN_OUT_OF_MEMORY;
     if (a.cage && a.bezier && a.breaks)
-        status = make(dimension, count, points, use, beta1, beta2, closed, &a, out);
+        status =
+            make(points.dimension, points.count, points.at, use, beta1, beta2, closed, &a, out);
     bat_release(a.cage);
     bat_release(a.bezier);
     bat_release(a.breaks);

@@ -493,29 +493,30 @@ static batten_status find(task *t, batten_curve_constrained_report *report, batt
     if (status == BATTEN_OK)
         status = solve(t, report);
     if (status == BATTEN_OK)
-        status =
-            batten_curve_create(t->d, t->degree, t->control_count, t->x, NULL, t->knots, out);
+        status = batten_curve_create((batten_points){t->d, t->control_count, t->x}, t->degree,
+                                     NULL, t->knots, out);
     return status;
 }
 
-batten_status batten_curve_constrained(int dimension, int count, const double *points,
+batten_status batten_curve_constrained(batten_points points,
                                        const batten_curve_constrained_options *options,
                                        double *parameters,
                                        batten_curve_constrained_report *report,
                                        batten_curve **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_curve_constrained_options chosen = batten_curve_constrained_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_constrained_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.options = &chosen, .d = dimension, .count = count, .points = points};
+    task t = {
+        .options = &chosen, .d = points.dimension, .count = points.count, .points = points.at};
     batten_curve_constrained_report reached = {0};
-    status = check(dimension, count, points, t.options);
+    status = check(points.dimension, points.count, points.at, t.options);
     if (status == BATTEN_OK)
         status = find(&t, &reached, out);
     if (status == BATTEN_OK && parameters)
-        memcpy(parameters, t.u, (size_t)count * sizeof *parameters);
+        memcpy(parameters, t.u, (size_t)points.count * sizeof *parameters);
     if (status == BATTEN_OK && report)
         *report = reached;
     task_end(&t);

@@ -103,7 +103,8 @@ static batten_status make_flat(const work *w, const run *r, const double *t, bat
     o.knots_at_data = false;
     o.derivative_count = n;
     o.derivatives = conditions;
-    return batten_curve_interpolate(w->dimension, count, point(w, r->first), &o, NULL, out);
+    return batten_curve_interpolate((batten_points){w->dimension, count, point(w, r->first)},
+                                    &o, NULL, out);
 }
 
 static batten_status make_smooth(const work *w, const run *r, const double *t,
@@ -121,8 +122,9 @@ static batten_status make_smooth(const work *w, const run *r, const double *t,
         ends[end]->kind = BATTEN_END_CLAMPED;
         direction_of_line(w, r, end, ends[end]->vector);
     }
-    return batten_curve_interpolate(w->dimension, r->last - r->first + 1, point(w, r->first),
-                                    &o, NULL, out);
+    return batten_curve_interpolate(
+        (batten_points){w->dimension, r->last - r->first + 1, point(w, r->first)}, &o, NULL,
+        out);
 }
 
 static batten_status make_line(const work *w, const run *r, const double *t, batten_curve **out)
@@ -183,7 +185,7 @@ static batten_status join(const work *w, batten_curve **out)
         at += n - 1;
     }
     if (status == BATTEN_OK)
-        status = batten_curve_create(d, 3, total, points, NULL, knots, out);
+        status = batten_curve_create((batten_points){d, total, points}, 3, NULL, knots, out);
     bat_release(points);
     bat_release(knots);
     return status;
@@ -205,8 +207,8 @@ static batten_status prepare(work *w)
     if (status == BATTEN_OK)
         status = mark(w->count, o->line_count, o->lines, w->count - 2, "line", w->line);
     if (status == BATTEN_OK)
-        status = batten_parametrize(w->dimension, w->count, w->points, o->parameters, false,
-                                    w->parameters);
+        status = batten_parametrize((batten_points){w->dimension, w->count, w->points},
+                                    o->parameters, false, w->parameters);
     return status;
 }
 
@@ -228,7 +230,7 @@ static batten_status check(int dimension, int count, const batten_curve_cornered
     return BATTEN_OK;
 }
 
-batten_status batten_curve_cornered(int dimension, int count, const double *points,
+batten_status batten_curve_cornered(batten_points points,
                                     const batten_curve_cornered_options *options,
                                     double *parameters, batten_curve **out)
 {
@@ -236,8 +238,11 @@ batten_status batten_curve_cornered(int dimension, int count, const double *poin
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_cornered_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    work w = {.options = &chosen, .dimension = dimension, .count = count, .points = points};
-    status = check(dimension, count, w.options);
+    work w = {.options = &chosen,
+              .dimension = points.dimension,
+              .count = points.count,
+              .points = points.at};
+    status = check(points.dimension, points.count, w.options);
     if (status == BATTEN_OK)
         status = prepare(&w);
     if (status == BATTEN_OK)
@@ -247,7 +252,7 @@ batten_status batten_curve_cornered(int dimension, int count, const double *poin
     if (status == BATTEN_OK)
         status = join(&w, out);
     if (status == BATTEN_OK && parameters)
-        memcpy(parameters, w.parameters, (size_t)count * sizeof *parameters);
+        memcpy(parameters, w.parameters, (size_t)points.count * sizeof *parameters);
     for (int i = 0; i < w.run_count; i++)
         batten_curve_unref(w.made[i]);
     bat_release(w.corner);

@@ -220,13 +220,15 @@ static batten_status interpolate(task *t, batten_curve **curve)
         status = apply(t);
     if (status != BATTEN_OK)
         return status;
-    return op->periodic ? batten_curve_create_periodic(t->dimension, op->degree, op->count,
-                                                       t->control, NULL, op->knots, curve)
-                        : batten_curve_create(t->dimension, op->degree, op->count, t->control,
-                                              NULL, op->knots, curve);
+    return op->periodic
+               ? batten_curve_create_periodic(
+                     (batten_points){t->dimension, op->count, t->control}, op->degree, NULL,
+                     op->knots, curve)
+               : batten_curve_create((batten_points){t->dimension, op->count, t->control},
+                                     op->degree, NULL, op->knots, curve);
 }
 
-batten_status batten_curve_interpolate(int dimension, int count, const double *points,
+batten_status batten_curve_interpolate(batten_points points,
                                        const batten_curve_interpolate_options *options,
                                        double *parameters, batten_curve **out)
 {
@@ -234,15 +236,18 @@ batten_status batten_curve_interpolate(int dimension, int count, const double *p
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_interpolate_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    status = bat_points_check(dimension, count, points, 2);
+    status = bat_points_check(points.dimension, points.count, points.at, 2);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = dimension, .count = count, .points = points, .options = &chosen};
+    task t = {.dimension = points.dimension,
+              .count = points.count,
+              .points = points.at,
+              .options = &chosen};
     batten_curve *curve = NULL;
     status = interpolate(&t, &curve);
     if (status == BATTEN_OK) {
         if (parameters)
-            memcpy(parameters, t.parameters, (size_t)count * sizeof *parameters);
+            memcpy(parameters, t.parameters, (size_t)points.count * sizeof *parameters);
         *out = curve;
     }
     bat_release(t.control);

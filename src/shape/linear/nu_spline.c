@@ -270,8 +270,8 @@ static batten_status make_curve(const task *t, batten_curve **out)
 {
     const int d = t->dimension, count = t->spans + 1;
     if (t->closed)
-        return batten_curve_from_tangents(d, t->count, t->points, t->u, t->slopes, NULL, true,
-                                          out);
+        return batten_curve_from_tangents((batten_points){d, t->count, t->points}, t->u,
+                                          t->slopes, NULL, true, out);
     double *values = bat_array3((size_t)count, (size_t)(2 * d), sizeof *values);
     if (!values)
         return BATTEN_OUT_OF_MEMORY;
@@ -286,29 +286,29 @@ static batten_status make_curve(const task *t, batten_curve **out)
     return status;
 }
 
-batten_status batten_curve_weighted(int dimension, int count, const double *points,
+batten_status batten_curve_weighted(batten_points points,
                                     const batten_curve_weighted_options *options,
                                     double *parameters, batten_curve **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_curve_weighted_options chosen = batten_curve_weighted_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_weighted_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
     const batten_curve_weighted_options *o = &chosen;
-    status = bat_points_check(dimension, count, points, o->closed ? 3 : 2);
+    status = bat_points_check(points.dimension, points.count, points.at, o->closed ? 3 : 2);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = dimension,
-              .count = count,
-              .spans = o->closed ? count : count - 1,
+    task t = {.dimension = points.dimension,
+              .count = points.count,
+              .spans = o->closed ? points.count : points.count - 1,
               .closed = o->closed,
-              .points = points};
+              .points = points.at};
     status = solve(&t, o);
     if (status == BATTEN_OK)
         status = make_curve(&t, out);
     if (status == BATTEN_OK && parameters)
-        memcpy(parameters, t.u, (size_t)count * sizeof *parameters);
+        memcpy(parameters, t.u, (size_t)points.count * sizeof *parameters);
     release(&t);
     return status;
 }

@@ -193,7 +193,7 @@ static batten_status make_curve(task *q, batten_curve **out)
     if (bat_first_not_finite(q->middle, numbers) < numbers)
         status = bat_fail(BATTEN_OVERFLOW, "a control point is too large for a number");
     else
-        status = batten_curve_create(d, 2, n + 2, q->middle, NULL, knots, out);
+        status = batten_curve_create((batten_points){d, n + 2, q->middle}, 2, NULL, knots, out);
     bat_release(knots);
     return status;
 }
@@ -243,14 +243,15 @@ static batten_status between(int dimension, int count, const double *points,
     options.knots_at_data = false;
     options.parameters = o->parameters;
     options.given = o->given;
-    return batten_curve_interpolate(dimension, count, points, &options, parameters, out);
+    return batten_curve_interpolate((batten_points){dimension, count, points}, &options,
+                                    parameters, out);
 }
 
-batten_status batten_curve_quadratic(int dimension, int count, const double *points,
+batten_status batten_curve_quadratic(batten_points points,
                                      const batten_curve_quadratic_options *options,
                                      double *parameters, batten_curve **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_curve_quadratic_options chosen = batten_curve_quadratic_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_quadratic_options, options, &chosen);
     if (status != BATTEN_OK)
@@ -263,19 +264,19 @@ batten_status batten_curve_quadratic(int dimension, int count, const double *poi
                         "there is no quadratic spline of kind %d, slope %d", (int)o->kind,
                         (int)o->slope);
     if (o->kind == BATTEN_QUADRATIC_BETWEEN)
-        return between(dimension, count, points, o, parameters, out);
-    status = bat_points_check(dimension, count, points, has_midpoints ? 3 : 2);
+        return between(points.dimension, points.count, points.at, o, parameters, out);
+    status = bat_points_check(points.dimension, points.count, points.at, has_midpoints ? 3 : 2);
     if (status != BATTEN_OK)
         return status;
     batten_curve *curve = NULL;
-    task q = {.dimension = dimension,
-              .count = count,
-              .spans = has_midpoints ? count - 2 : count - 1,
-              .points = points};
+    task q = {.dimension = points.dimension,
+              .count = points.count,
+              .spans = has_midpoints ? points.count - 2 : points.count - 1,
+              .points = points.at};
     status = make(&q, o, &curve);
     if (status == BATTEN_OK) {
         if (parameters)
-            memcpy(parameters, q.t, (size_t)count * sizeof *parameters);
+            memcpy(parameters, q.t, (size_t)points.count * sizeof *parameters);
         *out = curve;
     } else
         batten_curve_unref(curve);

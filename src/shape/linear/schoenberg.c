@@ -184,10 +184,12 @@ static batten_status measure(const task *t, const batten_curve *curve,
 
 static batten_status make_curve(const task *t, batten_curve **out)
 {
-    return t->periodic ? batten_curve_create_periodic(t->dimension, t->degree, t->values,
-                                                      t->control, NULL, t->t, out)
-                       : batten_curve_create(t->dimension, t->degree, t->values, t->control,
-                                             NULL, t->U, out);
+    return t->periodic
+               ? batten_curve_create_periodic(
+                     (batten_points){t->dimension, t->values, t->control}, t->degree, NULL,
+                     t->t, out)
+               : batten_curve_create((batten_points){t->dimension, t->values, t->control},
+                                     t->degree, NULL, t->U, out);
 }
 
 static batten_status begin(task *t, const batten_curve_schoenberg_options *o, int most_degree)
@@ -242,7 +244,7 @@ static batten_status run(task *t, const batten_curve_schoenberg_options *o, int 
     return status;
 }
 
-batten_status batten_curve_schoenberg(int dimension, int count, const double *points,
+batten_status batten_curve_schoenberg(batten_points points,
                                       const batten_curve_schoenberg_options *options,
                                       double *parameters,
                                       batten_curve_schoenberg_report *report,
@@ -252,11 +254,11 @@ batten_status batten_curve_schoenberg(int dimension, int count, const double *po
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_schoenberg_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = dimension, .count = count, .points = points};
+    task t = {.dimension = points.dimension, .count = points.count, .points = points.at};
     return run(&t, &chosen, BATTEN_MAX_DEGREE, make_schoenberg, parameters, report, out);
 }
 
-batten_status batten_curve_quasi_interpolate(int dimension, int count, const double *points,
+batten_status batten_curve_quasi_interpolate(batten_points points,
                                              const batten_curve_schoenberg_options *options,
                                              double *parameters,
                                              batten_curve_schoenberg_report *report,
@@ -266,7 +268,7 @@ batten_status batten_curve_quasi_interpolate(int dimension, int count, const dou
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_schoenberg_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = dimension, .count = count, .points = points};
+    task t = {.dimension = points.dimension, .count = points.count, .points = points.at};
     if (chosen.bernstein)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a quasi-interpolant has its knots at the data");
     return run(&t, &chosen, MOST_LOCAL_DEGREE, make_quasi, parameters, report, out);
@@ -372,8 +374,8 @@ static batten_status run_known(const known *k, int order,
     for (int i = 0; status == BATTEN_OK && i < k->count; i++)
         status = control_of(k, i, order, control + (size_t)i * d);
     if (status == BATTEN_OK)
-        status = batten_curve_create(k->dimension, k->degree, k->count, control, NULL, k->knots,
-                                     &curve);
+        status = batten_curve_create((batten_points){k->dimension, k->count, control},
+                                     k->degree, NULL, k->knots, &curve);
     if (status == BATTEN_OK)
         status = compare(k, curve, &reached);
     bat_release(control);
@@ -387,20 +389,20 @@ static batten_status run_known(const known *k, int order,
     return BATTEN_OK;
 }
 
-batten_status batten_function_schoenberg(int dimension, int degree, int point_count,
-                                         const double *knots, batten_evaluator function,
-                                         void *user, batten_curve_schoenberg_report *report,
+batten_status batten_function_schoenberg(int dimension, const batten_axis *axis,
+                                         batten_evaluator function, void *user,
+                                         batten_curve_schoenberg_report *report,
                                          batten_curve **out)
 {
-    const known k = {dimension, degree, point_count, knots, function, user};
+    const known k = {dimension, axis->degree, axis->point_count, axis->knots, function, user};
     return run_known(&k, 0, report, out);
 }
 
-batten_status batten_function_de_boor_fix(int dimension, int degree, int point_count,
-                                          const double *knots, batten_evaluator function,
-                                          void *user, batten_curve_schoenberg_report *report,
+batten_status batten_function_de_boor_fix(int dimension, const batten_axis *axis,
+                                          batten_evaluator function, void *user,
+                                          batten_curve_schoenberg_report *report,
                                           batten_curve **out)
 {
-    const known k = {dimension, degree, point_count, knots, function, user};
-    return run_known(&k, degree, report, out);
+    const known k = {dimension, axis->degree, axis->point_count, axis->knots, function, user};
+    return run_known(&k, axis->degree, report, out);
 }

@@ -123,29 +123,29 @@ static batten_status make_chain(const bat_tension *t, batten_chain **out)
         }
     }
     const batten_status status =
-        batten_chain_create(d, t->spans, spans, t->u, t->closed, 0, out);
+        batten_chain_create(&(batten_chain_parts){d, t->spans, spans, t->u, t->closed}, 0, out);
     bat_release(spans);
     return status;
 }
 
-batten_status batten_chain_tension(int dimension, int count, const double *points,
+batten_status batten_chain_tension(batten_points points,
                                    const batten_chain_tension_options *options,
                                    double *parameters, batten_chain **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_chain_tension_options chosen = batten_chain_tension_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_chain_tension_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
     const batten_chain_tension_options *o = &chosen;
-    status = bat_points_check(dimension, count, points, o->closed ? 3 : 2);
+    status = bat_points_check(points.dimension, points.count, points.at, o->closed ? 3 : 2);
     if (status != BATTEN_OK)
         return status;
-    bat_tension t = {.dimension = dimension,
-                     .count = count,
-                     .spans = o->closed ? count : count - 1,
+    bat_tension t = {.dimension = points.dimension,
+                     .count = points.count,
+                     .spans = o->closed ? points.count : points.count - 1,
                      .closed = o->closed,
-                     .points = points};
+                     .points = points.at};
     status = prepare(&t, o);
     if (status == BATTEN_OK)
         status = bat_tension_solve(&t);
@@ -158,7 +158,7 @@ batten_status batten_chain_tension(int dimension, int count, const double *point
     if (status == BATTEN_OK)
         status = make_chain(&t, out);
     if (status == BATTEN_OK && parameters)
-        memcpy(parameters, t.u, (size_t)count * sizeof *parameters);
+        memcpy(parameters, t.u, (size_t)points.count * sizeof *parameters);
     release(&t);
     return status;
 }

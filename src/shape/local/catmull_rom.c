@@ -149,14 +149,14 @@ static batten_status make_curve(task *t, double *points, double *knots, batten_c
             control_point(t, i - p + 1, points + (size_t)i * (size_t)d);
         for (int i = 0; i <= m; i++)
             knots[i] = parameter(t, i / t->multiple);
-        return batten_curve_create_periodic(d, p, m, points, NULL, knots, out);
+        return batten_curve_create_periodic((batten_points){d, m, points}, p, NULL, knots, out);
     }
     const int n = p + 1 + (t->spans - 1) * t->multiple;
     for (int i = 0; i < n; i++)
         control_point(t, i + 1, points + (size_t)i * (size_t)d);
     for (int i = 0; i < n + p + 1; i++)
         knots[i] = parameter(t, node_of_knot(t, i));
-    return batten_curve_create(d, p, n, points, NULL, knots, out);
+    return batten_curve_create((batten_points){d, n, points}, p, NULL, knots, out);
 }
 
 /* ---- the whole ---- */
@@ -253,13 +253,13 @@ static batten_status find(task *t, double *parameters, batten_curve_catmull_rom_
     return BATTEN_OK;
 }
 
-batten_status batten_curve_catmull_rom(int dimension, int count, const double *points,
+batten_status batten_curve_catmull_rom(batten_points points,
                                        const batten_curve_catmull_rom_options *options,
                                        double *parameters,
                                        batten_curve_catmull_rom_report *report,
                                        batten_curve **out)
 {
-    assert(points && out);
+    assert(points.at && out);
     batten_curve_catmull_rom_options chosen = batten_curve_catmull_rom_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_catmull_rom_options, options, &chosen);
     if (status != BATTEN_OK)
@@ -269,8 +269,9 @@ batten_status batten_curve_catmull_rom(int dimension, int count, const double *p
     if (status != BATTEN_OK)
         return status;
     task t = {.k = o->blend + 1, .m = o->local, .degree = o->blend + o->local};
-    status = bat_row_beyond_make(dimension, count, points, o->alpha, o->given, o->closed,
-                                 o->phantoms, bat_max_int(o->blend, o->local), &t.row);
+    status =
+        bat_row_beyond_make(points.dimension, points.count, points.at, o->alpha, o->given,
+                            o->closed, o->phantoms, bat_max_int(o->blend, o->local), &t.row);
     if (status == BATTEN_OK)
         status = find(&t, parameters, report, out);
     bat_release(t.pieces);

@@ -165,8 +165,10 @@ static batten_status check(const batten_curve *curve,
 static batten_status begin(bat_correction *w, const batten_curve *curve)
 {
     batten_curve *cubic = NULL, *bezier = NULL;
-    batten_status status =
-        batten_curve_classify(curve, w->options.tolerance, &w->count, &w->spans);
+    batten_cubics spans = {0, NULL};
+    batten_status status = batten_curve_classify(curve, w->options.tolerance, &spans);
+    w->count = spans.count;
+    w->spans = spans.at;
     if (status == BATTEN_OK)
         status = batten_curve_elevate(curve, 3 - batten_curve_degree(curve), &cubic);
     if (status == BATTEN_OK)
@@ -198,8 +200,8 @@ static batten_status hand_over(const bat_correction *w, const batten_curve *curv
     if (w->report.corrected == 0)
         *out = batten_curve_ref(curve);
     else
-        status = batten_curve_from_bezier(w->dimension, 3, w->count, w->points, NULL, w->breaks,
-                                          out);
+        status = batten_curve_from_bezier(w->dimension, (batten_pieces){3, w->count, w->breaks},
+                                          w->points, NULL, out);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; changed && i < w->count; i++)

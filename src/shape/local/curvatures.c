@@ -87,8 +87,8 @@ static batten_status make(task *t, const double *tangents, batten_curve **curve)
     t->report.first_fallen_back = -1;
     for (int i = 0; i < spans; i++)
         make_span(t, i);
-    return batten_curve_from_tangents(2, t->count, t->points, t->t, t->leaving, t->arriving,
-                                      t->closed, curve);
+    return batten_curve_from_tangents((batten_points){2, t->count, t->points}, t->t, t->leaving,
+                                      t->arriving, t->closed, curve);
 }
 
 static void hand_over(const task *t, double *parameters, int *solutions,
@@ -103,22 +103,27 @@ static void hand_over(const task *t, double *parameters, int *solutions,
         *report = t->report;
 }
 
-batten_status batten_curve_from_curvatures(int count, const double *points,
-                                           const double *tangents, const double *curvatures,
-                                           bool closed, double *parameters, int *solutions,
+batten_status batten_curve_from_curvatures(const batten_curved_points *data, double *parameters,
+                                           int *solutions,
                                            batten_curve_from_curvatures_report *report,
                                            batten_curve **out)
 {
-    assert(points && tangents && curvatures && out);
-    batten_status status = bat_points_check(2, count, points, closed ? 3 : 2);
+    if (data->points.dimension != 2)
+        return bat_wrong_dimension(data->points, 2);
+    assert(data->points.at && data->tangents && data->curvatures && out);
+    batten_status status =
+        bat_points_check(2, data->points.count, data->points.at, data->closed ? 3 : 2);
     if (status == BATTEN_OK)
-        status = bat_local_check_rows(2, count, tangents, "tangent");
+        status = bat_local_check_rows(2, data->points.count, data->tangents, "tangent");
     if (status == BATTEN_OK)
-        status = bat_local_check_rows(1, count, curvatures, "curvature");
+        status = bat_local_check_rows(1, data->points.count, data->curvatures, "curvature");
     if (status != BATTEN_OK)
         return status;
-    task t = {.count = count, .closed = closed, .points = points, .curvatures = curvatures};
-    const size_t n = (size_t)count;
+    task t = {.count = data->points.count,
+              .closed = data->closed,
+              .points = data->points.at,
+              .curvatures = data->curvatures};
+    const size_t n = (size_t)data->points.count;
     batten_curve *curve = NULL;
     t.t = bat_array(n + 1, sizeof *t.t);
     t.unit = bat_array3(n, 2, sizeof *t.unit);
@@ -127,7 +132,7 @@ batten_status batten_curve_from_curvatures(int count, const double *points,
     t.solutions = bat_array(n, sizeof *t.solutions);
     status = BATTEN_OUT_OF_MEMORY;
     if (t.t && t.unit && t.leaving && t.arriving && t.solutions)
-        status = make(&t, tangents, &curve);
+        status = make(&t, data->tangents, &curve);
     if (status == BATTEN_OK) {
         hand_over(&t, parameters, solutions, report);
         *out = curve;
@@ -150,28 +155,30 @@ static double circle_curvature(const double *a, const double *b, const double *c
     return w > 0 ? 2 * cross(p, q) / w : 0;
 }
 
-batten_status batten_circle_curvatures(int count, const double *points, bool closed,
-                                       double *curvatures)
+batten_status batten_circle_curvatures(batten_points points, bool closed, double *curvatures)
 {
-    assert(points && curvatures);
-    batten_status status = bat_points_check(2, count, points, closed ? 3 : 2);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    assert(points.at && curvatures);
+    batten_status status = bat_points_check(2, points.count, points.at, closed ? 3 : 2);
     if (status != BATTEN_OK)
         return status;
-    double *made = bat_array((size_t)count + 1, sizeof *made);
+    double *made = bat_array((size_t)points.count + 1, sizeof *made);
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
-    status = bat_parametrize(2, count, points, BATTEN_CHORD, closed, made);
-    for (int i = 0; i < count && status == BATTEN_OK; i++) {
-        const int at = closed ? i : bat_max_int(1, bat_min_int(i, count - 2));
-        const double *a = points + 2 * bat_around(count, at - 1);
-        made[i] = count == 2 ? 0
-                             : circle_curvature(a, points + 2 * at,
-                                                points + 2 * bat_around(count, at + 1));
+    status = bat_parametrize(2, points.count, points.at, BATTEN_CHORD, closed, made);
+    for (int i = 0; i < points.count && status == BATTEN_OK; i++) {
+        const int at = closed ? i : bat_max_int(1, bat_min_int(i, points.count - 2));
+        const double *a = points.at + 2 * bat_around(points.count, at - 1);
+        made[i] = points.count == 2
+                      ? 0
+                      : circle_curvature(a, points.at + 2 * at,
+                                         points.at + 2 * bat_around(points.count, at + 1));
         if (!isfinite(made[i]))
             status = bat_fail(BATTEN_OVERFLOW, "the curvature at point %d is too large", i);
     }
     if (status == BATTEN_OK)
-        memcpy(curvatures, made, (size_t)count * sizeof *curvatures);
+        memcpy(curvatures, made, (size_t)points.count * sizeof *curvatures);
     bat_release(made);
     return status;
 }

@@ -75,24 +75,25 @@ static batten_status find(const bat_row_beyond *row,
 }
 
 batten_status
-batten_tangents_kochanek_bartels(int dimension, int count, const double *points,
+batten_tangents_kochanek_bartels(batten_points points,
                                  const batten_tangents_kochanek_bartels_options *options,
                                  double *parameters, double *leaving, double *arriving)
 {
     enum { PARABOLA = 2 };
-    assert(points && parameters && leaving && arriving);
+    assert(points.at && parameters && leaving && arriving);
     const batten_tangents_kochanek_bartels_options defaults =
         batten_tangents_kochanek_bartels_defaults();
     const batten_tangents_kochanek_bartels_options *o = options ? options : &defaults;
     bat_row_beyond row;
-    batten_status status = bat_row_beyond_make(dimension, count, points, o->alpha, o->given,
-                                               o->closed, o->phantoms, PARABOLA, &row);
+    batten_status status =
+        bat_row_beyond_make(points.dimension, points.count, points.at, o->alpha, o->given,
+                            o->closed, o->phantoms, PARABOLA, &row);
     if (status == BATTEN_OK)
-        status = check(count, o);
+        status = check(points.count, o);
     if (status == BATTEN_OK)
         status = find(&row, o, leaving, arriving);
     if (status == BATTEN_OK)
-        memcpy(parameters, row.t, ((size_t)count + o->closed) * sizeof *parameters);
+        memcpy(parameters, row.t, ((size_t)points.count + o->closed) * sizeof *parameters);
     bat_release(row.t);
     return status;
 }

@@ -140,30 +140,37 @@ static batten_status make(const hermite *h, double *control, double *knots, batt
         return status;
     if (!h->closed) {
         clamp_knots(n, knots);
-        return batten_curve_create(h->d, 3, n, control, NULL, knots, out);
+        return batten_curve_create((batten_points){h->d, n, control}, 3, NULL, knots, out);
     }
     knots[n] = h->t[h->count];
     rotate((size_t)h->d, n, control);
-    return batten_curve_create_periodic(h->d, 3, n, control, NULL, knots, out);
+    return batten_curve_create_periodic((batten_points){h->d, n, control}, 3, NULL, knots, out);
 }
 
-batten_status batten_curve_from_tangents(int dimension, int count, const double *points,
-                                         const double *parameters, const double *leaving,
-                                         const double *arriving, bool closed,
-                                         batten_curve **out)
+batten_status batten_curve_from_tangents(batten_points points, const double *parameters,
+                                         const double *leaving, const double *arriving,
+                                         bool closed, batten_curve **out)
 {
-    assert(points && parameters && leaving && out);
-    batten_status status = bat_local_check(dimension, count, points, parameters, closed);
+    assert(points.at && parameters && leaving && out);
+    batten_status status =
+        bat_local_check(points.dimension, points.count, points.at, parameters, closed);
     if (status == BATTEN_OK)
-        status = bat_local_check_rows(dimension, count, leaving, "tangent");
+        status = bat_local_check_rows(points.dimension, points.count, leaving, "tangent");
     if (status == BATTEN_OK && arriving)
-        status = bat_local_check_rows(dimension, count, arriving, "arriving tangent");
+        status =
+            bat_local_check_rows(points.dimension, points.count, arriving, "arriving tangent");
     if (status != BATTEN_OK)
         return status;
-    const hermite h = {
-        dimension, count, closed, points, parameters, leaving, arriving ? arriving : leaving};
-    double *control = bat_array3((size_t)count, 3 * (size_t)dimension, sizeof *control);
-    double *knots = bat_array3((size_t)count + 2, 3, sizeof *knots);
+    const hermite h = {points.dimension,
+                       points.count,
+                       closed,
+                       points.at,
+                       parameters,
+                       leaving,
+                       arriving ? arriving : leaving};
+    double *control =
+        bat_array3((size_t)points.count, 3 * (size_t)points.dimension, sizeof *control);
+    double *knots = bat_array3((size_t)points.count + 2, 3, sizeof *knots);
     status = BATTEN_OUT_OF_MEMORY;
     if (control && knots)
         status = make(&h, control, knots, out);
@@ -197,27 +204,29 @@ static double second_at(const hermite *h, int i, int k)
     return before + a / (a + b) * (after - before);
 }
 
-batten_status batten_second_derivatives(int dimension, int count, const double *points,
-                                        const double *parameters, const double *tangents,
-                                        bool closed, double *second)
+batten_status batten_second_derivatives(batten_points points, const double *parameters,
+                                        const double *tangents, bool closed, double *second)
 {
-    assert(points && parameters && tangents && second);
-    batten_status status = bat_local_check(dimension, count, points, parameters, closed);
+    assert(points.at && parameters && tangents && second);
+    batten_status status =
+        bat_local_check(points.dimension, points.count, points.at, parameters, closed);
     if (status == BATTEN_OK)
-        status = bat_local_check_rows(dimension, count, tangents, "tangent");
+        status = bat_local_check_rows(points.dimension, points.count, tangents, "tangent");
     if (status != BATTEN_OK)
         return status;
-    const hermite h = {dimension, count, closed, points, parameters, tangents, tangents};
-    double *made = bat_array3((size_t)count, (size_t)dimension, sizeof *made);
+    const hermite h = {points.dimension, points.count, closed,  points.at,
+                       parameters,       tangents,     tangents};
+    double *made = bat_array3((size_t)points.count, (size_t)points.dimension, sizeof *made);
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < dimension; k++)
-            made[i * dimension + k] = second_at(&h, i, k);
-    const size_t n = (size_t)count * (size_t)dimension, bad = bat_first_not_finite(made, n);
+    for (int i = 0; i < points.count; i++)
+        for (int k = 0; k < points.dimension; k++)
+            made[i * points.dimension + k] = second_at(&h, i, k);
+    const size_t n = (size_t)points.count * (size_t)points.dimension,
+                 bad = bat_first_not_finite(made, n);
     if (bad < n)
         status = bat_fail(BATTEN_OVERFLOW, "the second derivative at point %zu is too large",
-                          bad / (size_t)dimension);
+                          bad / (size_t)points.dimension);
     else
         memcpy(second, made, n * sizeof *second);
     bat_release(made);

@@ -51,7 +51,7 @@ static batten_status make(const bat_chords *c, const double *slopes, double *poi
     points[6 * (size_t)last] = c->x[last];
     points[6 * (size_t)last + 1] = c->y[last];
     weights[3 * (size_t)last] = 1;
-    return batten_curve_from_bezier(2, 3, last, points, weights, c->x, out);
+    return batten_curve_from_bezier(2, (batten_pieces){3, last, c->x}, points, weights, out);
 }
 
 batten_status batten_curve_rational_monotone(int count, const double *x, const double *y,

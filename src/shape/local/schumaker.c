@@ -136,7 +136,8 @@ static batten_status make(const bat_chords *c, const double *slopes, quadratic *
         add_span(q, c, i, slopes);
     q->control[q->count] = c->y[last];
     q->knots[q->count + 2] = q->knots[q->count + 3] = c->x[last];
-    return batten_curve_create(1, 2, q->count + 1, q->control, NULL, q->knots, out);
+    return batten_curve_create((batten_points){1, q->count + 1, q->control}, 2, NULL, q->knots,
+                               out);
 }
 
 batten_status batten_curve_schumaker(int count, const double *x, const double *y,

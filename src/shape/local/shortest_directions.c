@@ -208,8 +208,8 @@ static batten_status check_directions(work *w, const batten_curve_directed_optio
 static batten_status find_parameters(work *w, const batten_curve_directed_options *o, double *t)
 {
     if (o->parameters != BATTEN_GIVEN) {
-        const batten_status status =
-            batten_parametrize(w->dimension, w->count, w->points, o->parameters, false, t);
+        const batten_status status = batten_parametrize(
+            (batten_points){w->dimension, w->count, w->points}, o->parameters, false, t);
         if (status != BATTEN_OK)
             return status;
     } else {
@@ -270,7 +270,7 @@ static batten_status make_curve(const work *w, const double *t, batten_curve **o
     return status;
 }
 
-batten_status batten_curve_directed(int dimension, int count, const double *points,
+batten_status batten_curve_directed(batten_points points,
                                     const batten_curve_directed_options *options,
                                     double *parameters, batten_curve_directed_report *report,
                                     batten_curve **out)
@@ -279,13 +279,18 @@ batten_status batten_curve_directed(int dimension, int count, const double *poin
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_directed_options, options, &o);
     if (status != BATTEN_OK)
         return status;
-    work w = {.dimension = dimension, .count = count, .points = points, .tension = o.tension};
-    if (dimension < 1 || dimension > 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "a curve cannot have dimension %d", dimension);
-    if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s %s given; 2 are needed", count,
-                        bat_plural(count), bat_one_or_many(count, "is", "are"));
-    double *t = bat_array((size_t)count, sizeof *t);
+    work w = {.dimension = points.dimension,
+              .count = points.count,
+              .points = points.at,
+              .tension = o.tension};
+    if (points.dimension < 1 || points.dimension > 3)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a curve cannot have dimension %d",
+                        points.dimension);
+    if (points.count < 2)
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s %s given; 2 are needed",
+                        points.count, bat_plural(points.count),
+                        bat_one_or_many(points.count, "is", "are"));
+    double *t = bat_array((size_t)points.count, sizeof *t);
     status = t ? allocate(&w) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = find_parameters(&w, &o, t);
@@ -302,7 +307,7 @@ batten_status batten_curve_directed(int dimension, int count, const double *poin
         if (report)
             *report = w.report;
         if (parameters)
-            memcpy(parameters, t, (size_t)count * sizeof *t);
+            memcpy(parameters, t, (size_t)points.count * sizeof *t);
     }
     release(&w);
     bat_release(t);

@@ -398,25 +398,26 @@ static void hand_over(const task *t, double *parameters, double *leaving, double
         *report = t->report;
 }
 
-batten_status batten_tangents(int dimension, int count, const double *points,
-                              const batten_tangents_options *options, double *parameters,
-                              double *leaving, double *arriving, batten_tangents_report *report)
+batten_status batten_tangents(batten_points points, const batten_tangents_options *options,
+                              double *parameters, batten_tangents_report *report,
+                              double *leaving, double *arriving)
 {
-    assert(points && parameters && leaving);
+    assert(points.at && parameters && leaving);
     batten_tangents_options chosen = batten_tangents_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_tangents_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.d = dimension, .count = count, .points = points, .options = &chosen};
-    status = bat_points_check(dimension, count, points, closed(&t) ? 3 : 2);
+    task t = {
+        .d = points.dimension, .count = points.count, .points = points.at, .options = &chosen};
+    status = bat_points_check(points.dimension, points.count, points.at, closed(&t) ? 3 : 2);
     if (status == BATTEN_OK)
-        status = check_options(t.options, dimension, count);
+        status = check_options(t.options, points.dimension, points.count);
     if (status != BATTEN_OK)
         return status;
-    t.t = bat_array((size_t)count + 1, sizeof *t.t);
-    t.l = bat_array((size_t)count, sizeof *t.l);
-    t.leaving = bat_array3((size_t)count, (size_t)dimension, sizeof *t.leaving);
-    t.arriving = bat_array3((size_t)count, (size_t)dimension, sizeof *t.arriving);
+    t.t = bat_array((size_t)points.count + 1, sizeof *t.t);
+    t.l = bat_array((size_t)points.count, sizeof *t.l);
+    t.leaving = bat_array3((size_t)points.count, (size_t)points.dimension, sizeof *t.leaving);
+    t.arriving = bat_array3((size_t)points.count, (size_t)points.dimension, sizeof *t.arriving);
     status = BATTEN_OUT_OF_MEMORY;
     if (t.t && t.l && t.leaving && t.arriving)
         status = find(&t);

@@ -281,7 +281,7 @@ static void choose_sizes(const batten_curve_least_squares_options *o, int count,
                                   : bat_max_int(r->degree + 1, count / 4);
 }
 
-batten_status batten_curve_least_squares(int dimension, int count, const double *points,
+batten_status batten_curve_least_squares(batten_points points,
                                          const batten_curve_least_squares_options *options,
                                          double *parameters, batten_fit_report *report,
                                          batten_curve **out)
@@ -292,14 +292,16 @@ batten_status batten_curve_least_squares(int dimension, int count, const double 
     if (status != BATTEN_OK)
         return status;
     task t = {.options = &chosen,
-              .request = {.dimension = dimension, .data_count = count, .points = points}};
-    status = check(dimension, count, points, t.options);
+              .request = {.dimension = points.dimension,
+                          .data_count = points.count,
+                          .points = points.at}};
+    status = check(points.dimension, points.count, points.at, t.options);
     if (status != BATTEN_OK)
         return status;
     t.request.periodic = t.options->closed;
     t.request.weights = t.options->weights;
     t.robust = (bat_robust){.how = t.options->robust, .threshold = t.options->threshold};
-    choose_sizes(t.options, count, &t.request);
+    choose_sizes(t.options, points.count, &t.request);
     if (!t.options->closed && t.request.count <= t.request.degree)
         return bat_fail(BATTEN_TOO_FEW_POINTS,
                         "%d control point%s for degree %d; %d are needed", t.request.count,
@@ -307,7 +309,7 @@ batten_status batten_curve_least_squares(int dimension, int count, const double 
     status = run(&t);
     if (status == BATTEN_OK) {
         if (parameters)
-            memcpy(parameters, t.parameters, (size_t)count * sizeof *parameters);
+            memcpy(parameters, t.parameters, (size_t)points.count * sizeof *parameters);
         if (report)
             *report = t.report;
         *out = t.curve;

@@ -383,10 +383,12 @@ int bat_fit_undetermined(const bat_fit *fit)
 
 batten_status bat_fit_curve(const bat_fit *fit, const double *control, batten_curve **out)
 {
-    return fit->periodic ? batten_curve_create_periodic(fit->dimension, fit->degree, fit->count,
-                                                        control, NULL, fit->knots, out)
-                         : batten_curve_create(fit->dimension, fit->degree, fit->count, control,
-                                               NULL, fit->knots, out);
+    return fit->periodic
+               ? batten_curve_create_periodic(
+                     (batten_points){fit->dimension, fit->count, control}, fit->degree, NULL,
+                     fit->knots, out)
+               : batten_curve_create((batten_points){fit->dimension, fit->count, control},
+                                     fit->degree, NULL, fit->knots, out);
 }
 
 void bat_fit_measure(const bat_fit *fit, const double *residuals, batten_fit_report *report)

@@ -2,6 +2,7 @@
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/near/approximate.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -223,38 +224,40 @@ batten_status bat_fit_robustly(bat_fit *fit, const double *weights,
 
 /* ---- outliers ---- */
 
-batten_status batten_curve_outliers(const batten_curve *curve, int count, const double *points,
-                                    const double *parameters, const double *weights,
+batten_status batten_curve_outliers(const batten_curve *curve, const batten_fit_data *data,
                                     double times, double *distance, int *outliers,
                                     int *outlier_count)
 {
+    if (data->points.dimension != batten_curve_dimension(curve))
+        return bat_wrong_dimension(data->points, batten_curve_dimension(curve));
     const int d = batten_curve_dimension(curve);
-    const size_t n = (size_t)bat_max_int(count, 0);
-    if (count < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s; outliers need 1", count,
-                        bat_plural(count));
+    const size_t n = (size_t)bat_max_int(data->points.count, 0);
+    if (data->points.count < 1)
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s; outliers need 1",
+                        data->points.count, bat_plural(data->points.count));
     if (!(times > 0 && times < HUGE_VAL))
         return bat_fail(isfinite(times) ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE,
                         "outliers from %g times the median distance; it must be above 0",
                         times);
-    batten_status status = bat_weights_check(count, weights);
+    batten_status status = bat_weights_check(data->points.count, data->weights);
     if (status != BATTEN_OK)
         return status;
     double *at = bat_array3(n, (size_t)d, sizeof *at), *distances = bat_array(n, sizeof *at),
            *copy = bat_array(n, sizeof *at);
     status = at && distances && copy
-                 ? batten_curve_evaluate_many(curve, n, parameters, 0, NULL, at)
+                 ? batten_curve_evaluate_many(curve, n, data->parameters, 0, NULL, at)
                  : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
-        for (int i = 0; i < count; i++)
-            distances[i] =
-                bat_distance(d, at + (size_t)i * (size_t)d, points + (size_t)i * (size_t)d);
-        const double from = bat_max(
-            times * median_of(count, distances, weights, batten_curve_point_count(curve), copy),
-            ROUNDINGS * bat_largest(count * d, points));
+        for (int i = 0; i < data->points.count; i++)
+            distances[i] = bat_distance(d, at + (size_t)i * (size_t)d,
+                                        data->points.at + (size_t)i * (size_t)d);
+        const double from =
+            bat_max(times * median_of(data->points.count, distances, data->weights,
+                                      batten_curve_point_count(curve), copy),
+                    ROUNDINGS * bat_largest(data->points.count * d, data->points.at));
         *outlier_count = 0;
-        for (int i = 0; i < count; i++)
-            if ((!weights || weights[i] > 0) && distances[i] > from)
+        for (int i = 0; i < data->points.count; i++)
+            if ((!data->weights || data->weights[i] > 0) && distances[i] > from)
                 outliers[(*outlier_count)++] = i;
         if (distance)
             *distance = from;

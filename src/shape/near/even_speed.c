@@ -60,7 +60,7 @@ static batten_status look(const task *t, const batten_curve *curve, double u, ba
 static batten_status length(const task *t, const batten_curve *piece, double a, double b,
                             double *out)
 {
-    return batten_curve_length_between(piece, a, b, t->tolerance / 1000, out, NULL);
+    return batten_curve_length_between(piece, a, b, t->tolerance / 1000, NULL, out);
 }
 
 static void put(int d, const place *at, double *values)
@@ -270,7 +270,8 @@ static batten_status polyline(const batten_curve *curve, batten_curve_even_speed
         knots[0] = 0;
         knots[n + 1] = knots[n];
         *report = (batten_curve_even_speed_report){.length = knots[n], .pieces = n - 1};
-        status = batten_curve_create(curve->dimension, 1, n, points, NULL, knots, out);
+        status = batten_curve_create((batten_points){curve->dimension, n, points}, 1, NULL,
+                                     knots, out);
     }
     bat_release(knots);
     bat_release(points);

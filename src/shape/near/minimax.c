@@ -252,7 +252,7 @@ static batten_status make_curve(const task *t, batten_curve **out)
         knots[i] = t->a;
         knots[n + 1 + i] = t->b;
     }
-    return batten_curve_create(1, n, n + 1, control, NULL, knots, out);
+    return batten_curve_create((batten_points){1, n + 1, control}, n, NULL, knots, out);
 }
 
 /* The errors of the curve itself: Bernstein's form of high degrees rounds more than
@@ -326,16 +326,17 @@ batten_status batten_curve_minimax(int count, const double *parameters, const do
     return run(&t, report, out);
 }
 
-batten_status batten_function_minimax(double a, double b, int degree, batten_evaluator function,
-                                      void *user, batten_curve_minimax_report *report,
-                                      batten_curve **out)
+batten_status batten_function_minimax(batten_interval domain, int degree,
+                                      batten_evaluator function, void *user,
+                                      batten_curve_minimax_report *report, batten_curve **out)
 {
     batten_status status = check_degree(degree);
     if (status != BATTEN_OK)
         return status;
-    if (!(isfinite(a) && isfinite(b) && a < b))
-        return bat_fail(isfinite(a) && isfinite(b) ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE,
-                        "the interval is %g .. %g", a, b);
+    if (!(isfinite(domain.a) && isfinite(domain.b) && domain.a < domain.b))
+        return bat_fail(isfinite(domain.a) && isfinite(domain.b) ? BATTEN_BAD_ARGUMENT
+                                                                 : BATTEN_NOT_FINITE,
+                        "the interval is %g .. %g", domain.a, domain.b);
     const int count = PLACES_OF_EXTREMUM * (degree + 2) + 1;
     double *places = bat_array((size_t)count, sizeof *places),
            *values = bat_array((size_t)count, sizeof *values);
@@ -349,7 +350,7 @@ batten_status batten_function_minimax(double a, double b, int degree, batten_eva
     /* Denser towards the ends, as the extrema are. */
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
         const double s = sin(2 * atan(1) * i / (count - 1));
-        places[i] = i == count - 1 ? b : a + (b - a) * s * s;
+        places[i] = i == count - 1 ? domain.b : domain.a + (domain.b - domain.a) * s * s;
         status = ask(&t, places[i], &values[i]);
     }
     if (status == BATTEN_OK)

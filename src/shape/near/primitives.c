@@ -144,16 +144,16 @@ static batten_status fit_line(const bat_cloud *c, batten_fitted_line *line,
     return BATTEN_OK;
 }
 
-batten_status batten_line_fit(int dimension, int count, const double *points,
-                              batten_fitted_line *line, batten_primitive_report *report)
+batten_status batten_line_fit(batten_points points, batten_primitive_report *report,
+                              batten_fitted_line *line)
 {
-    if (dimension < 2)
+    if (points.dimension < 2)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 2 or 3",
-                        dimension);
+                        points.dimension);
     bat_cloud cloud;
-    batten_status status = bat_points_check(dimension, count, points, 2);
+    batten_status status = bat_points_check(points.dimension, points.count, points.at, 2);
     if (status == BATTEN_OK)
-        status = bat_cloud_make(dimension, count, points, &cloud);
+        status = bat_cloud_make(points.dimension, points.count, points.at, &cloud);
     if (status != BATTEN_OK)
         return status;
     status = fit_line(&cloud, line, report);

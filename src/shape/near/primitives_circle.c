@@ -215,19 +215,18 @@ static batten_status fit(const bat_cloud *c, batten_circle_method method,
     return status;
 }
 
-batten_status batten_circle_fit(int dimension, int count, const double *points,
-                                batten_circle_method method, batten_fitted_circle *out,
-                                batten_primitive_report *report)
+batten_status batten_circle_fit(batten_points points, batten_circle_method method,
+                                batten_primitive_report *report, batten_fitted_circle *out)
 {
-    if (dimension < 2 || (int)method < 0 || method > BATTEN_CIRCLE_KASA)
+    if (points.dimension < 2 || (int)method < 0 || method > BATTEN_CIRCLE_KASA)
         return bat_fail(BATTEN_BAD_ARGUMENT, "no circle in dimension %d by method %d",
-                        dimension, (int)method);
+                        points.dimension, (int)method);
     bat_cloud cloud;
     batten_fitted_circle made = {0};
     batten_primitive_report reached = {0};
-    batten_status status = bat_points_check(dimension, count, points, 3);
+    batten_status status = bat_points_check(points.dimension, points.count, points.at, 3);
     if (status == BATTEN_OK)
-        status = bat_cloud_make(dimension, count, points, &cloud);
+        status = bat_cloud_make(points.dimension, points.count, points.at, &cloud);
     if (status != BATTEN_OK)
         return status;
     status = fit(&cloud, method, &made, &reached);

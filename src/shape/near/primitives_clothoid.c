@@ -212,20 +212,22 @@ static batten_status fit(const bat_cloud *c, batten_span *span, double *lengths,
     return status;
 }
 
-batten_status batten_clothoid_fit(int count, const double *points, batten_span *span,
-                                  double *lengths, batten_primitive_report *report)
+batten_status batten_clothoid_fit(batten_points points, double *lengths,
+                                  batten_primitive_report *report, batten_span *span)
 {
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
     bat_cloud cloud;
     batten_primitive_report reached = {0};
-    batten_status status = bat_points_check(2, count, points, 4);
+    batten_status status = bat_points_check(2, points.count, points.at, 4);
     if (status == BATTEN_OK)
-        status = bat_cloud_make(2, count, points, &cloud);
+        status = bat_cloud_make(2, points.count, points.at, &cloud);
     if (status != BATTEN_OK)
         return status;
-    double *feet = bat_array((size_t)count, sizeof *feet);
+    double *feet = bat_array((size_t)points.count, sizeof *feet);
     status = feet ? fit(&cloud, span, feet, &reached) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && lengths)
-        memcpy(lengths, feet, (size_t)count * sizeof *feet);
+        memcpy(lengths, feet, (size_t)points.count * sizeof *feet);
     if (status == BATTEN_OK && report)
         *report = reached;
     bat_release(feet);

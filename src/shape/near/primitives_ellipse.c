@@ -269,15 +269,17 @@ static batten_status fit(const bat_cloud *c, batten_fitted_ellipse *out,
     return status;
 }
 
-batten_status batten_ellipse_fit(int count, const double *points, batten_fitted_ellipse *out,
-                                 batten_primitive_report *report)
+batten_status batten_ellipse_fit(batten_points points, batten_primitive_report *report,
+                                 batten_fitted_ellipse *out)
 {
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
     bat_cloud cloud;
     batten_fitted_ellipse made;
     batten_primitive_report reached = {0};
-    batten_status status = bat_points_check(2, count, points, 5);
+    batten_status status = bat_points_check(2, points.count, points.at, 5);
     if (status == BATTEN_OK)
-        status = bat_cloud_make(2, count, points, &cloud);
+        status = bat_cloud_make(2, points.count, points.at, &cloud);
     if (status != BATTEN_OK)
         return status;
     status = fit(&cloud, &made, &reached);

@@ -77,9 +77,10 @@ static batten_status make_constant(bat_smoothing *t)
             mean[k] += (r->weights ? r->weights[i] : 1) / t->weight *
                        r->points[(size_t)i * (size_t)r->dimension + (size_t)k];
     memcpy(mean + r->dimension, mean, (size_t)r->dimension * sizeof *mean);
-    return r->periodic ? batten_curve_create_periodic(r->dimension, r->degree, 1, mean, NULL,
-                                                      ring, &t->curve)
-                       : batten_curve_create(r->dimension, 1, 2, mean, NULL, line, &t->curve);
+    return r->periodic ? batten_curve_create_periodic((batten_points){r->dimension, 1, mean},
+                                                      r->degree, NULL, ring, &t->curve)
+                       : batten_curve_create((batten_points){r->dimension, 2, mean}, 1, NULL,
+                                             line, &t->curve);
 }
 
 /* lambda = infinity: a polynomial. */
@@ -97,8 +98,8 @@ static batten_status make_polynomial(bat_smoothing *t)
         o.parameters = BATTEN_GIVEN;
         o.given = t->parameters;
         o.weights = r->weights;
-        status = batten_curve_least_squares(r->dimension, r->data_count, r->points, &o, NULL,
-                                            NULL, &t->curve);
+        status = batten_curve_least_squares(
+            (batten_points){r->dimension, r->data_count, r->points}, &o, NULL, NULL, &t->curve);
     }
     return status == BATTEN_OK
                ? measure_curve(t, HUGE_VAL, r->periodic || degree == 0 ? 1 : degree + 1)
@@ -156,7 +157,8 @@ static batten_status make_interpolant(bat_smoothing *t)
     }
     if (status == BATTEN_OK) {
         average(t, u, q);
-        status = batten_curve_interpolate(r->dimension, n, q, &o, NULL, &t->curve);
+        status =
+            batten_curve_interpolate((batten_points){r->dimension, n, q}, &o, NULL, &t->curve);
     }
     bat_release(q);
     bat_release(u);
@@ -310,7 +312,7 @@ static batten_status smooth(bat_smoothing *t)
                : status;
 }
 
-batten_status batten_curve_smooth(int dimension, int count, const double *points,
+batten_status batten_curve_smooth(batten_points points,
                                   const batten_curve_smooth_options *options,
                                   double *parameters, batten_fit_report *report,
                                   batten_curve **out)
@@ -319,10 +321,11 @@ batten_status batten_curve_smooth(int dimension, int count, const double *points
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_smooth_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    bat_smoothing t = {
-        .options = &chosen,
-        .request = {.dimension = dimension, .data_count = count, .points = points}};
-    status = check(dimension, count, points, t.options);
+    bat_smoothing t = {.options = &chosen,
+                       .request = {.dimension = points.dimension,
+                                   .data_count = points.count,
+                                   .points = points.at}};
+    status = check(points.dimension, points.count, points.at, t.options);
     if (status != BATTEN_OK)
         return status;
     t.request.periodic = t.options->closed;
@@ -392,7 +395,7 @@ static batten_status p_spline(bat_smoothing *t)
     return status == BATTEN_OK ? clamp(t) : status;
 }
 
-batten_status batten_curve_p_spline(int dimension, int count, const double *points,
+batten_status batten_curve_p_spline(batten_points points,
                                     const batten_curve_smooth_options *options,
                                     double *parameters, batten_fit_report *report,
                                     batten_curve **out)
@@ -401,10 +404,11 @@ batten_status batten_curve_p_spline(int dimension, int count, const double *poin
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_smooth_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    bat_smoothing t = {
-        .options = &chosen,
-        .request = {.dimension = dimension, .data_count = count, .points = points}};
-    status = check(dimension, count, points, t.options);
+    bat_smoothing t = {.options = &chosen,
+                       .request = {.dimension = points.dimension,
+                                   .data_count = points.count,
+                                   .points = points.at}};
+    status = check(points.dimension, points.count, points.at, t.options);
     if (status != BATTEN_OK)
         return status;
     if (t.options->degree < 1 || t.options->degree > BATTEN_MAX_DEGREE)

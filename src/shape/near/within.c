@@ -63,8 +63,9 @@ static batten_status fit_curve(bat_within *w, const double *knots, trial *t)
     options.corrections = w->corrections;
     options.regularise = true;
     w->fits++;
-    const batten_status status = batten_curve_least_squares(
-        w->dimension, w->count, w->points, &options, t->parameters, NULL, &t->curve);
+    const batten_status status =
+        batten_curve_least_squares((batten_points){w->dimension, w->count, w->points}, &options,
+                                   t->parameters, NULL, &t->curve);
     /* Knots that cannot be, or leave the numbers, are no better than a curve too far off. */
     const bool useless = status == BATTEN_SINGULAR_SYSTEM || status == BATTEN_BAD_KNOTS ||
                          status == BATTEN_NOT_FINITE || status == BATTEN_OVERFLOW;

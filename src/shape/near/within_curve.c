@@ -434,8 +434,10 @@ static batten_status evenly_paced(const batten_chain *chain, batten_chain **out)
     batten_chain *flat = NULL;
     const bool placed = batten_chain_frame(chain, &frame);
     const int dimension = placed ? 2 : batten_chain_dimension(chain);
-    batten_status status = batten_chain_create(dimension, n, spans, batten_chain_breaks(chain),
-                                               batten_chain_is_closed(chain), HUGE_VAL, &flat);
+    batten_status status = batten_chain_create(
+        &(batten_chain_parts){dimension, n, spans, batten_chain_breaks(chain),
+                              batten_chain_is_closed(chain)},
+        HUGE_VAL, &flat);
     if (status == BATTEN_OK && placed)
         status = batten_chain_place(flat, &frame, out);
     else if (status == BATTEN_OK)

@@ -447,31 +447,34 @@ static batten_status check(int dimension, int count, const double *points,
     return BATTEN_OK;
 }
 
-batten_status batten_curve_within(int dimension, int count, const double *points,
+batten_status batten_curve_within(batten_points points,
                                   const batten_curve_within_options *options,
                                   double *parameters, batten_curve_within_report *report,
                                   batten_curve **out)
 {
-    assert(points && options && out);
+    assert(points.at && options && out);
     batten_curve_within_options chosen = batten_curve_within_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_within_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
     options = &chosen;
-    task t = {.options = options, .dimension = dimension, .count = count, .points = points};
+    task t = {.options = options,
+              .dimension = points.dimension,
+              .count = points.count,
+              .points = points.at};
     batten_curve_within_report found = {0};
     double *at = NULL;
-    status = check(dimension, count, points, options);
+    status = check(points.dimension, points.count, points.at, options);
     if (status != BATTEN_OK)
         return status;
-    at = bat_array((size_t)count, sizeof *at);
+    at = bat_array((size_t)points.count, sizeof *at);
     status = at ? run(&t) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = check_result(&t, at, &found);
     if (status == BATTEN_OK) {
         *out = batten_curve_ref(t.curve);
         if (parameters)
-            memcpy(parameters, at, (size_t)count * sizeof *at);
+            memcpy(parameters, at, (size_t)points.count * sizeof *at);
         if (report)
             *report = found;
     }

@@ -220,11 +220,13 @@ static batten_status check_family(bat_network *net, int family, const bat_networ
         status = grid ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK && family == 0)
-        status = batten_surface_evaluate_grid(surface, (size_t)count, at, lines, across, 0,
-                                              net->work.job, grid);
+        status = batten_surface_evaluate_grid(
+            surface, (batten_uv_grid){(size_t)count, lines, at, across}, 0, net->work.job,
+            grid);
     else if (status == BATTEN_OK)
-        status = batten_surface_evaluate_grid(surface, lines, across, (size_t)count, at, 0,
-                                              net->work.job, grid);
+        status = batten_surface_evaluate_grid(
+            surface, (batten_uv_grid){lines, (size_t)count, across, at}, 0, net->work.job,
+            grid);
     if (status == BATTEN_OK)
         status = compare(net, family, count, at, grid);
     bat_release(grid);
@@ -238,9 +240,9 @@ static batten_status check_nodes(bat_network *net, const batten_surface *surface
     double *grid = bat_array3(n, 3 * m, sizeof *grid);
     if (!grid)
         return BATTEN_OUT_OF_MEMORY;
-    const batten_status status =
-        batten_surface_evaluate_grid(surface, m, net->family[0].parameters, n,
-                                     net->family[1].parameters, 0, net->work.job, grid);
+    const batten_status status = batten_surface_evaluate_grid(
+        surface, (batten_uv_grid){m, n, net->family[0].parameters, net->family[1].parameters},
+        0, net->work.job, grid);
     for (size_t i = 0; status == BATTEN_OK && i < m; i++)
         for (size_t j = 0; j < n; j++)
             net->report.node_error =

@@ -21,8 +21,9 @@ batten_status bat_network_are_same(const bat_network *net, const bat_network_cur
         if (status != BATTEN_OK)
             return status;
     }
-    const batten_status status =
-        batten_curve_deviation(a->curve, PLACES, points, NULL, NULL, NULL, &found);
+    const batten_status status = batten_curve_deviation(
+        a->curve, (batten_points){batten_curve_dimension(a->curve), PLACES, points}, NULL, NULL,
+        NULL, &found);
     *distance = found.max;
     *same = found.max <= bat_network_same(net, a, b);
     return status;

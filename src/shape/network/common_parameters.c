@@ -106,8 +106,8 @@ static batten_status spline_map(int nodes, const double *u, const double *at, bo
     options.given = u;
     options.closed = periodic;
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
-    batten_status status =
-        batten_curve_interpolate(1, nodes - periodic, off, &options, NULL, &made);
+    batten_status status = batten_curve_interpolate((batten_points){1, nodes - periodic, off},
+                                                    &options, NULL, &made);
     bat_release(off);
     if (status == BATTEN_OK)
         status = batten_curve_clamp(made, &clamped);

@@ -77,8 +77,7 @@ static batten_status make_network_surface(bat_network *net, batten_surface **out
     return status;
 }
 
-batten_status batten_surface_gordon(int profile_count, const batten_curve *const *profiles,
-                                    int guide_count, const batten_curve *const *guides,
+batten_status batten_surface_gordon(batten_curve_row profiles, batten_curve_row guides,
                                     const batten_surface_gordon_options *options,
                                     const batten_job *job, batten_surface_gordon_report *report,
                                     batten_surface **out)
@@ -89,15 +88,17 @@ batten_status batten_surface_gordon(int profile_count, const batten_curve *const
         return status;
     options = &chosen;
     bat_network net = {
-        .family = {{.what = "profile", .names = options->profile_names, .given = profile_count},
-                   {.what = "guide", .names = options->guide_names, .given = guide_count}},
+        .family = {{.what = "profile",
+                    .names = options->profile_names,
+                    .given = profiles.count},
+                   {.what = "guide", .names = options->guide_names, .given = guides.count}},
         .options = options,
         .work = {job, 0}};
-    status = check_network(profile_count, guide_count, options);
+    status = check_network(profiles.count, guides.count, options);
     if (status == BATTEN_OK)
-        status = find_scale(&net, profiles, guides);
+        status = find_scale(&net, profiles.at, guides.at);
     if (status == BATTEN_OK)
-        status = bat_network_take(&net, profiles, guides);
+        status = bat_network_take(&net, profiles.at, guides.at);
     if (status == BATTEN_OK)
         status = make_network_surface(&net, out);
     if (status == BATTEN_OK && report)

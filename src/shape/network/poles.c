@@ -166,7 +166,7 @@ static batten_status point_curve(const double *point, batten_curve **out)
 {
     static const double knots[] = {0, 0, 1, 1};
     const double points[] = {point[0], point[1], point[2], point[0], point[1], point[2]};
-    return batten_curve_create(3, 1, 2, points, NULL, knots, out);
+    return batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, out);
 }
 
 /* A curve of the other family that is but this point. */

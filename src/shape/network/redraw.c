@@ -225,7 +225,8 @@ batten_status bat_network_redraw(const bat_network_curve *curve, int node_count,
     for (int i = 0; status == BATTEN_OK && i + 1 < count; i++)
         status = add_stretch(&c, breaks[i], breaks[i + 1]);
     if (status == BATTEN_OK)
-        status = batten_curve_from_bezier(3, 3, c.count, c.points, NULL, c.breaks, out);
+        status = batten_curve_from_bezier(3, (batten_pieces){3, c.count, c.breaks}, c.points,
+                                          NULL, out);
     bat_release(breaks);
     bat_release(c.points);
     bat_release(c.breaks);

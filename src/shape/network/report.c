@@ -73,8 +73,8 @@ static batten_status measure_guide(bat_network *net, const bat_network_curve *gu
         status = bat_network_point(guide, (1 - part) * v[k] + part * v[k + 1], points + 3 * i);
     }
     if (status == BATTEN_OK)
-        status =
-            batten_surface_deviation(skin, count, points, NULL, net->work.job, NULL, &found);
+        status = batten_surface_deviation(skin, (batten_points){3, count, points}, NULL,
+                                          net->work.job, NULL, &found);
     if (status == BATTEN_OK && found.max / net->scale > net->report.guide_error) {
         const double *p = points + 3 * found.worst;
         net->report.guide_error = found.max / net->scale;

@@ -46,7 +46,7 @@ batten_status bat_plate_edge_make(const batten_curve *curve, const char *name,
     /* A hundred times what quadrature rounds by: parameters by length then have nine digits. */
     batten_status status = check_corners(curve, name);
     if (status == BATTEN_OK)
-        status = batten_curve_length(curve, 1e-11 * size, &out->length, NULL);
+        status = batten_curve_length(curve, 1e-11 * size, NULL, &out->length);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i <= BAT_EDGE_STEPS; i++)

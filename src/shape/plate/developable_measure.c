@@ -10,10 +10,11 @@ static batten_status look_at_ruling(const batten_surface *surface, double u, bat
                                     batten_vec3 *before, batten_developable *out)
 {
     double a[9], b[9];
-    batten_status status =
-        batten_surface_evaluate_side(surface, u, 0, side, BATTEN_FROM_RIGHT, 1, a);
+    batten_status status = batten_surface_evaluate_side(
+        surface, u, 0, (batten_sides){side, BATTEN_FROM_RIGHT}, 1, a);
     if (status == BATTEN_OK)
-        status = batten_surface_evaluate_side(surface, u, 1, side, BATTEN_FROM_LEFT, 1, b);
+        status = batten_surface_evaluate_side(surface, u, 1,
+                                              (batten_sides){side, BATTEN_FROM_LEFT}, 1, b);
     if (status != BATTEN_OK)
         return status;
     const batten_vec3 d = bat_vec3_subtract(bat_vec3_of(3, b), bat_vec3_of(3, a));

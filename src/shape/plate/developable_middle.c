@@ -180,7 +180,8 @@ static batten_status fit_points(int e, bat_middle *m)
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = m->tau;
-    return batten_curve_interpolate(3, m->count, m->points[e], &options, NULL, &m->edge[e]);
+    return batten_curve_interpolate((batten_points){3, m->count, m->points[e]}, &options, NULL,
+                                    &m->edge[e]);
 }
 
 static batten_status fit_edge(const bat_plate *plate, int e, bat_middle *m)

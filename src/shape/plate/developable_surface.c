@@ -22,7 +22,7 @@ static batten_status resting(const batten_curve *like, batten_vec3 at, batten_cu
         points[3 * i + 2] = at.z;
     }
     const batten_status status =
-        batten_curve_create(3, batten_curve_degree(like), count, points,
+        batten_curve_create((batten_points){3, count, points}, batten_curve_degree(like),
                             batten_curve_weights(like), batten_curve_knots(like), out);
     bat_release(points);
     return status;

@@ -125,7 +125,7 @@ static batten_status curve_of(const bat_fold_task *t, int d, const batten_fold_s
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     if (status == BATTEN_OK)
-        status = batten_curve_interpolate(d, n, points, &options, NULL, out);
+        status = batten_curve_interpolate((batten_points){d, n, points}, &options, NULL, out);
     bat_release(points);
     bat_release(s);
     return status;
@@ -188,7 +188,7 @@ static batten_status edge_length(const bat_fold_task *t, int d, const batten_fol
     batten_curve *edge = NULL;
     batten_status status = curve_of(t, d, sheet, &edge);
     if (status == BATTEN_OK)
-        status = batten_curve_length(edge, BAT_ROUNDING * t->made.length, length, NULL);
+        status = batten_curve_length(edge, BAT_ROUNDING * t->made.length, NULL, length);
     batten_curve_unref(edge);
     return status;
 }

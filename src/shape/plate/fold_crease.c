@@ -18,7 +18,7 @@ batten_status bat_fold_function(int count, const double *values, double length,
 {
     if (count == 1) {
         const double both[2] = {values[0], values[0]}, knots[4] = {0, 0, length, length};
-        return batten_curve_create(1, 1, 2, both, NULL, knots, out);
+        return batten_curve_create((batten_points){1, 2, both}, 1, NULL, knots, out);
     }
     double *s = bat_array((size_t)count, sizeof *s);
     if (!s)
@@ -29,7 +29,7 @@ batten_status bat_fold_function(int count, const double *values, double length,
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     const batten_status status =
-        batten_curve_interpolate(1, count, values, &options, NULL, out);
+        batten_curve_interpolate((batten_points){1, count, values}, &options, NULL, out);
     bat_release(s);
     return status;
 }
@@ -263,11 +263,11 @@ batten_status bat_fold_prepare(bat_fold_task *t)
     const bool is_flat = o->given == BATTEN_FOLD_FLAT;
     /* First roughly, for the size; then as exactly as rounding allows. */
     double size = 0;
-    batten_status status = batten_curve_length(t->crease, 1e-6, &size, NULL);
+    batten_status status = batten_curve_length(t->crease, 1e-6, NULL, &size);
     if (status == BATTEN_OK && !(size > 0))
         status = bat_fail(BATTEN_BAD_ARGUMENT, "the crease has no length");
     if (status == BATTEN_OK)
-        status = batten_curve_length(t->crease, BAT_EXACT * size, &t->made.length, NULL);
+        status = batten_curve_length(t->crease, BAT_EXACT * size, NULL, &t->made.length);
     if (status == BATTEN_OK)
         status = bat_fold_function(o->count, o->values, t->made.length, &t->law);
     if (status == BATTEN_OK && o->torsion_count > 0)

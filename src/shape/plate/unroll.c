@@ -52,8 +52,9 @@ static batten_status bow_of(const batten_surface *surface, double *bow, double *
         status = points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK)
-        status = batten_surface_evaluate_grid(surface, (size_t)count[0], at[0],
-                                              (size_t)count[1], at[1], 0, NULL, points);
+        status = batten_surface_evaluate_grid(
+            surface, (batten_uv_grid){(size_t)count[0], (size_t)count[1], at[0], at[1]}, 0,
+            NULL, points);
     *bow = 0;
     for (int i = 0; i < count[0] && status == BATTEN_OK; i++) {
         const double *line = points + (size_t)3 * (size_t)count[1] * (size_t)i;
@@ -105,7 +106,7 @@ static batten_status prepare_surface(const batten_surface *surface,
 {
     batten_surface *nurbs = NULL, *clamped = NULL, *both = NULL;
     batten_status status =
-        batten_surface_to_nurbs(surface, options->tolerance / 2, &nurbs, NULL);
+        batten_surface_to_nurbs(surface, options->tolerance / 2, NULL, &nurbs);
     if (status == BATTEN_OK && batten_surface_dimension(nurbs) != 3)
         status = bat_fail(BATTEN_UNSUPPORTED, "surfaces of dimension %d are not laid flat",
                           batten_surface_dimension(nurbs));
@@ -196,7 +197,7 @@ static batten_status edge_curve(const bat_flat_strip *flat, int e, batten_curve 
         }
     }
     const batten_status status =
-        batten_curve_from_bezier(2, 3, pieces, points, NULL, flat->u, out);
+        batten_curve_from_bezier(2, (batten_pieces){3, pieces, flat->u}, points, NULL, out);
     bat_release(points);
     return status;
 }

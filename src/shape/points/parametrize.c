@@ -265,20 +265,20 @@ batten_status bat_parametrize_power(int dimension, int count, const double *poin
     return sum_steps(count, closed, parameters);
 }
 
-batten_status batten_parametrize(int dimension, int count, const double *points,
-                                 batten_parametrization kind, bool closed, double *parameters)
+batten_status batten_parametrize(batten_points points, batten_parametrization kind, bool closed,
+                                 double *parameters)
 {
-    batten_status status = bat_points_check(dimension, count, points, 2);
+    batten_status status = bat_points_check(points.dimension, points.count, points.at, 2);
     if (status == BATTEN_OK && ((int)kind < 0 || kind >= BATTEN_GIVEN))
         status = bat_fail(BATTEN_BAD_ARGUMENT,
                           "parametrization %d is none that can be computed", (int)kind);
     if (status != BATTEN_OK)
         return status;
-    const size_t wanted = (size_t)count + closed;
+    const size_t wanted = (size_t)points.count + closed;
     double *made = bat_array(wanted, sizeof *made);
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
-    status = bat_parametrize(dimension, count, points, kind, closed, made);
+    status = bat_parametrize(points.dimension, points.count, points.at, kind, closed, made);
     if (status == BATTEN_OK)
         memcpy(parameters, made, wanted * sizeof *made);
     bat_release(made);

@@ -147,30 +147,30 @@ static void measure(const thinning *t, const int *kept, int kept_count, bool clo
 /* Squares of what lies between two such coordinates are numbers. */
 #define MOST_COORDINATE 0x1p500
 
-batten_status batten_points_thin(int dimension, int count, const double *points,
-                                 double tolerance, bool closed, int *kept, int *kept_count,
-                                 batten_points_thin_report *report)
+batten_status batten_points_thin(batten_points points, double tolerance, bool closed,
+                                 batten_points_thin_report *report, int *kept, int *kept_count)
 {
-    assert(points && kept && kept_count);
-    batten_status status = bat_points_check(dimension, count, points, 1);
-    if (status == BATTEN_OK && dimension < 2)
-        status =
-            bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 2 or 3", dimension);
+    assert(points.at && kept && kept_count);
+    batten_status status = bat_points_check(points.dimension, points.count, points.at, 1);
+    if (status == BATTEN_OK && points.dimension < 2)
+        status = bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 2 or 3",
+                          points.dimension);
     if (status == BATTEN_OK && !(tolerance >= 0))
         status = bat_fail(isnan(tolerance) ? BATTEN_NOT_FINITE : BATTEN_BAD_ARGUMENT,
                           "the tolerance is %g; it must not be negative", tolerance);
-    const double largest = status == BATTEN_OK ? bat_largest(dimension * count, points) : 0;
+    const double largest =
+        status == BATTEN_OK ? bat_largest(points.dimension * points.count, points.at) : 0;
     if (status == BATTEN_OK && largest > MOST_COORDINATE)
         status = bat_fail(BATTEN_OVERFLOW, "a coordinate of %g is too large to measure with",
                           largest);
     if (status != BATTEN_OK)
         return status;
-    thinning t = {.dimension = dimension,
-                  .count = count,
-                  .points = points,
+    thinning t = {.dimension = points.dimension,
+                  .count = points.count,
+                  .points = points.at,
                   .tolerance = tolerance,
-                  .most = 32.0 * count * (1 + log2(count))};
-    t.keep = bat_array((size_t)count, sizeof *t.keep);
+                  .most = 32.0 * points.count * (1 + log2(points.count))};
+    t.keep = bat_array((size_t)points.count, sizeof *t.keep);
     if (!t.keep)
         return BATTEN_OUT_OF_MEMORY;
     /* A foot on a chord is rounded a few times. */
@@ -178,9 +178,9 @@ batten_status batten_points_thin(int dimension, int count, const double *points,
     if (closed)
         split_ring(&t);
     else
-        split(&t, 0, count - 1);
+        split(&t, 0, points.count - 1);
     *kept_count = 0;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < points.count; i++)
         if (t.keep[i])
             kept[(*kept_count)++] = i;
     if (report)

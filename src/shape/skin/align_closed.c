@@ -121,7 +121,8 @@ static batten_status make_pieces(mapped *m, int break_count, const double *break
     m->breaks = bat_array((size_t)m->count + 1, sizeof *m->breaks);
     status = m->points && m->breaks ? follow_all(m, break_count, breaks) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_curve_from_bezier((int)d, 3, m->count, m->points, NULL, m->breaks, out);
+        status = batten_curve_from_bezier((int)d, (batten_pieces){3, m->count, m->breaks},
+                                          m->points, NULL, out);
     bat_release(m->points);
     bat_release(m->breaks);
     return status;
@@ -251,7 +252,8 @@ static batten_status by_marks(const bat_skin *t, int k, double *own, double *slo
             slopes[j] = bat_max(slopes[j], (own[i + 1] - own[i]) / (mean[i + 1] - mean[i]) / 4);
         }
     if (status == BATTEN_OK)
-        status = batten_curve_from_tangents(1, n + 2, own, mean, slopes, NULL, false, &map);
+        status = batten_curve_from_tangents((batten_points){1, n + 2, own}, mean, slopes, NULL,
+                                            false, &map);
     if (status == BATTEN_OK)
         status = compose_maps(t->placed[k], map, tolerance, error, out);
     batten_curve_unref(map);

@@ -293,7 +293,7 @@ static batten_status to_curve(const bat_fitting *f, const bat_spline *s, batten_
             for (size_t c = 0; c < d; c++)
                 points[i * d + c] = row[c] / weights[i];
         }
-        status = batten_curve_create(f->dimension, s->degree, s->count, points,
+        status = batten_curve_create((batten_points){f->dimension, s->count, points}, s->degree,
                                      f->rational ? weights : NULL, s->knots, out);
     }
     bat_release(weights);

@@ -125,8 +125,8 @@ batten_status bat_common_ring_curve(const bat_fitting *f, int k, const bat_comb 
             points[i * d + j] = row[j] / weights[i];
     }
     if (status == BATTEN_OK)
-        status = batten_curve_create_periodic(f->dimension, f->degree, m, points,
-                                              f->rational ? weights : NULL,
+        status = batten_curve_create_periodic((batten_points){f->dimension, m, points},
+                                              f->degree, f->rational ? weights : NULL,
                                               ring.knots + f->degree, out);
     bat_release(weights);
     bat_release(points);

@@ -209,7 +209,8 @@ static batten_status rescale(const link *from, double *weight, double *speed,
     for (int i = 0; status == BATTEN_OK && i < n; i++)
         weights[i] = w[i] * (*weight / w[0]);
     if (status == BATTEN_OK)
-        status = batten_curve_create(d, p, n, batten_curve_points(moved), weights, knots, out);
+        status = batten_curve_create((batten_points){d, n, batten_curve_points(moved)}, p,
+                                     weights, knots, out);
     if (status == BATTEN_OK) {
         *weight = weights[n - 1];
         *speed = from->speed[1] * m / length;
@@ -239,8 +240,8 @@ static batten_status join_pieces(const chain *c, double size, batten_curve **out
         if (status == BATTEN_OK)
             status = batten_curve_join(whole, next, BAT_MEANT_SAME * size, &joined);
         if (status == BATTEN_OK && !c->links[i].corner) {
-            status = batten_curve_remove_knot(joined, at, 1, BAT_MEANT_SAME * size, NULL, NULL,
-                                              &thinner);
+            status = batten_curve_remove_knot(joined, (batten_knot){at, 1},
+                                              BAT_MEANT_SAME * size, NULL, NULL, &thinner);
             if (status == BATTEN_OK)
                 bat_curve_take(&joined, thinner);
         }

@@ -72,8 +72,9 @@ batten_status bat_skin_even_speed(const batten_curve *section, batten_curve **ou
         stretch(clamped, knots);
         for (int i = n + 1; i <= n + p; i++)
             knots[i] = knots[n];
-        status = batten_curve_create(batten_curve_dimension(clamped), p, n,
-                                     batten_curve_points(clamped), NULL, knots, out);
+        status = batten_curve_create(
+            (batten_points){batten_curve_dimension(clamped), n, batten_curve_points(clamped)},
+            p, NULL, knots, out);
     }
     bat_release(knots);
     batten_curve_unref(clamped);

@@ -137,8 +137,9 @@ static batten_status to_nurbs(const void *data, double tolerance, batten_surface
     options.tolerance = each > 0 ? each - moved : 0;
     options.creases = BATTEN_CREASES_KEEP;
     if (status == BATTEN_OK)
-        status = batten_surface_skin(s->count, (const batten_curve *const *)sections, &options,
-                                     NULL, NULL, &report, out);
+        status = batten_surface_skin(
+            (batten_curve_row){s->count, (const batten_curve *const *)sections}, &options, NULL,
+            NULL, &report, out);
     if (status == BATTEN_OK && error)
         *error = (moved + report.error) * s->bound;
     for (int k = 0; k < s->count; k++)
@@ -316,7 +317,7 @@ static batten_status fill_in(procedural *s, const bat_skin *t)
     return status;
 }
 
-batten_status batten_surface_skin_procedural(int count, const batten_curve *const *sections,
+batten_status batten_surface_skin_procedural(batten_curve_row sections,
                                              const batten_surface_skin_options *options,
                                              double *v, batten_surface **out)
 {
@@ -326,22 +327,22 @@ batten_status batten_surface_skin_procedural(int count, const batten_curve *cons
         return status;
     options = &chosen;
     bat_skin t;
-    status = bat_skin_begin(count, sections, options, false, &t);
+    status = bat_skin_begin(sections.count, sections.at, options, false, &t);
     const batten_surface_skin_options *o = t.options;
     if (status == BATTEN_OK &&
         (o->start.kind == BATTEN_END_DIRECTION || o->end.kind == BATTEN_END_DIRECTION))
         status = bat_fail(BATTEN_BAD_ARGUMENT,
                           "the ends of a procedural skin have no directions; clamp them");
-    const double size = (double)count * (count + 3.0);
+    const double size = (double)sections.count * (sections.count + 3.0);
     if (status == BATTEN_OK && size > BAT_MAX_MADE_POINTS)
         status = bat_fail(BATTEN_TOO_LARGE,
                           "%d sections have cardinal splines of %.3g numbers; the limit is %d",
-                          count, size, (int)BAT_MAX_MADE_POINTS);
+                          sections.count, size, (int)BAT_MAX_MADE_POINTS);
     procedural *s = status == BATTEN_OK ? bat_array(1, sizeof *s) : NULL;
     if (status == BATTEN_OK && !s)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
-        s->count = count;
+        s->count = sections.count;
         s->dimension = t.dimension;
         s->options = (batten_surface_skin_options){.size = sizeof s->options,
                                                    .degree = o->degree,
@@ -355,7 +356,7 @@ batten_status batten_surface_skin_procedural(int count, const batten_curve *cons
     if (status == BATTEN_OK)
         s->options.given = NULL; /* they are in v */
     if (status == BATTEN_OK && v)
-        memcpy(v, s->v, (size_t)count * sizeof *v);
+        memcpy(v, s->v, (size_t)sections.count * sizeof *v);
     if (status == BATTEN_OK)
         status = make_surface(s, out);
     if (status != BATTEN_OK && s)

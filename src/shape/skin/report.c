@@ -145,7 +145,8 @@ static batten_status jumps(const batten_surface *surface, double u, double v, do
     for (int side = 0; side < 2; side++) {
         double out[9];
         const batten_status status = batten_surface_evaluate_side(
-            surface, u, v, side == 0 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT,
+            surface, u, v,
+            (batten_sides){side == 0 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT},
             1, out);
         if (status != BATTEN_OK)
             return status;

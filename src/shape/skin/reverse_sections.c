@@ -155,9 +155,9 @@ static batten_status turn_clamped(const batten_curve *curve, double u, batten_cu
         /* Ten times the gap at which a section still counts as closed. */
         status = batten_curve_join(high, low, 1e-8 * size, &joined);
     if (status == BATTEN_OK)
-        status = batten_curve_remove_knot(joined, batten_curve_domain(high).b,
-                                          batten_curve_degree(curve), BAT_EXACT * size, NULL,
-                                          NULL, out);
+        status = batten_curve_remove_knot(
+            joined, (batten_knot){batten_curve_domain(high).b, batten_curve_degree(curve)},
+            BAT_EXACT * size, NULL, NULL, out);
     batten_curve_unref(joined);
     batten_curve_unref(high);
     batten_curve_unref(low);

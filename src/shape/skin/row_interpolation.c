@@ -200,7 +200,7 @@ batten_status bat_row_through(const bat_shared_knots *shared, int p, int d, int 
     if (status == BATTEN_OK && *is_free)
         status = solve_row(&s, d, points, control);
     if (status == BATTEN_OK)
-        status = batten_curve_create(d, p, s.count, control, NULL, s.U, out);
+        status = batten_curve_create((batten_points){d, s.count, control}, p, NULL, s.U, out);
     bat_release(control);
     free_system(&s);
     return status;

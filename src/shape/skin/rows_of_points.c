@@ -211,8 +211,9 @@ static batten_status make_surface(rows *r, const batten_job *job, double *v,
         status = through_rows(r);
     batten_surface *surface = NULL;
     if (status == BATTEN_OK)
-        status = batten_surface_skin(r->count, (const batten_curve *const *)r->curves,
-                                     r->options->across, job, v, NULL, &surface);
+        status = batten_surface_skin(
+            (batten_curve_row){r->count, (const batten_curve *const *)r->curves},
+            r->options->across, job, v, NULL, &surface);
     const batten_surface_skin_options *across = r->options->across;
     if (status == BATTEN_OK && !(across && (across->align || across->turn)))
         status = check_points(r, surface, v);
@@ -244,10 +245,9 @@ static batten_status begin_rows(rows *r)
     return r->u ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-batten_status batten_surface_skin_rows(int dimension, int row_count, const int *counts,
-                                       const double *points,
+batten_status batten_surface_skin_rows(batten_rows points,
                                        const batten_surface_skin_rows_options *options,
-                                       const batten_job *job, double *u, double *v,
+                                       const batten_job *job, batten_uv_out uv,
                                        batten_surface_skin_rows_report *report,
                                        batten_surface **out)
 {
@@ -260,24 +260,25 @@ batten_status batten_surface_skin_rows(int dimension, int row_count, const int *
         chosen.across = &ways_across;
     if (status != BATTEN_OK)
         return status;
-    rows r = {.dimension = dimension,
-              .count = row_count,
-              .counts = counts,
-              .points = points,
+    rows r = {.dimension = points.dimension,
+              .count = points.count,
+              .counts = points.counts,
+              .points = points.at,
               .options = &chosen};
     status = begin_rows(&r);
-    double *across = status == BATTEN_OK ? bat_array((size_t)row_count, sizeof *across) : NULL;
+    double *across =
+        status == BATTEN_OK ? bat_array((size_t)points.count, sizeof *across) : NULL;
     if (status == BATTEN_OK && !across)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = make_surface(&r, job, across, out);
-    if (status == BATTEN_OK && u)
-        memcpy(u, r.u, r.first[row_count] * sizeof *u);
-    if (status == BATTEN_OK && v)
-        memcpy(v, across, (size_t)row_count * sizeof *v);
+    if (status == BATTEN_OK && uv.u)
+        memcpy(uv.u, r.u, r.first[points.count] * sizeof *uv.u);
+    if (status == BATTEN_OK && uv.v)
+        memcpy(uv.v, across, (size_t)points.count * sizeof *uv.v);
     if (status == BATTEN_OK && report)
         *report = r.found;
-    for (int k = 0; r.curves && k < row_count; k++)
+    for (int k = 0; r.curves && k < points.count; k++)
         batten_curve_unref(r.curves[k]);
     bat_release(across);
     bat_release(r.curves);

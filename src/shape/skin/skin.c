@@ -223,7 +223,7 @@ batten_status bat_surface_skin(int count, const batten_curve *const *sections,
     return status;
 }
 
-batten_status batten_surface_skin(int count, const batten_curve *const *sections,
+batten_status batten_surface_skin(batten_curve_row sections,
                                   const batten_surface_skin_options *options,
                                   const batten_job *job, double *v,
                                   batten_surface_skin_report *report, batten_surface **out)
@@ -232,5 +232,5 @@ batten_status batten_surface_skin(int count, const batten_curve *const *sections
     batten_status status = BAT_TAKE_OPTIONS(batten_surface_skin_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    return bat_surface_skin(count, sections, &chosen, false, job, v, report, out);
+    return bat_surface_skin(sections.count, sections.at, &chosen, false, job, v, report, out);
 }

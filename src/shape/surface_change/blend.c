@@ -75,7 +75,7 @@ static batten_status take_side(task *t, int side)
     batten_curve *ribbon[MOST] = {NULL, NULL, NULL};
     double error = 0;
     batten_status status =
-        batten_edge_ribbon(t->surfaces[side], end->edge, order, t->tolerance, ribbon, &error);
+        batten_edge_ribbon(t->surfaces[side], end->edge, order, t->tolerance, &error, ribbon);
     t->b->count[side] = end->continuity + 1;
     for (int k = 0; k <= end->continuity && status == BATTEN_OK; k++)
         status = take_part(ribbon[k], end->from, end->to, &t->b->curves[side * MOST + k]);
@@ -300,7 +300,7 @@ static batten_status make_near(task *t, const batten_curve *unified, batten_surf
     batten_status status = bat_formula_create(&formula, t->b, 3, &u, &v, t->size, &truth);
     if (status == BATTEN_OK) {
         t->b = NULL;
-        status = batten_surface_to_nurbs(truth, t->tolerance, out, &error);
+        status = batten_surface_to_nurbs(truth, t->tolerance, &error, out);
     }
     t->report->error += error;
     batten_surface_unref(truth);

@@ -111,7 +111,8 @@ batten_status bat_blend_measure(const bat_blend_contact *t, const batten_surface
     double *normals = bat_array3(SAMPLES, SAMPLES, 3 * sizeof *normals);
     if (!normals)
         return BATTEN_OUT_OF_MEMORY;
-    status = batten_surface_normal_grid(made, SAMPLES, at, SAMPLES, at, NULL, NULL, normals);
+    status = batten_surface_normal_grid(made, (batten_uv_grid){SAMPLES, SAMPLES, at, at}, NULL,
+                                        NULL, normals);
     if (status == BATTEN_OK)
         find_fold(normals, at, t->report);
     bat_release(normals);

@@ -111,7 +111,8 @@ static batten_status check_edge(const task *t, double *slowest, double *bend)
     for (int i = 0; i < LINES; i++) {
         double values[18];
         const batten_status status = batten_surface_evaluate_side(
-            t->surface, t->u[i], t->end, BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT, 2, values);
+            t->surface, t->u[i], t->end, (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT}, 2,
+            values);
         if (status != BATTEN_OK)
             return status;
         for (int c = 0; c < 3 && i == 0; c++)
@@ -201,8 +202,8 @@ static batten_status one_side(const task *t, const batten_surface *made, double 
                               batten_side side, batten_vec3 *normal, double *curvature)
 {
     double values[18];
-    const batten_status status =
-        batten_surface_evaluate_side(made, u, t->end, BATTEN_FROM_RIGHT, side, 2, values);
+    const batten_status status = batten_surface_evaluate_side(
+        made, u, t->end, (batten_sides){BATTEN_FROM_RIGHT, side}, 2, values);
     if (status != BATTEN_OK)
         return status;
     const double lu = bat_norm(3, values + 3), lv = bat_norm(3, values + 6);
@@ -296,18 +297,18 @@ static batten_status extend_surface(task *t, batten_edge edge, batten_surface **
 }
 
 batten_status batten_surface_extend(const batten_surface *surface, batten_edge edge,
-                                    batten_extension extension, double length, double tolerance,
+                                    batten_lengthening how, double length,
                                     batten_surface_extend_report *report, batten_surface **out)
 {
     assert(surface && out);
     batten_surface_extend_report found = {.to = 0};
-    batten_status status = check_request(surface, edge, extension, length, tolerance);
+    batten_status status = check_request(surface, edge, how.kind, length, how.tolerance);
     if (status != BATTEN_OK)
         return status;
     task t = {.surface = batten_surface_ref(surface),
-              .extension = extension,
+              .extension = how.kind,
               .length = length,
-              .tolerance = tolerance,
+              .tolerance = how.tolerance,
               .report = &found};
     status = extend_surface(&t, edge, out);
     batten_surface_unref(t.surface);

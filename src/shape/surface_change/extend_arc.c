@@ -64,7 +64,7 @@ static batten_status evaluate(const void *data, double u, double v, batten_side 
     bat_jet edge[3], slope[3], bend[3];
     (void)side_v;
     const batten_status status = batten_surface_evaluate_side(
-        a->surface, u, a->end, side_u, BATTEN_FROM_LEFT, order + 2, values);
+        a->surface, u, a->end, (batten_sides){side_u, BATTEN_FROM_LEFT}, order + 2, values);
     if (status != BATTEN_OK)
         return status;
     const double scale = bat_norm(3, values + 3 * BATTEN_SURFACE_DERIVATIVE(0, 1));
@@ -149,7 +149,7 @@ batten_status bat_surface_arc_on(const batten_surface *surface, double way, doub
     if (status == BATTEN_OK)
         status = make_arcs(surface, way, &truth);
     if (status == BATTEN_OK)
-        status = batten_surface_to_nurbs(truth, tolerance, &patch, error);
+        status = batten_surface_to_nurbs(truth, tolerance, error, &patch);
     if (status == BATTEN_OK)
         status = batten_surface_join(surface, patch, BATTEN_V, 4 * tolerance, out);
     batten_surface_unref(truth);

@@ -95,8 +95,8 @@ static batten_status interpolate(task *t)
             rows_of(t, &t->spine.balls[i], rows);
             memcpy(points + i * dimensions[k], rows[k], (size_t)dimensions[k] * sizeof *points);
         }
-        status =
-            batten_curve_interpolate(dimensions[k], n, points, &options, NULL, &t->curves[k]);
+        status = batten_curve_interpolate((batten_points){dimensions[k], n, points}, &options,
+                                          NULL, &t->curves[k]);
     }
     bat_release(points);
     return status;

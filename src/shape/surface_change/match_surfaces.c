@@ -313,9 +313,9 @@ static batten_status compare_at(const batten_surface *first, batten_edge first_e
     if (status != BATTEN_OK)
         return status;
     r->gap = bat_max(r->gap, bat_distance(3, p, q));
-    status = batten_surface_normal(first, a[0], a[1], &n1, NULL);
+    status = batten_surface_normal(first, a[0], a[1], NULL, &n1);
     if (status == BATTEN_OK)
-        status = batten_surface_normal(second, b[0], b[1], &n2, NULL);
+        status = batten_surface_normal(second, b[0], b[1], NULL, &n2);
     if (status == BATTEN_SINGULAR_HERE)
         return BATTEN_OK; /* a corner without normal says nothing */
     const batten_status curved =
@@ -437,7 +437,7 @@ static batten_status prepare_match(match *m, const batten_surface *first,
     batten_status status = take_surface(first, first_edge, m->order, &m->surface);
     if (status == BATTEN_OK)
         status = batten_edge_ribbon(second, second_edge, bat_max_int(m->order, 1), tolerance,
-                                    m->rows, NULL);
+                                    NULL, m->rows);
     if (status == BATTEN_OK)
         status = check_edges(m, second);
     if (status == BATTEN_OK)
@@ -447,23 +447,22 @@ static batten_status prepare_match(match *m, const batten_surface *first,
     return status == BATTEN_OK ? lay_along(m, *reversed) : status;
 }
 
-batten_status batten_surface_match(const batten_surface *first, batten_edge first_edge,
-                                   const batten_surface *second, batten_edge second_edge,
+batten_status batten_surface_match(batten_surface_edge first, batten_surface_edge second,
                                    int order, double tolerance,
                                    batten_surface_match_report *report, batten_surface **out)
 {
-    assert(first && second && out);
+    assert(first.surface && second.surface && out);
     if (order < 0 || order > 2)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the order is %d; it must be 0, 1 or 2", order);
-    if (first->dimension != 3 || second->dimension != 3)
+    if (first.surface->dimension != 3 || second.surface->dimension != 3)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the surfaces have the dimensions %d and %d",
-                        first->dimension, second->dimension);
+                        first.surface->dimension, second.surface->dimension);
     match m = {.order = order, .scale = 1};
     batten_surface_match_report own = {0};
     batten_surface *made = NULL;
     batten_interval along = {0, 1};
-    batten_status status =
-        prepare_match(&m, first, first_edge, second, second_edge, tolerance, &own.reversed);
+    batten_status status = prepare_match(&m, first.surface, first.edge, second.surface,
+                                         second.edge, tolerance, &own.reversed);
     if (status == BATTEN_OK) {
         along = batten_surface_domain(m.surface, BATTEN_V);
         status = make_common(&m);
@@ -473,8 +472,9 @@ batten_status batten_surface_match(const batten_surface *first, batten_edge firs
     if (status == BATTEN_OK)
         status = move_rows(&m, &own.moved);
     if (status == BATTEN_OK)
-        status = finish_match(&m, first_edge, second, second_edge, along, &own, &made);
-    if (status == BATTEN_OK && !(own.gap <= bat_max(tolerance, BAT_ROUNDING * size_of(second))))
+        status = finish_match(&m, first.edge, second.surface, second.edge, along, &own, &made);
+    if (status == BATTEN_OK &&
+        !(own.gap <= bat_max(tolerance, BAT_ROUNDING * size_of(second.surface))))
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET, "the edges are %g apart; %g was wanted",
                           own.gap, tolerance);
     if (status == BATTEN_OK) {

@@ -150,8 +150,8 @@ batten_status bat_offset_point(const batten_surface *surface, double distance, d
     double values[MOST_VALUES], noise[2];
     bat_jet n[3], a[3], b[3];
     bat_surface_local local;
-    batten_status status =
-        batten_surface_evaluate_side(surface, u, v, side_u, side_v, order + 1, values);
+    batten_status status = batten_surface_evaluate_side(
+        surface, u, v, (batten_sides){side_u, side_v}, order + 1, values);
     if (status != BATTEN_OK)
         return status;
     surface->kind->local(surface, u, v, side_u, side_v, &local);
@@ -165,7 +165,8 @@ batten_status bat_offset_point(const batten_surface *surface, double distance, d
         take_jets(values, 0, 1, order, b);
         unit_cross(a, b, 1, n);
     } else {
-        status = batten_surface_evaluate_side(surface, u, v, side_u, side_v, order + 2, values);
+        status = batten_surface_evaluate_side(surface, u, v, (batten_sides){side_u, side_v},
+                                              order + 2, values);
         if (status == BATTEN_OK)
             status = limit_normal(surface, u, v, values, noise, order, n);
         if (status != BATTEN_OK)

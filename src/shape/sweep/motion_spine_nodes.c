@@ -91,7 +91,7 @@ static batten_status frame_run(bat_spine_motion *m, const bat_spine_run *r, batt
         status = batten_curve_subrange(m->spine, a, b, &part);
     if (status == BATTEN_OK)
         status = batten_curve_minimising_frames(part, count, m->u + r->first, BAT_MEANT_SAME,
-                                                frames, NULL);
+                                                NULL, frames);
     const double angle = status == BATTEN_OK ? bat_angle_about(frames[0].z, frames[0].x, x) : 0;
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
         const batten_vec3 y = bat_vec3_cross(frames[i].z, frames[i].x);

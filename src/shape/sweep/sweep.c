@@ -54,8 +54,9 @@ static batten_status take_sections(int count, const batten_curve *const *section
         batten_surface_skin_options skin = batten_surface_skin_defaults();
         skin.parameters = BATTEN_GIVEN;
         skin.given = even;
-        status = batten_surface_skin(count, (const batten_curve *const *)raised, &skin, NULL,
-                                     NULL, NULL, &sweep->row);
+        status =
+            batten_surface_skin((batten_curve_row){count, (const batten_curve *const *)raised},
+                                &skin, NULL, NULL, NULL, &sweep->row);
     }
     for (int i = 0; raised && i < count; i++)
         batten_curve_unref(raised[i]);
@@ -110,8 +111,8 @@ static batten_status look_at_row(const bat_sweep *s, double share, outline *o)
     if (!s->row)
         return BATTEN_OK;
     const double at = bat_max(0, bat_min(1, share));
-    return batten_surface_evaluate_grid(s->row, (size_t)o->count, o->at, 1, &at, 0, NULL,
-                                        o->points);
+    return batten_surface_evaluate_grid(
+        s->row, (batten_uv_grid){(size_t)o->count, 1, o->at, &at}, 0, NULL, o->points);
 }
 
 /* The least of Sv . t / |spine'| along the section at v: 1 minus curvature times reach. */
@@ -245,13 +246,12 @@ static batten_status fit_parts(bat_sweep *sweep, const batten_surface_sweep_opti
     return status;
 }
 
-batten_status batten_surfaces_sweep(int count, const batten_curve *const *sections,
-                                    const batten_curve *spine,
+batten_status batten_surfaces_sweep(batten_curve_row sections, const batten_curve *spine,
                                     const batten_surface_sweep_options *options,
                                     const batten_job *job, batten_surface_sweep_report *report,
-                                    int *surface_count, batten_surface ***surfaces)
+                                    batten_surfaces *out)
 {
-    assert(sections && spine && surface_count && surfaces);
+    assert(sections.at && spine && out);
     batten_surface_sweep_options chosen = batten_surface_sweep_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_surface_sweep_options, options, &chosen);
     if (status != BATTEN_OK)
@@ -263,7 +263,7 @@ batten_status batten_surfaces_sweep(int count, const batten_curve *const *sectio
     double *ends = NULL;
     batten_surface **made = NULL;
     int parts = 0;
-    status = prepare_sweep(count, sections, spine, o, &found, &sweep);
+    status = prepare_sweep(sections.count, sections.at, spine, o, &found, &sweep);
     if (status == BATTEN_OK) {
         ends = bat_array((size_t)sweep.motion->break_count, sizeof *ends);
         made = bat_array((size_t)sweep.motion->break_count, sizeof *made);
@@ -279,46 +279,40 @@ batten_status batten_surfaces_sweep(int count, const batten_curve *const *sectio
         bat_release(made);
         return status;
     }
-    *surface_count = parts;
-    *surfaces = made;
+    *out = (batten_surfaces){parts, made};
     if (report)
         *report = found;
     return BATTEN_OK;
 }
 
-batten_status batten_surface_sweep(int count, const batten_curve *const *sections,
-                                   const batten_curve *spine,
+batten_status batten_surface_sweep(batten_curve_row sections, const batten_curve *spine,
                                    const batten_surface_sweep_options *options,
                                    const batten_job *job, batten_surface_sweep_report *report,
                                    batten_surface **out)
 {
     assert(out);
-    int parts = 0;
-    batten_surface **made = NULL;
+    batten_surfaces made = {0, NULL};
     batten_surface_sweep_report found;
-    batten_status status =
-        batten_surfaces_sweep(count, sections, spine, options, job, &found, &parts, &made);
+    batten_status status = batten_surfaces_sweep(sections, spine, options, job, &found, &made);
     if (status != BATTEN_OK)
         return status;
-    if (parts == 1)
-        *out = batten_surface_ref(made[0]);
+    if (made.count == 1)
+        *out = batten_surface_ref(made.at[0]);
     else
-        status =
-            bat_fail(BATTEN_NOT_COMPATIBLE, "corners split the sweep into %d surfaces", parts);
-    for (int k = 0; k < parts; k++)
-        batten_surface_unref(made[k]);
-    bat_release(made);
+        status = bat_fail(BATTEN_NOT_COMPATIBLE, "corners split the sweep into %d surfaces",
+                          made.count);
+    batten_surfaces_release(&made);
     if (status == BATTEN_OK && report)
         *report = found;
     return status;
 }
 
-batten_status batten_surface_sweep_procedural(int count, const batten_curve *const *sections,
+batten_status batten_surface_sweep_procedural(batten_curve_row sections,
                                               const batten_curve *spine,
                                               const batten_surface_sweep_options *options,
                                               batten_surface **out)
 {
-    assert(sections && spine && out);
+    assert(sections.at && spine && out);
     batten_surface_sweep_options chosen = batten_surface_sweep_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_surface_sweep_options, options, &chosen);
     if (status != BATTEN_OK)
@@ -326,7 +320,7 @@ batten_status batten_surface_sweep_procedural(int count, const batten_curve *con
     const batten_surface_sweep_options *o = &chosen;
     batten_surface_sweep_report report = {.error = 0};
     bat_sweep sweep = {0};
-    status = prepare_sweep(count, sections, spine, o, &report, &sweep);
+    status = prepare_sweep(sections.count, sections.at, spine, o, &report, &sweep);
     for (int i = 1; status == BATTEN_OK && i + 1 < sweep.motion->break_count; i++)
         if (sweep.motion->smoothness[i] < 0)
             status = bat_fail(BATTEN_NOT_COMPATIBLE,
@@ -343,21 +337,21 @@ batten_status batten_surface_sweep_procedural(int count, const batten_curve *con
 batten_status batten_surfaces_pipe(double radius, const batten_curve *spine,
                                    const batten_surface_sweep_options *options,
                                    const batten_job *job, batten_surface_sweep_report *report,
-                                   int *surface_count, batten_surface ***surfaces)
+                                   batten_surfaces *out)
 {
     batten_curve *circle = NULL;
     batten_status status = batten_curve_circle(radius, BATTEN_CIRCLE_SQUARE_9, &circle);
     if (status == BATTEN_OK)
-        status = batten_surfaces_sweep(1, (const batten_curve *const *)&circle, spine, options,
-                                       job, report, surface_count, surfaces);
+        status =
+            batten_surfaces_sweep((batten_curve_row){1, (const batten_curve *const *)&circle},
+                                  spine, options, job, report, out);
     batten_curve_unref(circle);
     return status;
 }
 
 /* ---- about an axis ---- */
 
-batten_status batten_surface_helical(const batten_curve *curve, batten_vec3 origin,
-                                     batten_vec3 axis, double pitch, double angle,
+batten_status batten_surface_helical(const batten_curve *curve, batten_screw screw,
                                      double tolerance, const batten_job *job,
                                      batten_surface_sweep_report *report, batten_surface **out)
 {
@@ -365,11 +359,12 @@ batten_status batten_surface_helical(const batten_curve *curve, batten_vec3 orig
     batten_surface_sweep_report found = {.error = 0, .clearance = 1};
     bat_sweep sweep = {0};
     bat_work work = {job, 0};
-    batten_status status = bat_motion_screw(origin, axis, pitch, angle, &sweep.motion);
+    batten_status status =
+        bat_motion_screw(screw.origin, screw.axis, screw.pitch, screw.angle, &sweep.motion);
     if (status == BATTEN_OK)
         status = take_section(curve, &sweep.section);
     if (status == BATTEN_OK) {
-        sweep.part = (batten_interval){0, angle};
+        sweep.part = (batten_interval){0, screw.angle};
         status = bat_sweep_fit(&sweep, 3, tolerance, &work, &found, out);
     }
     bat_sweep_release(&sweep);

@@ -92,8 +92,8 @@ static batten_status look_at_row(const bat_sweep *s, double u, batten_side side,
 {
     double values[30];
     const double at = bat_max(0, bat_min(1, sigma[0]));
-    const batten_status status =
-        batten_surface_evaluate_side(s->row, u, at, side, BATTEN_FROM_RIGHT, order, values);
+    const batten_status status = batten_surface_evaluate_side(
+        s->row, u, at, (batten_sides){side, BATTEN_FROM_RIGHT}, order, values);
     *out = (local_section){{{{0}}}};
     for (int k = 0; status == BATTEN_OK && k <= order; k++)
         for (int c = 0; c < 3; c++) {

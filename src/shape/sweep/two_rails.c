@@ -102,14 +102,12 @@ static batten_status make_motion(const batten_curve *first, const batten_curve *
     return status;
 }
 
-batten_status batten_surface_two_rails(const batten_curve *section, const batten_curve *first,
-                                       const batten_curve *second,
-                                       const batten_surface_two_rails_options *options,
-                                       const batten_job *job,
-                                       batten_surface_sweep_report *report,
-                                       batten_surface **out)
+batten_status
+batten_surface_two_rails(const batten_curve *section, const batten_curve *const rails[2],
+                         const batten_surface_two_rails_options *options, const batten_job *job,
+                         batten_surface_sweep_report *report, batten_surface **out)
 {
-    assert(section && first && second && out);
+    assert(section && rails[0] && rails[1] && out);
     batten_surface_two_rails_options chosen = batten_surface_two_rails_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_surface_two_rails_options, options, &chosen);
     if (status != BATTEN_OK)
@@ -123,7 +121,7 @@ batten_status batten_surface_two_rails(const batten_curve *section, const batten
     if (status == BATTEN_OK)
         status = stretch(section, &sweep.section, &chord);
     if (status == BATTEN_OK)
-        status = make_motion(first, second, chord, o, &sweep.motion, &moved);
+        status = make_motion(rails[0], rails[1], chord, o, &sweep.motion, &moved);
     if (status == BATTEN_OK) {
         sweep.part = (batten_interval){0, 1};
         status = bat_sweep_fit(&sweep, o->degree, o->tolerance - moved, &work, &found, out);

@@ -108,26 +108,26 @@ static batten_status fill(batten_chain *chain, const batten_span *spans, const d
     return status;
 }
 
-batten_status batten_chain_create(int dimension, int count, const batten_span *spans,
-                                  const double *breaks, bool closed, double tolerance,
+batten_status batten_chain_create(const batten_chain_parts *parts, double tolerance,
                                   batten_chain **out)
 {
-    assert(spans && out);
-    if (dimension < 1 || dimension > 3)
+    assert(parts->spans && out);
+    if (parts->dimension < 1 || parts->dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
-                        dimension);
-    if (count < 1)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "a chain of %d spans", count);
-    if (count > BAT_MAX_POINTS)
-        return bat_fail(BATTEN_TOO_LARGE, "%d spans; the limit is %d", count, BAT_MAX_POINTS);
+                        parts->dimension);
+    if (parts->count < 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a chain of %d spans", parts->count);
+    if (parts->count > BAT_MAX_POINTS)
+        return bat_fail(BATTEN_TOO_LARGE, "%d spans; the limit is %d", parts->count,
+                        BAT_MAX_POINTS);
     if (!(tolerance >= 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not 0 or more", tolerance);
-    batten_chain *chain = make(count);
+    batten_chain *chain = make(parts->count);
     if (!chain)
         return BATTEN_OUT_OF_MEMORY;
-    chain->dimension = dimension;
-    chain->closed = closed;
-    const batten_status status = fill(chain, spans, breaks, tolerance);
+    chain->dimension = parts->dimension;
+    chain->closed = parts->closed;
+    const batten_status status = fill(chain, parts->spans, parts->breaks, tolerance);
     if (status == BATTEN_OK)
         *out = chain;
     else

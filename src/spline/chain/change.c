@@ -113,8 +113,8 @@ static batten_status make_like(const batten_chain *like, int count, const batten
                                const double *breaks, bool closed, batten_chain **out)
 {
     batten_chain *made = NULL;
-    const batten_status status =
-        batten_chain_create(like->dimension, count, spans, breaks, closed, HUGE_VAL, &made);
+    const batten_status status = batten_chain_create(
+        &(batten_chain_parts){like->dimension, count, spans, breaks, closed}, HUGE_VAL, &made);
     if (status != BATTEN_OK)
         return status;
     made->placed = like->placed;

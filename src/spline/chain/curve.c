@@ -229,8 +229,9 @@ batten_status batten_chain_to_curve(const batten_chain *chain, double tolerance,
     double reached = 0;
     batten_status status = convert(chain, tolerance, &p, &reached);
     if (status == BATTEN_OK)
-        status = batten_curve_from_bezier(p.dimension, p.degree, p.count, p.points,
-                                          p.rational ? p.weights : NULL, p.breaks, out);
+        status =
+            batten_curve_from_bezier(p.dimension, (batten_pieces){p.degree, p.count, p.breaks},
+                                     p.points, p.rational ? p.weights : NULL, out);
     if (status == BATTEN_OK && error)
         *error = reached;
     pieces_end(&p);

@@ -90,22 +90,22 @@ batten_status bat_curve_finish(batten_curve *curve, batten_curve **out)
     return status;
 }
 
-batten_status batten_curve_create(int dimension, int degree, int point_count,
-                                  const double *points, const double *weights,
+batten_status batten_curve_create(batten_points points, int degree, const double *weights,
                                   const double *knots, batten_curve **out)
 {
-    assert(points && knots && out);
-    batten_status status = check_sizes(dimension, degree, point_count, degree + 1);
+    assert(points.at && knots && out);
+    batten_status status = check_sizes(points.dimension, degree, points.count, degree + 1);
     if (status == BATTEN_OK)
-        status = bat_knots_check(degree, point_count, knots, "knot");
+        status = bat_knots_check(degree, points.count, knots, "knot");
     batten_curve *curve = NULL;
     if (status == BATTEN_OK)
-        status = bat_curve_make(dimension, degree, point_count, weights != NULL, &curve);
+        status =
+            bat_curve_make(points.dimension, degree, points.count, weights != NULL, &curve);
     if (status != BATTEN_OK)
         return status;
-    const size_t n = (size_t)point_count;
+    const size_t n = (size_t)points.count;
     memcpy(curve->knots, knots, (n + (size_t)degree + 1) * sizeof *knots);
-    memcpy(curve->points, points, n * (size_t)dimension * sizeof *points);
+    memcpy(curve->points, points.at, n * (size_t)points.dimension * sizeof *points.at);
     if (weights)
         memcpy(curve->weights, weights, n * sizeof *weights);
     return bat_curve_finish(curve, out);
@@ -125,24 +125,25 @@ static batten_status check_period(int m, const double *period)
     return BATTEN_OK;
 }
 
-batten_status batten_curve_create_periodic(int dimension, int degree, int point_count,
-                                           const double *points, const double *weights,
-                                           const double *knots, batten_curve **out)
+batten_status batten_curve_create_periodic(batten_points points, int degree,
+                                           const double *weights, const double *knots,
+                                           batten_curve **out)
 {
-    assert(points && knots && out);
-    const int m = point_count, p = degree;
-    batten_status status = check_sizes(dimension, p, m, 1);
+    assert(points.at && knots && out);
+    const int m = points.count, p = degree;
+    batten_status status = check_sizes(points.dimension, p, m, 1);
     if (status == BATTEN_OK)
         status = check_period(m, knots);
     batten_curve *curve = NULL;
     if (status == BATTEN_OK)
-        status = bat_curve_make(dimension, p, m + p, weights != NULL, &curve);
+        status = bat_curve_make(points.dimension, p, m + p, weights != NULL, &curve);
     if (status != BATTEN_OK)
         return status;
-    const size_t d = (size_t)dimension;
+    const size_t d = (size_t)points.dimension;
     curve->periodic = true;
     for (int i = 0; i < m + p; i++) {
-        memcpy(curve->points + (size_t)i * d, points + (size_t)(i % m) * d, d * sizeof *points);
+        memcpy(curve->points + (size_t)i * d, points.at + (size_t)(i % m) * d,
+               d * sizeof *points.at);
         if (weights)
             curve->weights[i] = weights[i % m];
     }

@@ -104,8 +104,9 @@ batten_status bat_curve_wrap(const batten_curve *like, const bat_spline *spline,
     batten_status status = bat_curve_from_spline(like, NULL, 0, &part, &open);
     if (status != BATTEN_OK)
         return status;
-    status = batten_curve_create_periodic(like->dimension, p, part.count, open->points,
-                                          open->weights, open->knots + p, out);
+    status =
+        batten_curve_create_periodic((batten_points){like->dimension, part.count, open->points},
+                                     p, open->weights, open->knots + p, out);
     batten_curve_unref(open);
     return status;
 }

@@ -48,21 +48,23 @@ static batten_status check_size(int degree, double count)
     return BATTEN_OK;
 }
 
-batten_status batten_curve_from_bezier(int dimension, int degree, int piece_count,
+batten_status batten_curve_from_bezier(int dimension, batten_pieces pieces,
                                        const double *points, const double *weights,
-                                       const double *breaks, batten_curve **out)
+                                       batten_curve **out)
 {
-    assert(points && breaks && out);
-    batten_status status = check_size(degree, (double)piece_count * degree + 1);
+    assert(points && pieces.breaks && out);
+    batten_status status = check_size(pieces.degree, (double)pieces.count * pieces.degree + 1);
     if (status == BATTEN_OK)
-        status = bat_breaks_check(piece_count, breaks);
+        status = bat_breaks_check(pieces.count, pieces.breaks);
     if (status != BATTEN_OK)
         return status;
-    double *knots = bat_knots_of_breaks(degree, degree, piece_count, breaks);
+    double *knots =
+        bat_knots_of_breaks(pieces.degree, pieces.degree, pieces.count, pieces.breaks);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
-    status = batten_curve_create(dimension, degree, piece_count * degree + 1, points, weights,
-                                 knots, out);
+    status = batten_curve_create(
+        (batten_points){dimension, pieces.count * pieces.degree + 1, points}, pieces.degree,
+        weights, knots, out);
     bat_release(knots);
     return status;
 }
@@ -128,7 +130,8 @@ batten_status batten_curve_from_hermite(int dimension, int count, int k,
     status = knots && points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         bat_hermite_points(dimension, count, k, parameters, values, points);
-        status = batten_curve_create(dimension, 2 * k - 1, count * k, points, NULL, knots, out);
+        status = batten_curve_create((batten_points){dimension, count * k, points}, 2 * k - 1,
+                                     NULL, knots, out);
     }
     bat_release(points);
     bat_release(knots);
@@ -176,29 +179,29 @@ static batten_status power_points(size_t d, int p, int piece_count, const double
     return BATTEN_OK;
 }
 
-batten_status batten_curve_from_power(int dimension, int degree, int piece_count,
-                                      const double *breaks, const double *coefficients,
-                                      double tolerance, batten_curve **out)
+batten_status batten_curve_from_power(int dimension, batten_pieces pieces,
+                                      const double *coefficients, double tolerance,
+                                      batten_curve **out)
 {
-    assert(breaks && coefficients && out);
+    assert(pieces.breaks && coefficients && out);
     if (dimension < 1 || dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
                         dimension);
     if (!(tolerance >= 0 && isfinite(tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", tolerance);
-    batten_status status = check_size(degree, (double)piece_count * degree + 1);
+    batten_status status = check_size(pieces.degree, (double)pieces.count * pieces.degree + 1);
     if (status == BATTEN_OK)
-        status = bat_breaks_check(piece_count, breaks);
+        status = bat_breaks_check(pieces.count, pieces.breaks);
     if (status != BATTEN_OK)
         return status;
     const size_t d = (size_t)dimension;
-    double *points = bat_array3((size_t)(piece_count * degree + 1), d, sizeof *points);
+    double *points = bat_array3((size_t)(pieces.count * pieces.degree + 1), d, sizeof *points);
     if (!points)
         return BATTEN_OUT_OF_MEMORY;
-    status = power_points(d, degree, piece_count, breaks, coefficients, tolerance, points);
+    status = power_points(d, pieces.degree, pieces.count, pieces.breaks, coefficients,
+                          tolerance, points);
     if (status == BATTEN_OK)
-        status =
-            batten_curve_from_bezier(dimension, degree, piece_count, points, NULL, breaks, out);
+        status = batten_curve_from_bezier(dimension, pieces, points, NULL, out);
     bat_release(points);
     return status;
 }
@@ -259,9 +262,9 @@ batten_status bat_bezier_part(const batten_curve *curve, double a, double b, bat
     const size_t first = (size_t)(k - p);
     const double ends[2] = {curve->knots[k], curve->knots[k + 1]};
     batten_curve *piece = NULL;
-    batten_status status =
-        batten_curve_from_bezier(d, p, 1, curve->points + first * (size_t)d,
-                                 curve->weights ? curve->weights + first : NULL, ends, &piece);
+    batten_status status = batten_curve_from_bezier(
+        d, (batten_pieces){p, 1, ends}, curve->points + first * (size_t)d,
+        curve->weights ? curve->weights + first : NULL, &piece);
     if (status == BATTEN_OK)
         status = batten_curve_subrange(piece, a, b, out);
     batten_curve_unref(piece);

@@ -103,20 +103,21 @@ static batten_status removal(const batten_curve *curve, step make, request asked
     return status;
 }
 
-batten_status batten_curve_remove_knot(const batten_curve *curve, double u, int times,
+batten_status batten_curve_remove_knot(const batten_curve *curve, batten_knot knot,
                                        double tolerance, int *removed, double *error,
                                        batten_curve **out)
 {
     assert(curve && out);
     const batten_interval domain = batten_curve_domain(curve);
-    if (times < 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "a knot cannot be removed %d times", times);
-    if (!(u > domain.a && u < domain.b) ||
-        bat_knots_multiplicity(curve->degree, curve->count, curve->knots, u) == 0)
-        return bat_fail(isfinite(u) ? BATTEN_NOT_FOUND : BATTEN_NOT_FINITE,
-                        "%.17g is no knot inside the domain [%.17g, %.17g]", u, domain.a,
+    if (knot.times < 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a knot cannot be removed %d times", knot.times);
+    if (!(knot.at > domain.a && knot.at < domain.b) ||
+        bat_knots_multiplicity(curve->degree, curve->count, curve->knots, knot.at) == 0)
+        return bat_fail(isfinite(knot.at) ? BATTEN_NOT_FOUND : BATTEN_NOT_FINITE,
+                        "%.17g is no knot inside the domain [%.17g, %.17g]", knot.at, domain.a,
                         domain.b);
-    return removal(curve, remove_one, (request){.u = u, .times = times, .tolerance = tolerance},
+    return removal(curve, remove_one,
+                   (request){.u = knot.at, .times = knot.times, .tolerance = tolerance},
                    removed, error, out);
 }
 

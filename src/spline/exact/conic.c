@@ -21,7 +21,7 @@ batten_status batten_curve_line(int dimension, const double *a, const double *b,
         points[k] = a[k];
         points[dimension + k] = b[k];
     }
-    return batten_curve_create(dimension, 1, 2, points, NULL, knots, out);
+    return batten_curve_create((batten_points){dimension, 2, points}, 1, NULL, knots, out);
 }
 
 static batten_status chord_knots(int d, int count, const double *points, double *knots)
@@ -42,22 +42,21 @@ static batten_status chord_knots(int d, int count, const double *points, double 
     return BATTEN_OK;
 }
 
-batten_status batten_curve_polyline(int dimension, int count, const double *points,
-                                    batten_curve **out)
+batten_status batten_curve_polyline(batten_points points, batten_curve **out)
 {
-    assert(points && out);
-    if (dimension < 1 || dimension > 3)
+    assert(points.at && out);
+    if (points.dimension < 1 || points.dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
-                        dimension);
-    if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s; a polyline needs 2", count,
-                        bat_plural(count));
-    double *knots = bat_array((size_t)count + 2, sizeof *knots);
+                        points.dimension);
+    if (points.count < 2)
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s; a polyline needs 2", points.count,
+                        bat_plural(points.count));
+    double *knots = bat_array((size_t)points.count + 2, sizeof *knots);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status = chord_knots(dimension, count, points, knots);
+    batten_status status = chord_knots(points.dimension, points.count, points.at, knots);
     if (status == BATTEN_OK)
-        status = batten_curve_create(dimension, 1, count, points, NULL, knots, out);
+        status = batten_curve_create(points, 1, NULL, knots, out);
     bat_release(knots);
     return status;
 }
@@ -140,7 +139,8 @@ static batten_status make_arc(const ellipse *shape, double start, double angle,
         memcpy(points, ends, d * sizeof *points);
         memcpy(points + 2 * (size_t)pieces * d, ends + d, d * sizeof *points);
     }
-    return batten_curve_create((int)d, 2, 2 * pieces + 1, points, weights, knots, out);
+    return batten_curve_create((batten_points){(int)d, 2 * pieces + 1, points}, 2, weights,
+                               knots, out);
 }
 
 static batten_status check_radius(double radius, const char *what)
@@ -251,7 +251,7 @@ static batten_status scaled_circle(double radius, int count, const double *unit,
     double points[14];
     for (int i = 0; i < 2 * count; i++)
         points[i] = radius * unit[i];
-    return batten_curve_create(2, 2, count, points, weights, knots, out);
+    return batten_curve_create((batten_points){2, count, points}, 2, weights, knots, out);
 }
 
 batten_status batten_curve_circle(double radius, batten_circle_form form, batten_curve **out)
@@ -291,7 +291,7 @@ batten_status batten_curve_conic(int dimension, const double *a, const double *b
         points[dimension + k] = b[k];
         points[2 * dimension + k] = c[k];
     }
-    return batten_curve_create(dimension, 2, 3, points, weights, knots, out);
+    return batten_curve_create((batten_points){dimension, 3, points}, 2, weights, knots, out);
 }
 
 /* Twice the signed area of a triangle of the plane. */
@@ -448,7 +448,8 @@ batten_status batten_curve_conic_five(const double *points, batten_curve **out)
             continue;
         for (int i = 0; i <= pieces; i++)
             breaks[i] = (double)i / pieces;
-        return batten_curve_from_bezier(2, 2, pieces, control, weights, breaks, out);
+        return batten_curve_from_bezier(2, (batten_pieces){2, pieces, breaks}, control, weights,
+                                        out);
     }
     return bat_fail(BATTEN_SINGULAR_SYSTEM,
                     "the five points do not follow each other on one arc of a conic");

@@ -223,7 +223,8 @@ static batten_status turn(const batten_frame *frame, int degree, int count, doub
             bat_vec3_along(squared.origin, rz[i][0], squared.x), rz[i][1], squared.z);
         memcpy(points + 3 * i, (const double[3]){at.x, at.y, at.z}, 3 * sizeof *points);
     }
-    status = batten_curve_create(3, degree, count, points, weights, knots, &profile);
+    status = batten_curve_create((batten_points){3, count, points}, degree, weights, knots,
+                                 &profile);
     if (status == BATTEN_OK)
         status = batten_surface_revolved(profile, squared.origin, squared.z, 2 * BAT_PI, out);
     batten_curve_unref(profile);

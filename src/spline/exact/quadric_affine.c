@@ -45,7 +45,7 @@ static batten_status turn(int degree, const double *points, batten_surface **out
     const batten_vec3 origin = {0, 0, 0}, up = {0, 0, 1};
     batten_curve *profile = NULL;
     batten_status status =
-        batten_curve_from_bezier(3, degree, 1, points, NULL, breaks, &profile);
+        batten_curve_from_bezier(3, (batten_pieces){degree, 1, breaks}, points, NULL, &profile);
     if (status == BATTEN_OK)
         status = batten_surface_revolved(profile, origin, up, 2 * BAT_PI, out);
     batten_curve_unref(profile);
@@ -83,21 +83,20 @@ batten_status batten_surface_paraboloid(const batten_frame *frame, double a, dou
 }
 
 batten_status batten_surface_hyperboloid(const batten_frame *frame, double a, double b,
-                                         double c, double low, double high,
-                                         batten_surface **out)
+                                         double c, batten_interval height, batten_surface **out)
 {
     assert(frame && out);
     batten_surface *round = NULL;
     batten_status status = check_axes(a, b, c, "half axis along z");
-    if (status == BATTEN_OK && (!isfinite(low) || !isfinite(high)))
-        status = bat_fail(BATTEN_NOT_FINITE, "the heights are %g to %g", low, high);
-    if (status == BATTEN_OK && !(low < high))
+    if (status == BATTEN_OK && (!isfinite(height.a) || !isfinite(height.b)))
+        status = bat_fail(BATTEN_NOT_FINITE, "the heights are %g to %g", height.a, height.b);
+    if (status == BATTEN_OK && !(height.a < height.b))
         status = bat_fail(BATTEN_BAD_ARGUMENT, "the heights go from %g to %g: they must rise",
-                          low, high);
+                          height.a, height.b);
     if (status != BATTEN_OK)
         return status;
     /* (1, t, t) lies on x^2 + y^2 - z^2 = 1 for every t. */
-    const double line[6] = {1, low / c, low / c, 1, high / c, high / c};
+    const double line[6] = {1, height.a / c, height.a / c, 1, height.b / c, height.b / c};
     status = turn(1, line, &round);
     if (status == BATTEN_OK)
         status = place(round, frame, a, b, c, out);

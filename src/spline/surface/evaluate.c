@@ -221,16 +221,15 @@ batten_status bat_nurbs_evaluate(const batten_surface *surface, double u, double
 batten_status batten_surface_evaluate(const batten_surface *surface, double u, double v,
                                       int order, double *out)
 {
-    return batten_surface_evaluate_side(surface, u, v, BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT,
-                                        order, out);
+    return batten_surface_evaluate_side(
+        surface, u, v, (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT}, order, out);
 }
 
 batten_status batten_surface_evaluate_side(const batten_surface *surface, double u, double v,
-                                           batten_side side_u, batten_side side_v, int order,
-                                           double *out)
+                                           batten_sides sides, int order, double *out)
 {
     assert(surface && out && order >= 0);
-    return surface->kind->evaluate(surface, u, v, side_u, side_v, order, out);
+    return surface->kind->evaluate(surface, u, v, sides.u, sides.v, order, out);
 }
 
 /* ---- many points ---- */

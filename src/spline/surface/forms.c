@@ -60,17 +60,17 @@ static batten_status create_piecewise(int dimension, const piecewise *u, const p
     return status;
 }
 
-batten_status batten_surface_from_bezier(int dimension, int degree_u, int patches_u,
-                                         const double *breaks_u, int degree_v, int patches_v,
-                                         const double *breaks_v, const double *points,
+batten_status batten_surface_from_bezier(int dimension, batten_pieces pieces_u,
+                                         batten_pieces pieces_v, const double *points,
                                          const double *weights, batten_surface **out)
 {
-    assert(breaks_u && breaks_v && points && out);
-    const piecewise u = {degree_u, patches_u, breaks_u}, v = {degree_v, patches_v, breaks_v};
+    assert(pieces_u.breaks && pieces_v.breaks && points && out);
+    const piecewise u = {pieces_u.degree, pieces_u.count, pieces_u.breaks},
+                    v = {pieces_v.degree, pieces_v.count, pieces_v.breaks};
     const batten_status status = check_net(dimension, &u, &v);
-    return status == BATTEN_OK
-               ? create_piecewise(dimension, &u, &v, degree_u, degree_v, points, weights, out)
-               : status;
+    return status == BATTEN_OK ? create_piecewise(dimension, &u, &v, pieces_u.degree,
+                                                  pieces_v.degree, points, weights, out)
+                               : status;
 }
 
 /* ---- Hermite ---- */
@@ -89,25 +89,26 @@ static void sort_derivatives(int count_u, int count_v, size_t d, const double *v
                            d * sizeof *out);
 }
 
-batten_status batten_surface_from_hermite(int dimension, int count_u, const double *u,
-                                          int count_v, const double *v, const double *values,
+batten_status batten_surface_from_hermite(batten_uv parameters, batten_grid values,
                                           batten_surface **out)
 {
-    assert(u && v && values && out);
-    const piecewise way_u = {3, count_u - 1, u}, way_v = {3, count_v - 1, v};
-    batten_status status = check_net(dimension, &way_u, &way_v);
+    assert(parameters.u && parameters.v && values.at && out);
+    const piecewise way_u = {3, values.count_u - 1, parameters.u},
+                    way_v = {3, values.count_v - 1, parameters.v};
+    batten_status status = check_net(values.dimension, &way_u, &way_v);
     if (status != BATTEN_OK)
         return status;
-    const size_t d = (size_t)dimension, row = (size_t)count_v * 2 * d;
-    double *sorted = bat_array3((size_t)count_u * 2, row, sizeof *sorted);
-    double *lines = bat_array3((size_t)count_u * 2, row, sizeof *lines);
+    const size_t d = (size_t)values.dimension, row = (size_t)values.count_v * 2 * d;
+    double *sorted = bat_array3((size_t)values.count_u * 2, row, sizeof *sorted);
+    double *lines = bat_array3((size_t)values.count_u * 2, row, sizeof *lines);
     status = sorted && lines ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
-        sort_derivatives(count_u, count_v, d, values, sorted);
-        bat_hermite_points((int)row, count_u, 2, u, sorted, lines);
-        for (size_t i = 0; i < (size_t)count_u * 2; i++)
-            bat_hermite_points(dimension, count_v, 2, v, lines + i * row, sorted + i * row);
-        status = create_piecewise(dimension, &way_u, &way_v, 2, 2, sorted, NULL, out);
+        sort_derivatives(values.count_u, values.count_v, d, values.at, sorted);
+        bat_hermite_points((int)row, values.count_u, 2, parameters.u, sorted, lines);
+        for (size_t i = 0; i < (size_t)values.count_u * 2; i++)
+            bat_hermite_points(values.dimension, values.count_v, 2, parameters.v,
+                               lines + i * row, sorted + i * row);
+        status = create_piecewise(values.dimension, &way_u, &way_v, 2, 2, sorted, NULL, out);
     }
     bat_release(sorted);
     bat_release(lines);
@@ -165,28 +166,29 @@ static batten_status place_cells(const piecewise *u, const piecewise *v, int d,
     return BATTEN_OK;
 }
 
-batten_status batten_surface_from_power(int dimension, int degree_u, int patches_u,
-                                        const double *breaks_u, int degree_v, int patches_v,
-                                        const double *breaks_v, const double *coefficients,
+batten_status batten_surface_from_power(int dimension, batten_pieces pieces_u,
+                                        batten_pieces pieces_v, const double *coefficients,
                                         double tolerance, batten_surface **out)
 {
-    assert(breaks_u && breaks_v && coefficients && out);
-    const piecewise u = {degree_u, patches_u, breaks_u}, v = {degree_v, patches_v, breaks_v};
+    assert(pieces_u.breaks && pieces_v.breaks && coefficients && out);
+    const piecewise u = {pieces_u.degree, pieces_u.count, pieces_u.breaks},
+                    v = {pieces_v.degree, pieces_v.count, pieces_v.breaks};
     batten_status status = bat_tolerance_check(tolerance);
     if (status == BATTEN_OK)
         status = check_net(dimension, &u, &v);
     if (status != BATTEN_OK)
         return status;
-    const size_t d = (size_t)dimension, lines = (size_t)(patches_u * degree_u) + 1;
-    const size_t size = ((size_t)degree_u + 1) * ((size_t)degree_v + 1) * d;
+    const size_t d = (size_t)dimension, lines = (size_t)(pieces_u.count * pieces_u.degree) + 1;
+    const size_t size = ((size_t)pieces_u.degree + 1) * ((size_t)pieces_v.degree + 1) * d;
     double *points =
-        bat_array3(lines, ((size_t)(patches_v * degree_v) + 1) * d, sizeof *points);
+        bat_array3(lines, ((size_t)(pieces_v.count * pieces_v.degree) + 1) * d, sizeof *points);
     double *room = bat_array(2 * size, sizeof *room);
     status = points && room ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = place_cells(&u, &v, dimension, coefficients, tolerance, room, points);
     if (status == BATTEN_OK)
-        status = create_piecewise(dimension, &u, &v, degree_u, degree_v, points, NULL, out);
+        status = create_piecewise(dimension, &u, &v, pieces_u.degree, pieces_v.degree, points,
+                                  NULL, out);
     bat_release(points);
     bat_release(room);
     return status;

@@ -355,12 +355,12 @@ batten_status bat_nurbs_evaluate_grid(const batten_surface *surface, size_t coun
     return run_grid(&work, job, evaluate_rows);
 }
 
-batten_status batten_surface_evaluate_grid(const batten_surface *surface, size_t count_u,
-                                           const double *u, size_t count_v, const double *v,
+batten_status batten_surface_evaluate_grid(const batten_surface *surface, batten_uv_grid places,
                                            int order, const batten_job *job, double *out)
 {
     assert(surface && order >= 0);
-    return surface->kind->evaluate_grid(surface, count_u, u, count_v, v, order, job, out);
+    return surface->kind->evaluate_grid(surface, places.count_u, places.u, places.count_v,
+                                        places.v, order, job, out);
 }
 
 /* ---- normals ---- */
@@ -489,13 +489,13 @@ batten_status bat_nurbs_normal_grid(const batten_surface *surface, size_t count_
     return run_grid(&work, job, normal_rows);
 }
 
-batten_status batten_surface_normal_grid(const batten_surface *surface, size_t count_u,
-                                         const double *u, size_t count_v, const double *v,
+batten_status batten_surface_normal_grid(const batten_surface *surface, batten_uv_grid places,
                                          const batten_job *job, double *points, double *normals)
 {
     assert(surface);
     if (surface->dimension < 2)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a surface of dimension %d has no normal",
                         surface->dimension);
-    return surface->kind->normal_grid(surface, count_u, u, count_v, v, job, points, normals);
+    return surface->kind->normal_grid(surface, places.count_u, places.u, places.count_v,
+                                      places.v, job, points, normals);
 }

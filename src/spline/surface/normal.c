@@ -205,7 +205,7 @@ batten_status bat_surface_limit_normal(const batten_surface *surface, double u, 
 }
 
 batten_status batten_surface_normal(const batten_surface *surface, double u, double v,
-                                    batten_vec3 *normal, bool *is_limit)
+                                    bool *is_limit, batten_vec3 *normal)
 {
     assert(surface && normal);
     const int d = surface->dimension;

@@ -50,22 +50,21 @@ static batten_status simplify(const batten_surface *surface, batten_direction di
     return made;
 }
 
-batten_status batten_surface_remove_knot(const batten_surface *surface,
-                                         batten_direction direction, double at, int times,
+batten_status batten_surface_remove_knot(const batten_surface *surface, batten_knot_line knot,
                                          double tolerance, int *removed, double *error,
                                          batten_surface **out)
 {
     assert(surface && out);
-    const bat_axis *axis = &bat_surface_nurbs(surface)->axes[direction];
+    const bat_axis *axis = &bat_surface_nurbs(surface)->axes[knot.direction];
     const double a = axis->breaks[0], b = axis->breaks[axis->span_count];
-    if (times < 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "a knot cannot be removed %d times", times);
-    if (!(at > a && at < b) ||
-        bat_knots_multiplicity(axis->degree, axis->count, axis->knots, at) == 0)
-        return bat_fail(isfinite(at) ? BATTEN_NOT_FOUND : BATTEN_NOT_FINITE,
-                        "%.17g is no knot inside the domain [%.17g, %.17g]", at, a, b);
-    request asked = {.at = at, .times = times, .tolerance = tolerance};
-    const batten_status status = simplify(surface, direction, remove_one, &asked, out);
+    if (knot.times < 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a knot cannot be removed %d times", knot.times);
+    if (!(knot.at > a && knot.at < b) ||
+        bat_knots_multiplicity(axis->degree, axis->count, axis->knots, knot.at) == 0)
+        return bat_fail(isfinite(knot.at) ? BATTEN_NOT_FOUND : BATTEN_NOT_FINITE,
+                        "%.17g is no knot inside the domain [%.17g, %.17g]", knot.at, a, b);
+    request asked = {.at = knot.at, .times = knot.times, .tolerance = tolerance};
+    const batten_status status = simplify(surface, knot.direction, remove_one, &asked, out);
     if (status == BATTEN_OK && removed)
         *removed = asked.removed;
     if (status == BATTEN_OK && error)

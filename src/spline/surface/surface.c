@@ -416,7 +416,7 @@ batten_box batten_surface_box(const batten_surface *surface)
 }
 
 batten_status batten_surface_to_nurbs(const batten_surface *surface, double tolerance,
-                                      batten_surface **out, double *error)
+                                      double *error, batten_surface **out)
 {
     assert(surface && out);
     return surface->kind->to_nurbs(surface, tolerance, out, error);
@@ -494,4 +494,12 @@ bool batten_surface_is_rational(const batten_surface *surface)
 bool batten_surface_is_periodic(const batten_surface *surface, batten_direction direction)
 {
     return surface->kind->is_periodic(surface, direction);
+}
+
+void batten_surfaces_release(batten_surfaces *surfaces)
+{
+    for (int i = 0; i < surfaces->count; i++)
+        batten_surface_unref(surfaces->at[i]);
+    bat_release(surfaces->at);
+    *surfaces = (batten_surfaces){0, NULL};
 }

@@ -157,18 +157,19 @@ static batten_status evaluate_chunk(void *context, size_t begin, size_t end)
     return status;
 }
 
-batten_status batten_triangles_evaluate_many(const batten_triangles *triangles, size_t count,
-                                             const int *triangle, const double *at, int order,
+batten_status batten_triangles_evaluate_many(const batten_triangles *triangles,
+                                             batten_triangle_places places, int order,
                                              const batten_job *job, double *out)
 {
-    assert(triangles && order >= 0 && ((triangle && at && out) || !count));
-    for (size_t i = 0; i < count; i++) {
-        const batten_status status = check_place(triangles, triangle[i], at + 3 * i);
+    assert(triangles && order >= 0 && ((places.triangle && places.at && out) || !places.count));
+    for (size_t i = 0; i < places.count; i++) {
+        const batten_status status =
+            check_place(triangles, places.triangle[i], places.at + 3 * i);
         if (status != BATTEN_OK)
             return status;
     }
-    batch all = {triangles, triangle, at, order, out};
-    return bat_parallel(job, count, 256, evaluate_chunk, &all);
+    batch all = {triangles, places.triangle, places.at, order, out};
+    return bat_parallel(job, places.count, 256, evaluate_chunk, &all);
 }
 
 /* ---- normals ---- */
@@ -187,14 +188,14 @@ static batten_status limit_normal(const batten_triangles *triangles, int triangl
     batten_status status = batten_triangles_to_patches(triangles, triangle, patches);
     if (status != BATTEN_OK)
         return status;
-    status = batten_surface_normal(patches[i], bat_min(u, 1), bat_min(v, 1), normal, is_limit);
+    status = batten_surface_normal(patches[i], bat_min(u, 1), bat_min(v, 1), is_limit, normal);
     for (int k = 0; k < 3; k++)
         batten_surface_unref(patches[k]);
     return status;
 }
 
 batten_status batten_triangles_normal(const batten_triangles *triangles, int triangle,
-                                      const double at[3], batten_vec3 *normal, bool *is_limit)
+                                      const double at[3], bool *is_limit, batten_vec3 *normal)
 {
     assert(triangles && at && normal);
     const int d = triangles->dimension;

@@ -248,27 +248,27 @@ static void fill_seam(const batten_triangles *triangles, const seam *joint,
     }
 }
 
-batten_status batten_triangles_join_tangents(const batten_triangles *triangles, int kept,
-                                             int edge_kept, int changed, int edge_changed,
-                                             double tolerance, double *moved,
-                                             batten_triangles **out)
+batten_status batten_triangles_join_tangents(const batten_triangles *triangles,
+                                             batten_triangle_edge kept,
+                                             batten_triangle_edge changed, double tolerance,
+                                             double *moved, batten_triangles **out)
 {
-    assert(triangles && out && kept >= 0 && kept < triangles->count && changed >= 0 &&
-           changed < triangles->count && edge_kept >= 0 && edge_kept < 3 && edge_changed >= 0 &&
-           edge_changed < 3);
+    assert(triangles && out && kept.triangle >= 0 && kept.triangle < triangles->count &&
+           changed.triangle >= 0 && changed.triangle < triangles->count && kept.edge >= 0 &&
+           kept.edge < 3 && changed.edge >= 0 && changed.edge < 3);
     if (triangles->weights || triangles->dimension < 3)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "tangent planes are made equal for polynomial triangles in space");
-    seam joint = {kept, edge_kept, changed, edge_changed, false};
+    seam joint = {kept.triangle, kept.edge, changed.triangle, changed.edge, false};
     double gap = edge_gap(triangles, &joint);
     if (!(gap <= tolerance)) {
         joint.same_way = true;
         gap = bat_min(gap, edge_gap(triangles, &joint));
     }
-    if (kept == changed || !(gap <= tolerance))
+    if (kept.triangle == changed.triangle || !(gap <= tolerance))
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "edge %d of triangle %d and edge %d of triangle %d are %g apart",
-                        edge_kept, kept, edge_changed, changed, gap);
+                        kept.edge, kept.triangle, changed.edge, changed.triangle, gap);
     double start[2], end[2], longest = 0;
     batten_triangles *elevated = NULL, *made = NULL;
     batten_status status = solve_end(triangles, &joint, 0, start);

@@ -115,11 +115,11 @@ static batten_status evaluate(place_finder *finder, size_t count, const double *
     return status;
 }
 
-batten_status batten_triangles_over(const batten_triangles *triangles, size_t count,
-                                    const double *xy, int order, batten_outside outside,
-                                    const batten_job *job, double *out, size_t *outside_count)
+batten_status batten_triangles_over(const batten_triangles *triangles, batten_batch xy,
+                                    int order, batten_outside_points outside,
+                                    const batten_job *job, double *out)
 {
-    assert(triangles && xy && out && (order == 0 || order == 1));
+    assert(triangles && xy.at && out && (order == 0 || order == 1));
     if (!triangles->vertex_count)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the triangles lie over no domain");
     int *beside = NULL;
@@ -128,7 +128,7 @@ batten_status batten_triangles_over(const batten_triangles *triangles, size_t co
     if (status != BATTEN_OK)
         return status;
     int *rim = bat_array3((size_t)triangles->count, 3, sizeof *rim);
-    place_finder finder = {.triangles = triangles, .outside = outside};
+    place_finder finder = {.triangles = triangles, .outside = outside.rule};
     if (rim) {
         const bat_walk walk = {triangles->count,
                                triangles->vertices,
@@ -138,13 +138,13 @@ batten_status batten_triangles_over(const batten_triangles *triangles, size_t co
                                rim,
                                list_rim(triangles->count, beside, rim)};
         finder.walk = walk;
-        status = evaluate(&finder, count, xy, order, job, out);
+        status = evaluate(&finder, xy.count, xy.at, order, job, out);
     } else {
         status = BATTEN_OUT_OF_MEMORY;
     }
     bat_release(rim);
     bat_release(beside);
-    if (status == BATTEN_OK && outside_count)
-        *outside_count = finder.outside_count;
+    if (status == BATTEN_OK && outside.count)
+        *outside.count = finder.outside_count;
     return status;
 }

@@ -93,29 +93,32 @@ static batten_status check_sizes(int dimension, int degree, int count,
     return BATTEN_OK;
 }
 
-batten_status batten_triangles_create(int dimension, int degree, int count,
-                                      const double *points, const double *weights,
-                                      const batten_triangulation *domain,
+batten_status batten_triangles_create(const batten_triangles_parts *parts,
                                       batten_triangles **out)
 {
-    assert(points && out && (!domain || (domain->vertices && domain->corners)));
-    batten_status status = check_sizes(dimension, degree, count, domain);
+    assert(parts->points && out &&
+           (!parts->domain || (parts->domain->vertices && parts->domain->corners)));
+    batten_status status =
+        check_sizes(parts->dimension, parts->degree, parts->count, parts->domain);
     if (status != BATTEN_OK)
         return status;
-    const bat_triangles_shape shape = {dimension, degree, count, weights != NULL,
-                                       domain ? domain->vertex_count : 0};
+    const bat_triangles_shape shape = {parts->dimension, parts->degree, parts->count,
+                                       parts->weights != NULL,
+                                       parts->domain ? parts->domain->vertex_count : 0};
     batten_triangles *made = NULL;
     status = bat_triangles_make(&shape, &made);
     if (status != BATTEN_OK)
         return status;
-    const size_t total = (size_t)count * made->net_count;
-    memcpy(made->points, points, total * (size_t)dimension * sizeof *points);
-    if (weights)
-        memcpy(made->weights, weights, total * sizeof *weights);
-    if (domain) {
-        memcpy(made->vertices, domain->vertices,
-               2 * (size_t)domain->vertex_count * sizeof *made->vertices);
-        memcpy(made->corners, domain->corners, 3 * (size_t)count * sizeof *made->corners);
+    const size_t total = (size_t)parts->count * made->net_count;
+    memcpy(made->points, parts->points,
+           total * (size_t)parts->dimension * sizeof *parts->points);
+    if (parts->weights)
+        memcpy(made->weights, parts->weights, total * sizeof *parts->weights);
+    if (parts->domain) {
+        memcpy(made->vertices, parts->domain->vertices,
+               2 * (size_t)parts->domain->vertex_count * sizeof *made->vertices);
+        memcpy(made->corners, parts->domain->corners,
+               3 * (size_t)parts->count * sizeof *made->corners);
     }
     return bat_triangles_finish(made, out);
 }

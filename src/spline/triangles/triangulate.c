@@ -3,6 +3,7 @@
 #include "base/plural.h"
 #include "numeric/plane_signs.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 #include "spline/triangles/delaunay.h"
 
 #include <stdint.h>
@@ -335,35 +336,37 @@ static batten_status take_vertices(const double *points, batten_plane_triangles 
     return BATTEN_OK;
 }
 
-batten_status batten_triangulate(int count, const double *points,
+batten_status batten_triangulate(batten_points points,
                                  const batten_triangulate_options *options,
                                  batten_plane_triangles *out)
 {
-    assert(points && out);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    assert(points.at && out);
     batten_triangulate_options chosen = batten_triangulate_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_triangulate_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    status = check(count, points, &chosen);
+    status = check(points.count, points.at, &chosen);
     if (status != BATTEN_OK)
         return status;
-    const size_t n = (size_t)count;
+    const size_t n = (size_t)points.count;
     batten_plane_triangles made = {0};
     double *scaled = bat_array(n, 2 * sizeof *scaled);
     made.first = bat_array(n, sizeof *made.first);
     made.vertex_of = bat_array(n, sizeof *made.vertex_of);
     status = scaled && made.first && made.vertex_of ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
-        const int exponent = scale_points(count, points, scaled);
+        const int exponent = scale_points(points.count, points.at, scaled);
         const double tolerance = ldexp(chosen.tolerance, exponent);
-        status = merge_points(count, tolerance < 0x1p-50 ? 0 : tolerance, scaled, &made);
+        status = merge_points(points.count, tolerance < 0x1p-50 ? 0 : tolerance, scaled, &made);
     }
     if (status == BATTEN_OK)
         status = find_triangles(scaled, &made);
     if (status == BATTEN_OK)
         status = drop_slivers(scaled, chosen.sliver, &made);
     if (status == BATTEN_OK)
-        status = take_vertices(points, &made);
+        status = take_vertices(points.at, &made);
     bat_release(scaled);
     if (status == BATTEN_OK)
         *out = made;

@@ -9,7 +9,7 @@ static batten_curve *open_cubic(void)
     static const double points[] = {0, 0, 0, 1, 2, 0, 3, 2, 1, 4, 0, 2, 6, 1, 0};
     static const double knots[] = {0, 0, 0, 0, 0.4, 1, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 3, 5, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 5, points}, 3, NULL, knots, &curve));
     return curve;
 }
 
@@ -149,7 +149,8 @@ TEST(a_periodic_curve_is_cut_anywhere)
     static const double knots[] = {0, 1, 2, 3, 4};
     batten_curve *curve = NULL, *part = NULL;
     double p[3], q[3], miss;
-    CHECK_OK(batten_curve_create_periodic(3, 3, 4, points, NULL, knots, &curve));
+    CHECK_OK(
+        batten_curve_create_periodic((batten_points){3, 4, points}, 3, NULL, knots, &curve));
     at(curve, 0.8, p);
     at(curve, 0.3, q);
     CHECK_OK(bat_curve_part(curve, p, q, true, 1e-9, &part, &miss));

@@ -75,7 +75,7 @@ static void check_surface(const bat_elementary *e, const batten_surface *surface
             double p[3];
             batten_vec3 normal, due = {0, 0, 0};
             CHECK_OK(batten_surface_evaluate(surface, at[0], at[1], 0, p));
-            CHECK_OK(batten_surface_normal(surface, at[0], at[1], &normal, NULL));
+            CHECK_OK(batten_surface_normal(surface, at[0], at[1], NULL, &normal));
             const batten_vec3 way = bat_vec3_subtract(bat_vec3_of(3, p), tilted().origin);
             CHECK_NEAR(off(e, seen(way), &due), 0, 1e-13 * size);
             CHECK_NEAR(bat_vec3_dot(seen(normal), due), 1, 1e-10);
@@ -90,8 +90,8 @@ static batten_surface *reach(const bat_elementary *e, int count, const double *p
     CHECK_BITS(error, 0);
     batten_deviation deviation;
     if (count > 0) {
-        CHECK_OK(
-            batten_surface_deviation(surface, count, points, NULL, NULL, NULL, &deviation));
+        CHECK_OK(batten_surface_deviation(surface, (batten_points){3, count, points}, NULL,
+                                          NULL, NULL, &deviation));
         CHECK_NEAR(deviation.max, 0, 1e-12);
     }
     return surface;
@@ -106,7 +106,7 @@ TEST(a_plane_reaches_over_its_points)
     put(0, -4, 0, points + 6);
     batten_surface *surface = reach(&e, 3, points);
     check_surface(&e, surface, 10);
-    CHECK_OK(batten_surface_area(surface, 1e-12, NULL, &area, &error));
+    CHECK_OK(batten_surface_area(surface, 1e-12, NULL, &error, &area));
     CHECK_NEAR(area, 11 * 7, 1e-9); /* 5 % of 10 more on each side */
     /* Its parameters are the coordinates of the frame. */
     double at[3], due[3];
@@ -127,7 +127,7 @@ TEST(a_cylinder_goes_all_around_with_its_normals_away_from_the_axis)
     batten_surface *surface = reach(&e, 2, points);
     check_surface(&e, surface, 10);
     CHECK(batten_surface_is_closed(surface, BATTEN_U, 1e-14));
-    CHECK_OK(batten_surface_area(surface, 1e-12, NULL, &area, &error));
+    CHECK_OK(batten_surface_area(surface, 1e-12, NULL, &error, &area));
     CHECK_NEAR(area, 2 * BAT_PI * 2 * 11, 1e-8);
     batten_surface_unref(surface);
 }
@@ -270,12 +270,12 @@ TEST(spheres_and_tori_are_whole)
     double area, error;
     batten_surface *surface = reach(&ball, 0, NULL);
     check_surface(&ball, surface, 6);
-    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &area, &error));
+    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &error, &area));
     CHECK_NEAR(area, 4 * BAT_PI * 9, 1e-7);
     batten_surface_unref(surface);
     surface = reach(&ring, 0, NULL);
     check_surface(&ring, surface, 14);
-    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &area, &error));
+    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &error, &area));
     CHECK_NEAR(area, 4 * BAT_PI * BAT_PI * 10, 1e-6);
     batten_surface_unref(surface);
 }
@@ -290,7 +290,7 @@ TEST(G5_a_tube_over_the_axis_is_cut_there)
     put(0, a, b, points + 3);
     batten_surface *surface = reach(&e, 2, points);
     check_surface(&e, surface, 6);
-    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &area, &error));
+    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &error, &area));
     CHECK_NEAR(area, 2 * BAT_PI * b * 2 * (a * turn + b * sin(turn)), 1e-7);
     CHECK_BITS(rim_radius(surface, false), 0);
     CHECK_BITS(rim_radius(surface, true), 0);
@@ -300,7 +300,7 @@ TEST(G5_a_tube_over_the_axis_is_cut_there)
     put(0, -(b * cos(0.5) - a), b * sin(0.5), points + 3);
     surface = reach(&e, 2, points);
     check_surface(&e, surface, 6);
-    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &area, &error));
+    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &error, &area));
     CHECK_NEAR(area, 2 * BAT_PI * b * 2 * (b * sin(inner) - a * inner), 1e-7);
     batten_surface_unref(surface);
     const bat_elementary horn = {.kind = BAT_TORUS, .frame = tilted(), .a = 2, .b = 2};
@@ -366,7 +366,7 @@ TEST(a_profile_over_the_axis_is_cut_there)
         double points[3], area, error;
         put(0, 3 * cos(0.4), 3 * sin(0.4), points);
         batten_surface *surface = reach(&e, 1, points);
-        CHECK_OK(batten_surface_area(surface, 1e-9, NULL, &area, &error));
+        CHECK_OK(batten_surface_area(surface, 1e-9, NULL, &error, &area));
         CHECK_NEAR(area, 4 * BAT_PI * 9, 1e-7);
         CHECK_BITS(rim_radius(surface, false), 0);
         CHECK_BITS(rim_radius(surface, true), 0);
@@ -388,7 +388,7 @@ TEST(the_points_say_which_side_of_the_axis_a_profile_is)
         double points[3], area, error;
         put(0, lemon ? 1 : 3, 0, points);
         batten_surface *surface = reach(&e, 1, points);
-        CHECK_OK(batten_surface_area(surface, 1e-9, NULL, &area, &error));
+        CHECK_OK(batten_surface_area(surface, 1e-9, NULL, &error, &area));
         CHECK_NEAR(area, 8 * BAT_PI * ((lemon ? -1 : 1) * turn + 2 * sin(turn)), 1e-6);
         batten_surface_unref(surface);
         batten_curve_unref(curve);
@@ -437,7 +437,8 @@ TEST(an_offset_is_made_of_what_is_below_its_points)
     CHECK_OK(bat_elementary_surface(&e, 4, points, 1e-6, &offset, &error));
     CHECK(error > 0 && error <= 1e-6);
     batten_deviation deviation;
-    CHECK_OK(batten_surface_deviation(offset, 4, points, NULL, NULL, NULL, &deviation));
+    CHECK_OK(batten_surface_deviation(offset, (batten_points){3, 4, points}, NULL, NULL, NULL,
+                                      &deviation));
     CHECK(deviation.max <= 2e-6);
     batten_surface_unref(offset);
     batten_surface_unref(surface);

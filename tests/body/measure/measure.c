@@ -341,7 +341,7 @@ static batten_curve *deck_line(double sign)
     static const double knots[6] = {0, 0, 0, 1, 1, 1};
     const double points[6] = {0, 0.5, 0.5, 0.5 + sign, 1, 0.5};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(2, 2, 3, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, points}, 2, NULL, knots, &curve));
     return curve;
 }
 
@@ -417,7 +417,8 @@ static batten_curve *wavy(test_random *random)
     for (int i = 0; i <= 10; i++)
         knots[i] = i;
     batten_curve *periodic = NULL, *curve = NULL;
-    CHECK_OK(batten_curve_create_periodic(2, 3, 10, points, NULL, knots, &periodic));
+    CHECK_OK(batten_curve_create_periodic((batten_points){2, 10, points}, 3, NULL, knots,
+                                          &periodic));
     CHECK_OK(batten_curve_clamp(periodic, &curve));
     batten_curve_unref(periodic);
     return curve;
@@ -463,7 +464,7 @@ TEST(what_a_loop_holds_and_what_is_left_are_the_whole)
         batten_surface *surface = hilly(&random);
         batten_curve *loop = wavy(&random);
         double area = 0, error;
-        CHECK_OK(batten_surface_area(surface, 1e-11, NULL, &area, &error));
+        CHECK_OK(batten_surface_area(surface, 1e-11, NULL, &error, &area));
         const double inside = area_in(surface, loop, false),
                      outside = area_in(surface, loop, true);
         CHECK(inside > 3 && inside < area);

@@ -68,7 +68,8 @@ static void quarter(int way, batten_body_trace_report *report)
     for (int i = 0; i < 4; i++) {
         batten_curve *given = NULL;
         if (i % 2 == 0)
-            CHECK_OK(batten_curve_create(2, 1, 2, points[way] + 2 * i, NULL, knots, &given));
+            CHECK_OK(batten_curve_create((batten_points){2, 2, points[way] + 2 * i}, 1, NULL,
+                                         knots, &given));
         CHECK_OK(bat_builder_use(&m.builder, i, i >= 2, given));
         batten_curve_unref(given);
     }

@@ -41,7 +41,7 @@ TEST(lines_along_the_parameters_are_lifted_exactly)
         const double knots[] = {3, 3, 7, 7};
         batten_curve *line = NULL, *curve = NULL;
         double error = -1;
-        CHECK_OK(batten_curve_create(2, 1, 2, p, NULL, knots, &line));
+        CHECK_OK(batten_curve_create((batten_points){2, 2, p}, 1, NULL, knots, &line));
         CHECK_OK(bat_lift(surface, line, 1e-9, &curve, &error));
         CHECK_BITS(error, 0);
         CHECK(miss_of(surface, line, curve, 50) < 1e-14);
@@ -65,7 +65,7 @@ TEST(any_curve_on_a_surface_is_lifted_within_the_tolerance)
         p[2 * i + 1] = v.a + share[2 * i + 1] * (v.b - v.a);
     }
     batten_curve *zigzag = NULL;
-    CHECK_OK(batten_curve_polyline(2, 3, p, &zigzag));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 3, p}, &zigzag));
     const double tolerances[] = {1e-2, 1e-4, 1e-7};
     for (int i = 0; i < COUNT(tolerances); i++) {
         batten_curve *curve = NULL;

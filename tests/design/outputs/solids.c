@@ -97,7 +97,7 @@ TEST(edges_are_told_by_their_faces)
         for (int k = 0; k < rows[i].count; k++) {
             double length, error;
             CHECK_OK(batten_curve_length(batten_model_object(result(design), k)->curve, 1e-9,
-                                         &length, &error));
+                                         &error, &length));
             sum += length;
         }
         CHECK_NEAR(sum, rows[i].length, 1e-6);

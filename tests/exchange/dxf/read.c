@@ -572,7 +572,7 @@ TEST(what_is_written_as_dxf_reads_back)
     batten_model *model = NULL, *back = NULL;
     char *first = NULL;
     size_t size = 0;
-    CHECK_OK(batten_curve_create(3, 2, 4, points, NULL, knots, &spline));
+    CHECK_OK(batten_curve_create((batten_points){3, 4, points}, 2, NULL, knots, &spline));
     CHECK_OK(batten_curve_arc_in(&frame, 3, 0.5, 4, &arc));
     CHECK_OK(batten_model_create(1, &model));
     CHECK_OK(batten_model_add(

@@ -120,8 +120,8 @@ TEST(dxf_keeps_polylines_in_space)
 {
     const double points[] = {0, 0, 0, 1, 0, 1, 1, 1, 2.5, 0, 0, 0};
     batten_curve *open = NULL, *closed = NULL;
-    CHECK_OK(batten_curve_polyline(3, 3, points, &open));
-    CHECK_OK(batten_curve_polyline(3, 4, points, &closed));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 3, points}, &open));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 4, points}, &closed));
     check_written_as("POLYLINE", open, 0);
     check_written_as("POLYLINE", closed, 0);
 }

@@ -84,7 +84,8 @@ TEST(other_curves_are_splines_to_the_bit)
     /* A hyperbola: DXF has no entity for it. */
     const double points[6] = {0, 0, 1, 3, 2, 0.1}, weights_of[3] = {1, 2, 1};
     const double knots_of[6] = {0, 0, 0, 1, 1, 1};
-    CHECK_OK(batten_curve_create(2, 2, 3, points, weights_of, knots_of, &curve));
+    CHECK_OK(
+        batten_curve_create((batten_points){2, 3, points}, 2, weights_of, knots_of, &curve));
     const batten_object object = {
         .name = "hyperbola", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
     CHECK_OK(batten_model_add(model, &object));

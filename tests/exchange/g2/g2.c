@@ -69,7 +69,7 @@ static void check_surface(const char *text, double (*f)(const double *p, double 
             double p[3], gradient[3];
             batten_vec3 n;
             CHECK_OK(batten_surface_evaluate(surface, at[0], at[1], 0, p));
-            CHECK_OK(batten_surface_normal(surface, at[0], at[1], &n, NULL));
+            CHECK_OK(batten_surface_normal(surface, at[0], at[1], NULL, &n));
             CHECK_NEAR(f(p, gradient), 0, 1e-12);
             const double length = hypot(hypot(gradient[0], gradient[1]), gradient[2]);
             CHECK_NEAR((n.x * gradient[0] + n.y * gradient[1] + n.z * gradient[2]) / length, 1,
@@ -136,7 +136,7 @@ TEST(swapped_parameters_turn_the_normal)
 {
     batten_model *model = read_good("250 1 0 0\n3\n0 0 7\n0 0 1\n1 0 0\n1\n1 3\n-1 5\n1\n");
     batten_vec3 n;
-    CHECK_OK(batten_surface_normal(batten_model_object(model, 0)->surface, 0.5, 0.5, &n, NULL));
+    CHECK_OK(batten_surface_normal(batten_model_object(model, 0)->surface, 0.5, 0.5, NULL, &n));
     CHECK_NEAR(n.z, -1, 1e-15);
     batten_model_unref(model);
 }
@@ -308,7 +308,7 @@ TEST(points_and_knots_come_back_bit_for_bit)
     batten_model *model = NULL, *back = NULL;
     char *data = NULL;
     size_t size = 0;
-    CHECK_OK(batten_curve_create(3, 2, 6, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 6, points}, 2, NULL, knots, &curve));
     CHECK_OK(batten_model_create(1, &model));
     CHECK_OK(batten_model_add(
         model, &(batten_object){.name = "c", .kind = BATTEN_OBJECT_CURVE, .curve = curve}));
@@ -341,7 +341,7 @@ TEST(rational_points_come_back_to_the_last_place)
         batten_model *model = NULL, *back = NULL;
         char *data = NULL;
         size_t size = 0;
-        CHECK_OK(batten_curve_create(3, 1, 2, points, weights, knots, &curve));
+        CHECK_OK(batten_curve_create((batten_points){3, 2, points}, 1, weights, knots, &curve));
         CHECK_OK(batten_model_create(1, &model));
         CHECK_OK(batten_model_add(
             model, &(batten_object){.name = "c", .kind = BATTEN_OBJECT_CURVE, .curve = curve}));

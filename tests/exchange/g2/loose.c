@@ -21,8 +21,8 @@ static batten_body *square_with_bulge(double height)
             p[0], p[1], 0, (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, i == 2 ? 2 * height : 0,
             q[0], q[1], 0};
         batten_curve *curve = NULL;
-        CHECK_OK(
-            batten_curve_create(3, 2, 3, points, NULL, (double[]){0, 0, 0, 1, 1, 1}, &curve));
+        CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, NULL,
+                                     (double[]){0, 0, 0, 1, 1, 1}, &curve));
         CHECK_OK(bat_builder_edge(&b, curve, i, (i + 1) % 4, &index));
         batten_curve_unref(curve);
     }

@@ -142,7 +142,7 @@ static batten_model *shallow(double rise)
                              .angle = 0.3 - half,
                              .curvature = {1 / radius}};
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_create(2, 1, &arc, NULL, false, 0, &chain));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &arc, NULL, false}, 0, &chain));
     return model_of("shallow", chain);
 }
 

@@ -63,7 +63,7 @@ TEST(numbers_left_out_at_the_end_are_0_with_a_remark)
     /* The upper half of a circle, that ends on the x axis. */
     model = read_short(100, "100,,,,2.,0.,-2.;", "7 parameters; those up to 8");
     double length = 0;
-    CHECK_OK(batten_curve_length(batten_model_object(model, 0)->curve, 1e-9, &length, NULL));
+    CHECK_OK(batten_curve_length(batten_model_object(model, 0)->curve, 1e-9, NULL, &length));
     CHECK_NEAR(length, 2 * BAT_PI, 1e-8);
     batten_model_unref(model);
 

@@ -67,7 +67,8 @@ TEST(an_arc_that_is_beside_its_chord_by_rounding_has_no_bulge)
                                  .start = {1000, 0},
                                  .curvature = {-curvatures[k]}};
         batten_chain *chain = NULL;
-        CHECK_OK(batten_chain_create(2, 1, &arc, NULL, false, 0, &chain));
+        CHECK_OK(
+            batten_chain_create(&(batten_chain_parts){2, 1, &arc, NULL, false}, 0, &chain));
         batten_model *model = model_of("flat", chain);
         bat_path path = path_of(model);
         CHECK((path.vertices[0].bulge != 0) == (k == 2));
@@ -80,7 +81,7 @@ TEST(a_polyline_in_a_level_plane_is_a_path_and_other_curves_are_none)
 {
     const double points[4][3] = {{0, 0, 2}, {4, 0, 2}, {4, 3, 2}, {0, 0, 2}};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_polyline(3, 4, &points[0][0], &curve));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 4, &points[0][0]}, &curve));
     batten_object object = {.name = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
     bool is_path = false;
     bat_path path = {0};

@@ -21,7 +21,8 @@ static inline batten_chain *stadium(void)
          .curvature = {0.1}},
     };
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_create(2, 4, spans, NULL, true, 1e-12, &chain));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, NULL, true}, 1e-12, &chain));
     return chain;
 }
 
@@ -34,7 +35,8 @@ static inline batten_chain *hook(void)
         {.kind = BATTEN_SPAN_ARC, .length = 4, .start = {5, -5}, .angle = -pi},
     };
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_create(2, 2, spans, NULL, false, 1e-12, &chain));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 2, spans, NULL, false}, 1e-12, &chain));
     return chain;
 }
 
@@ -69,7 +71,7 @@ static inline batten_curve *filleted(double z, int raise)
     const double points[5][3] = {{0, 0, z}, {80, 0, z}, {80, 50, z}, {0, 50, z}, {0, 0, z}};
     const double radius = 10;
     batten_curve *polyline = NULL, *round = NULL, *raised = NULL;
-    CHECK_OK(batten_curve_polyline(3, 5, points[0], &polyline));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 5, points[0]}, &polyline));
     CHECK_OK(batten_curve_fillet(polyline, 1, &radius, 1e-9, NULL, &round));
     CHECK_OK(batten_curve_elevate(round, raise, &raised));
     batten_curve_unref(polyline);

@@ -393,7 +393,7 @@ TEST(what_is_written_as_svg_reads_back_at_its_size)
     char *data = NULL;
     size_t size = 0;
     CHECK_OK(batten_curve_arc_in(&world, 0.02, 0, 3, &arc));
-    CHECK_OK(batten_curve_polyline(2, 3, polygon, &line));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 3, polygon}, &line));
     CHECK_OK(batten_model_create(1, &model));
     CHECK_OK(batten_model_add(
         model, &(batten_object){.name = "arc", .kind = BATTEN_OBJECT_CURVE, .curve = arc}));

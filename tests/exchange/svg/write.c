@@ -133,7 +133,8 @@ TEST(svg_says_once_that_all_curves_stand_upright)
             const double points[] = {x, 0, 0, x, 2, 1, far, 3, 4};
             const double knots[] = {0, 0, 0, 1, 1, 1};
             batten_curve *curve = NULL;
-            CHECK_OK(batten_curve_create(3, 2, 3, points, NULL, knots, &curve));
+            CHECK_OK(
+                batten_curve_create((batten_points){3, 3, points}, 2, NULL, knots, &curve));
             CHECK_OK(batten_model_add(model, &(batten_object){.name = "station",
                                                               .kind = BATTEN_OBJECT_CURVE,
                                                               .curve = curve}));
@@ -210,7 +211,8 @@ TEST(svg_says_how_far_cubics_are_from_what_they_are_not)
                             knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
         batten_curve *curve = is_cubic ? NULL : raised_ellipse(1);
         if (is_cubic)
-            CHECK_OK(batten_curve_create(2, 3, 4, points, NULL, knots, &curve));
+            CHECK_OK(
+                batten_curve_create((batten_points){2, 4, points}, 3, NULL, knots, &curve));
         batten_model *model = model_of_curve(curve, "bow");
         batten_notes *notes = NULL;
         batten_write_options options = batten_write_defaults();

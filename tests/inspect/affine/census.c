@@ -529,24 +529,24 @@ TEST(spans_of_a_curve_have_its_parameters)
     const double points[14] = {0, 0, 1, 2, 3, -2, 4, 1, 5, 3, 7, -2, 8, 0};
     const double knots[12] = {2, 2, 2, 2, 2, 3, 6, 7, 7, 7, 7, 7};
     batten_curve *curve = NULL;
-    batten_census *spans = NULL;
+    batten_censuses spans = {0, NULL};
     batten_parameters at_turns = {0, NULL};
-    int count = 0, seen = 0;
-    CHECK_OK(batten_curve_create(2, 4, 7, points, NULL, knots, &curve));
-    CHECK_OK(batten_curve_census(curve, 1e-9, &count, &spans));
+    int seen = 0;
+    CHECK_OK(batten_curve_create((batten_points){2, 7, points}, 4, NULL, knots, &curve));
+    CHECK_OK(batten_curve_census(curve, 1e-9, &spans));
     CHECK_OK(batten_curve_inflections(curve, &at_turns));
-    CHECK_INT(count, 3);
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < spans[i].count; k++) {
-            const batten_special *s = &spans[i].specials[k];
+    CHECK_INT(spans.count, 3);
+    for (int i = 0; i < spans.count; i++)
+        for (int k = 0; k < spans.at[i].count; k++) {
+            const batten_special *s = &spans.at[i].specials[k];
             if (s->kind != BATTEN_SPECIAL_INFLECTION || !s->inside)
                 continue;
-            CHECK(s->t > spans[i].from && s->t < spans[i].to && seen < at_turns.count);
+            CHECK(s->t > spans.at[i].from && s->t < spans.at[i].to && seen < at_turns.count);
             CHECK_NEAR(s->t, at_turns.at[seen++], 1e-10);
         }
     CHECK_INT(seen, at_turns.count);
     batten_release(at_turns.at);
-    batten_censuses_release(count, spans);
+    batten_censuses_release(&spans);
     batten_curve_unref(curve);
 }
 
@@ -606,10 +606,9 @@ TEST(n6_arguments_outside_their_range_are_refused)
 TEST(rational_curves_are_refused)
 {
     batten_curve *arc = NULL;
-    batten_census *spans = NULL;
-    int count = 0;
+    batten_censuses spans = {0, NULL};
     CHECK_OK(batten_curve_arc(1, 1, &arc));
-    CHECK_STATUS(batten_curve_census(arc, 0, &count, &spans), BATTEN_UNSUPPORTED);
+    CHECK_STATUS(batten_curve_census(arc, 0, &spans), BATTEN_UNSUPPORTED);
     CHECK_MESSAGE("rational");
     batten_curve_unref(arc);
 }

@@ -31,7 +31,8 @@ static void lecture_cubic(double a, double b, double *points)
                     (const double[4][4]){{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}}[i][j];
                 shifted[j][k] += powers[i][k] * choose * pow(a, i - j);
             }
-    CHECK_OK(batten_curve_from_power(2, 3, 1, breaks, &shifted[0][0], 1e-9, &curve));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 1, breaks}, &shifted[0][0], 1e-9,
+                                     &curve));
     memcpy(points, batten_curve_points(curve), 8 * sizeof *points);
     batten_curve_unref(curve);
 }
@@ -61,17 +62,16 @@ TEST(a_segment_of_the_lecture_cubic_tells_its_parameters)
 {
     double points[8];
     batten_curve *curve = NULL;
-    batten_cubic *spans = NULL;
-    int count = 0;
+    batten_cubics spans = {0, NULL};
     const double breaks[2] = {-5, 5};
     lecture_cubic(-5, 5, points);
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, points, NULL, breaks, &curve));
-    CHECK_OK(batten_curve_classify(curve, 1e-12, &count, &spans));
-    CHECK_INT(count, 1);
-    CHECK_INT(spans[0].segment, BATTEN_CUBIC_LOOP);
-    CHECK_NEAR(spans[0].crossing[0], -1.0 / 6 - sqrt(33) / 2, 1e-12);
-    CHECK_NEAR(spans[0].crossing[1], -1.0 / 6 + sqrt(33) / 2, 1e-12);
-    batten_release(spans);
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, points, NULL, &curve));
+    CHECK_OK(batten_curve_classify(curve, 1e-12, &spans));
+    CHECK_INT(spans.count, 1);
+    CHECK_INT(spans.at[0].segment, BATTEN_CUBIC_LOOP);
+    CHECK_NEAR(spans.at[0].crossing[0], -1.0 / 6 - sqrt(33) / 2, 1e-12);
+    CHECK_NEAR(spans.at[0].crossing[1], -1.0 / 6 + sqrt(33) / 2, 1e-12);
+    batten_cubics_release(&spans);
     batten_curve_unref(curve);
 }
 
@@ -444,18 +444,18 @@ TEST(curves_of_other_kinds_are_refused)
     const double points[10] = {0, 0, 1, 2, 2, 0, 3, 3, 4, 0}, weights[4] = {1, 2, 1, 1};
     const double breaks[2] = {0, 1};
     batten_curve *quartic = NULL, *rational = NULL, *conic = NULL;
-    batten_cubic *spans = NULL;
-    int count = 0;
+    batten_cubics spans = {0, NULL};
     CHECK_OK(shape_bezier(2, 4, points, &quartic));
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, points, weights, breaks, &rational));
+    CHECK_OK(
+        batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, points, weights, &rational));
     CHECK_OK(shape_bezier(2, 2, points, &conic));
-    CHECK_STATUS(batten_curve_classify(quartic, 0, &count, &spans), BATTEN_UNSUPPORTED);
+    CHECK_STATUS(batten_curve_classify(quartic, 0, &spans), BATTEN_UNSUPPORTED);
     CHECK_MESSAGE("degree 4");
-    CHECK_STATUS(batten_curve_classify(rational, 0, &count, &spans), BATTEN_UNSUPPORTED);
+    CHECK_STATUS(batten_curve_classify(rational, 0, &spans), BATTEN_UNSUPPORTED);
     CHECK_MESSAGE("rational");
-    CHECK_OK(batten_curve_classify(conic, 1e-12, &count, &spans));
-    CHECK_INT(spans[0].whole, BATTEN_CUBIC_PARABOLA);
-    batten_release(spans);
+    CHECK_OK(batten_curve_classify(conic, 1e-12, &spans));
+    CHECK_INT(spans.at[0].whole, BATTEN_CUBIC_PARABOLA);
+    batten_cubics_release(&spans);
     batten_curve_unref(quartic);
     batten_curve_unref(rational);
     batten_curve_unref(conic);
@@ -487,7 +487,7 @@ TEST(a_loop_may_close_at_an_end)
     const double points[8] = {0, 0, -1, 0, -1 / 3.0, -1, 2, 2};
     const double ends[] = {0, 1}, powers[] = {0, 0, -3, 0, 5, -3, 0, 5};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_from_power(2, 3, 1, ends, powers, 0, &curve));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 1, ends}, powers, 0, &curve));
     for (int i = 0; i < 8; i++)
         CHECK_NEAR(batten_curve_points(curve)[i], points[i], 1e-15);
     batten_curve_unref(curve);

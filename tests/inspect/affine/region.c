@@ -33,7 +33,7 @@ TEST(areas_of_polygons_are_exact_and_turn_with_the_direction)
     batten_curve *curve = NULL, *back = NULL;
     batten_region r;
     double turns;
-    CHECK_OK(batten_curve_polyline(2, 7, l, &curve));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 7, l}, &curve));
     CHECK_OK(batten_curve_region(curve, 0, 1e-12, &r));
     CHECK_NEAR(r.area, 5, 1e-14);
     CHECK_NEAR(r.centroid[0], (3 * 1.5 + 2 * 0.5) / 5, 1e-14);
@@ -75,7 +75,8 @@ TEST(the_area_of_a_closed_spline_is_that_of_its_polygon_far_from_the_origin_too)
         }
         for (int i = 0; i < 13; i++)
             knots[i] = i;
-        CHECK_OK(batten_curve_create_periodic(2, 3, 12, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create_periodic((batten_points){2, 12, points}, 3, NULL, knots,
+                                              &curve));
         CHECK_OK(batten_curve_region(curve, 1e-12, 1e-12, &r));
         double area = 0, before[2], here[2];
         CHECK_OK(batten_curve_evaluate(curve, 0, 0, before));
@@ -113,7 +114,8 @@ TEST(rational_curves_have_the_area_of_a_fine_polyline)
         }
         for (int i = 0; i < 8 + degree + 1; i++)
             knots[i] = fmin(8 - degree, fmax(0, i - degree));
-        CHECK_OK(batten_curve_create(2, degree, 8, points, weights, knots, &curve));
+        CHECK_OK(
+            batten_curve_create((batten_points){2, 8, points}, degree, weights, knots, &curve));
         CHECK_OK(batten_curve_region(curve, 1e-12, 1e-11, &r));
         CHECK(r.error <= 1e-11);
         CHECK_OK(batten_curve_evaluate(curve, 0, 0, first));
@@ -150,7 +152,7 @@ TEST(curves_that_enclose_nothing_are_refused)
     CHECK_STATUS(batten_curve_region(curve, 4, 0, &r), BATTEN_BAD_ARGUMENT);
     CHECK_OK(batten_curve_region(curve, 4, 1e-9, &r)); /* closed by a line: clockwise */
     CHECK_NEAR(r.area, -1.5, 1e-14);
-    CHECK_OK(batten_curve_polyline(2, 3, back, &there));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 3, back}, &there));
     CHECK_STATUS(batten_curve_region(there, 0, 1e-9, &r), BATTEN_COINCIDENT);
     CHECK_OK(batten_curve_to_dimension(curve, 3, &space));
     CHECK_STATUS(batten_curve_region(space, 4, 1e-9, &r), BATTEN_NOT_COMPATIBLE);

@@ -84,8 +84,8 @@ TEST(contours_of_a_paraboloid_are_circles)
     batten_surface *surface = graph(bowl, 0);
     const double levels[] = {0.01, 0.04, 0.2, 0.5, 0.9, 1, 1.3}, tolerance = 1e-5;
     batten_contours c = {0};
-    CHECK_OK(
-        batten_surface_contours(surface, &height, COUNT(levels), levels, tolerance, NULL, &c));
+    CHECK_OK(batten_surface_contours(surface, &height, (batten_levels){COUNT(levels), levels},
+                                     tolerance, NULL, &c));
     check_points(surface, &height, levels, 1e-11, &c);
     CHECK(c.error <= tolerance);
     int found[COUNT(levels)] = {0};
@@ -117,7 +117,8 @@ TEST(a_small_loop_around_an_extremum_is_found)
     batten_surface *surface = graph(bowl, 5);
     const double level = 5 + 1e-10;
     batten_contours c = {0};
-    CHECK_OK(batten_surface_contours(surface, &height, 1, &level, 1e-9, NULL, &c));
+    CHECK_OK(
+        batten_surface_contours(surface, &height, (batten_levels){1, &level}, 1e-9, NULL, &c));
     CHECK_INT(c.count, 1);
     CHECK(c.lines[0].line.closed);
     CHECK_NEAR(length_of(&c.lines[0].line), 2 * PI * 1e-5, 1e-7);
@@ -131,7 +132,8 @@ static void check_cross(double (*f)(double, double), double x0, double y0)
     batten_surface *surface = graph(f, 0);
     const double levels[] = {-0.25, 0, 0.25};
     batten_contours c = {0};
-    CHECK_OK(batten_surface_contours(surface, &height, COUNT(levels), levels, 1e-6, NULL, &c));
+    CHECK_OK(batten_surface_contours(surface, &height, (batten_levels){COUNT(levels), levels},
+                                     1e-6, NULL, &c));
     check_points(surface, &height, levels, 1e-11, &c);
     CHECK_INT(c.critical_count, 1);
     CHECK_INT(c.critical[0].kind, BATTEN_CRITICAL_SADDLE);
@@ -172,7 +174,8 @@ TEST(levels_never_cross)
     for (int i = 0; i < 41; i++)
         levels[i] = (i - 20) * 0.05;
     batten_contours c = {0};
-    CHECK_OK(batten_surface_contours(surface, &height, 41, levels, 1e-5, NULL, &c));
+    CHECK_OK(
+        batten_surface_contours(surface, &height, (batten_levels){41, levels}, 1e-5, NULL, &c));
     for (int i = 0; i < c.count; i++) {
         const batten_polyline *line = &c.lines[i].line;
         for (int k = 0; k + 1 < line->count; k++)
@@ -197,8 +200,8 @@ TEST(parallels_and_meridians_of_a_sphere_cross_its_seam_and_poles)
         const batten_surface_field field = {
             BATTEN_FIELD_HEIGHT, directions[d], {0, 0, 0}, {0, 0, 0}};
         batten_contours c = {0};
-        CHECK_OK(
-            batten_surface_contours(sphere, &field, COUNT(levels), levels, 1e-5, NULL, &c));
+        CHECK_OK(batten_surface_contours(sphere, &field, (batten_levels){COUNT(levels), levels},
+                                         1e-5, NULL, &c));
         check_points(sphere, &field, levels, 1e-10, &c);
         CHECK_INT(c.count, COUNT(levels));
         for (int i = 0; i < c.count; i++) {
@@ -221,7 +224,8 @@ TEST(the_silhouette_of_a_sphere_is_a_great_circle)
     const double radii[] = {2, sqrt(3)}, zero = 0;
     for (int i = 0; i < COUNT(fields); i++) {
         batten_contours c = {0};
-        CHECK_OK(batten_surface_contours(sphere, &fields[i], 1, &zero, 1e-5, NULL, &c));
+        CHECK_OK(batten_surface_contours(sphere, &fields[i], (batten_levels){1, &zero}, 1e-5,
+                                         NULL, &c));
         check_points(sphere, &fields[i], &zero, 1e-10, &c);
         CHECK_INT(c.count, 1);
         CHECK(c.lines[0].line.closed);
@@ -242,7 +246,8 @@ TEST(lines_of_equal_gaussian_curvature_on_a_torus_are_circles)
         levels[i] = cos(angles[i]) / (r * (R + r * cos(angles[i])));
     const batten_surface_field field = {BATTEN_FIELD_GAUSSIAN, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     batten_contours c = {0};
-    CHECK_OK(batten_surface_contours(torus, &field, 3, levels, 1e-4, NULL, &c));
+    CHECK_OK(
+        batten_surface_contours(torus, &field, (batten_levels){3, levels}, 1e-4, NULL, &c));
     check_points(torus, &field, levels, 1e-10, &c);
     CHECK_INT(c.count, 6);
     for (int i = 0; i < c.count; i++) {
@@ -308,9 +313,11 @@ TEST(contours_go_on_from_triangle_to_triangle)
     for (int i = 0; i < 4; i++)
         paraboloid(corners[i], points + 18 * i);
     batten_triangles *triangles = NULL;
-    CHECK_OK(batten_triangles_create(3, 2, 4, points, NULL, NULL, &triangles));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 2, 4, points, NULL, NULL},
+                                     &triangles));
     batten_contours c = {0};
-    CHECK_OK(batten_triangles_contours(triangles, &height, 4, levels, 1e-5, NULL, &c));
+    CHECK_OK(batten_triangles_contours(triangles, &height, (batten_levels){4, levels}, 1e-5,
+                                       NULL, &c));
     CHECK_INT(c.count, 4);
     for (int i = 0; i < c.count; i++) {
         const batten_polyline *line = &c.lines[i].line;
@@ -355,8 +362,8 @@ TEST(smooth_contours_keep_small_tolerances_with_few_cubics)
     for (int i = 0; i < 6; i++) {
         batten_surface *surface = graph(graphs[i / 3], 0);
         batten_contours c = {0};
-        CHECK_OK(batten_surface_smooth_contours(surface, &height, 1, &level, tolerances[i % 3],
-                                                NULL, &c));
+        CHECK_OK(batten_surface_smooth_contours(surface, &height, (batten_levels){1, &level},
+                                                tolerances[i % 3], NULL, &c));
         CHECK(c.count > 0 && c.error <= tolerances[i % 3]);
         for (int k = 0; k < c.count; k++) {
             CHECK(off_cubics(&c.lines[k], graphs[i / 3], level) <= tolerances[i % 3]);
@@ -372,7 +379,8 @@ TEST(smooth_contours_run_straight_through_a_saddle)
     batten_surface *surface = graph(crooked_saddle, 0);
     batten_contours c = {0};
     const double zero = 0;
-    CHECK_OK(batten_surface_smooth_contours(surface, &height, 1, &zero, 1e-9, NULL, &c));
+    CHECK_OK(batten_surface_smooth_contours(surface, &height, (batten_levels){1, &zero}, 1e-9,
+                                            NULL, &c));
     CHECK_INT(c.count, 2);
     for (int k = 0; k < c.count; k++)
         for (int i = 0; i < 3 * c.lines[k].line.count; i += 3) {
@@ -408,7 +416,8 @@ TEST(contours_that_end_where_a_field_has_no_value_are_finished)
         batten_contours c = {0};
         long count = 0;
         CHECK_OK((i % 2 ? batten_surface_smooth_contours : batten_surface_contours)(
-            surface, &field, COUNT(levels), levels, i < 2 ? 1e-5 : 1e-6, NULL, &c));
+            surface, &field, (batten_levels){COUNT(levels), levels}, i < 2 ? 1e-5 : 1e-6, NULL,
+            &c));
         for (int k = 0; k < c.count; k++)
             count += c.lines[k].line.count;
         CHECK(count > 100 && count < (i % 2 ? 20000 : 300000));
@@ -427,19 +436,22 @@ TEST(N6_contours_refuse_tolerances_that_would_take_for_ever)
     for (int i = 0; i < COUNT(levels); i++)
         levels[i] = 0.009 * i;
     CHECK_OK(batten_surface_torus(&world, 3, 1, &torus));
-    CHECK_STATUS(batten_surface_contours(torus, &height, 1, levels + 30, 1e-15, NULL, &c),
+    CHECK_STATUS(batten_surface_contours(torus, &height, (batten_levels){1, levels + 30}, 1e-15,
+                                         NULL, &c),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("contours cannot be within 1e-15");
+    CHECK_STATUS(batten_surface_smooth_contours(torus, &height, (batten_levels){1, levels + 30},
+                                                1e-11, NULL, &c),
+                 BATTEN_TOLERANCE_NOT_MET);
     CHECK_STATUS(
-        batten_surface_smooth_contours(torus, &height, 1, levels + 30, 1e-11, NULL, &c),
-        BATTEN_TOLERANCE_NOT_MET);
-    CHECK_STATUS(batten_surface_contours(torus, &height, 100, levels, 1e-9, NULL, &c),
-                 BATTEN_TOO_LARGE);
+        batten_surface_contours(torus, &height, (batten_levels){100, levels}, 1e-9, NULL, &c),
+        BATTEN_TOO_LARGE);
     CHECK_MESSAGE("points; the limit is 1000000");
     batten_job job = BATTEN_JOB;
     job.is_cancelled = stop;
     job.user = &asked;
-    CHECK_STATUS(batten_surface_contours(torus, &height, 1, levels + 30, 1e-8, &job, &c),
+    CHECK_STATUS(batten_surface_contours(torus, &height, (batten_levels){1, levels + 30}, 1e-8,
+                                         &job, &c),
                  BATTEN_CANCELLED);
     CHECK(c.lines == NULL);
     batten_surface_unref(torus);
@@ -452,15 +464,19 @@ TEST(bad_fields_and_levels_are_refused)
         BATTEN_FIELD_ISOPHOTE, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     const double good[] = {0.5}, falling[] = {0.5, 0.5}, infinite[] = {(double)INFINITY};
     batten_contours c = {0};
-    CHECK_STATUS(batten_surface_contours(surface, &nowhere, 1, good, 1e-3, NULL, &c),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_surface_contours(surface, &nowhere, (batten_levels){1, good}, 1e-3, NULL, &c),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("points nowhere");
-    CHECK_STATUS(batten_surface_contours(surface, &height, 2, falling, 1e-3, NULL, &c),
-                 BATTEN_NOT_INCREASING);
-    CHECK_STATUS(batten_surface_contours(surface, &height, 1, infinite, 1e-3, NULL, &c),
-                 BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_surface_contours(surface, &height, 1, good, 0, NULL, &c),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_surface_contours(surface, &height, (batten_levels){2, falling}, 1e-3, NULL, &c),
+        BATTEN_NOT_INCREASING);
+    CHECK_STATUS(
+        batten_surface_contours(surface, &height, (batten_levels){1, infinite}, 1e-3, NULL, &c),
+        BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_surface_contours(surface, &height, (batten_levels){1, good}, 0, NULL, &c),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("tolerance of contours is 0");
     CHECK(c.lines == NULL);
     batten_surface_unref(surface);

@@ -27,7 +27,7 @@ TEST(the_equation_of_a_parabola_and_of_a_circle_are_the_known_ones)
     /* A quarter of the circle of radius 2 about (10, -4): (r^2 - 4) / 4. */
     const double w[3] = {1, sqrt(0.5), 1}, breaks[2] = {0, 1};
     const double quarter[6] = {12, -4, 12, -2, 10, -2};
-    CHECK_OK(batten_curve_from_bezier(2, 2, 1, quarter, w, breaks, &circle));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){2, 1, breaks}, quarter, w, &circle));
     CHECK_OK(batten_implicit_from_curve(circle, &report, &f));
     CHECK_NEAR(report.least_gradient, 1, 1e-13);
     const double side = batten_implicit_value(f, 10, -4, NULL) < 0 ? 1 : -1;
@@ -56,8 +56,8 @@ TEST(curves_of_every_degree_satisfy_their_equation_and_give_their_parameters_bac
             knots[i] = -1;
             knots[degree + 1 + i] = 2;
         }
-        CHECK_OK(batten_curve_create(2, degree, degree + 1, points, n % 3 ? NULL : weights,
-                                     knots, &curve));
+        CHECK_OK(batten_curve_create((batten_points){2, degree + 1, points}, degree,
+                                     n % 3 ? NULL : weights, knots, &curve));
         CHECK_OK(batten_implicit_from_curve(curve, &report, &f));
         CHECK_INT(report.degree, degree);
         CHECK(report.error <= 1e-10);

@@ -159,7 +159,7 @@ static void check_bounds(const batten_surface *surface, const double low[3],
 {
     batten_box box;
     double slack = -1;
-    CHECK_OK(batten_surface_bounds(surface, 1e-9, &box, &slack));
+    CHECK_OK(batten_surface_bounds(surface, 1e-9, &slack, &box));
     CHECK(slack >= 0 && slack <= 1e-9);
     const double a[3] = {box.low.x, box.low.y, box.low.z};
     const double b[3] = {box.high.x, box.high.y, box.high.z};
@@ -215,12 +215,13 @@ static void check_by_grid(const batten_surface *surface)
         for (int i = 0; i < N; i++)
             at[k][i] = i < N - 1 ? d.a + (d.b - d.a) * i / (N - 1) : d.b;
     }
-    CHECK_OK(batten_surface_evaluate_grid(surface, N, at[0], N, at[1], 0, NULL, points));
+    CHECK_OK(batten_surface_evaluate_grid(surface, (batten_uv_grid){N, N, at[0], at[1]}, 0,
+                                          NULL, points));
     for (int i = 0; i < 3 * N * N; i++) {
         low[i % 3] = fmin(low[i % 3], points[i]);
         high[i % 3] = fmax(high[i % 3], points[i]);
     }
-    CHECK_OK(batten_surface_bounds(surface, 1e-7, &box, &slack));
+    CHECK_OK(batten_surface_bounds(surface, 1e-7, &slack, &box));
     CHECK(slack <= 1e-7);
     const double a[3] = {box.low.x, box.low.y, box.low.z};
     const double b[3] = {box.high.x, box.high.y, box.high.z};
@@ -257,10 +258,10 @@ TEST(a_box_of_a_surface_needs_a_tolerance)
     batten_surface *ball = NULL;
     batten_box box;
     CHECK_OK(batten_surface_sphere(&(batten_frame){{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, 1, &ball));
-    CHECK_STATUS(batten_surface_bounds(ball, 0, &box, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_bounds(ball, 0, NULL, &box), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the tolerance is 0");
-    CHECK_STATUS(batten_surface_bounds(ball, NAN, &box, NULL), BATTEN_BAD_ARGUMENT);
-    CHECK_OK(batten_surface_bounds(ball, 1e-300, &box, NULL)); /* as far as numbers tell */
+    CHECK_STATUS(batten_surface_bounds(ball, NAN, NULL, &box), BATTEN_BAD_ARGUMENT);
+    CHECK_OK(batten_surface_bounds(ball, 1e-300, NULL, &box)); /* as far as numbers tell */
     CHECK_NEAR(box.high.z, 1, 1e-15);
     batten_surface_unref(ball);
 }

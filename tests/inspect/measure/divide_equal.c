@@ -30,7 +30,7 @@ TEST(equal_chords_of_a_circle_are_sides_of_polygons)
     static const int counts[] = {3, 4, 7, 100};
     for (int i = 0; i < COUNT(counts); i++) {
         double u[101], chord;
-        CHECK_OK(batten_curve_divide_equal_chords(circle, counts[i], 1e-12, u, &chord));
+        CHECK_OK(batten_curve_divide_equal_chords(circle, counts[i], 1e-12, &chord, u));
         CHECK_NEAR(chord, 2 * sin(PI / counts[i]), 1e-12);
         CHECK(spread(circle, counts[i], u) <= 4e-12);
     }
@@ -43,11 +43,11 @@ TEST(equal_chords_of_a_parabola_are_where_algebra_puts_them)
     const double p[] = {-1, 1, 0, -1, 1, 1}, breaks[] = {0, 1};
     batten_curve *curve = NULL;
     double u[3], chord;
-    CHECK_OK(batten_curve_from_bezier(2, 2, 1, p, NULL, breaks, &curve));
-    CHECK_OK(batten_curve_divide_equal_chords(curve, 2, 1e-12, u, &chord));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){2, 1, breaks}, p, NULL, &curve));
+    CHECK_OK(batten_curve_divide_equal_chords(curve, 2, 1e-12, &chord, u));
     CHECK_NEAR(u[1], 0.5, 1e-12);
     CHECK_NEAR(chord, sqrt(2), 1e-12);
-    CHECK_OK(batten_curve_divide_equal_chords(curve, 1, 1e-12, u, &chord));
+    CHECK_OK(batten_curve_divide_equal_chords(curve, 1, 1e-12, &chord, u));
     CHECK_NEAR(chord, 2, 1e-12);
     batten_curve_unref(curve);
 }
@@ -62,8 +62,8 @@ TEST(chords_of_random_curves_are_equal)
         const int count = test_random_int(&random, 2, 40);
         for (int i = 0; i < 24; i++)
             points[i] = (i % 3 == 0 ? i / 3 : 0) + test_random_in(&random, -0.5, 0.5);
-        CHECK_OK(batten_curve_create(3, 3, 8, points, NULL, knots, &curve));
-        CHECK_OK(batten_curve_divide_equal_chords(curve, count, 1e-10, u, &chord));
+        CHECK_OK(batten_curve_create((batten_points){3, 8, points}, 3, NULL, knots, &curve));
+        CHECK_OK(batten_curve_divide_equal_chords(curve, count, 1e-10, &chord, u));
         CHECK(u[0] == 0 && u[count] == 5);
         for (int i = 0; i < count; i++)
             CHECK(u[i] < u[i + 1]);
@@ -80,14 +80,14 @@ TEST(N6_G3_chords_that_cannot_be_are_refused)
     CHECK_OK(batten_curve_line(2, p, p + 2, &point));
     CHECK_OK(batten_curve_line(2, p, p + 4, &line));
     CHECK_OK(batten_curve_circle(1, BATTEN_CIRCLE_SQUARE_9, &circle));
-    CHECK_STATUS(batten_curve_divide_equal_chords(point, 3, 1e-9, u, &chord),
+    CHECK_STATUS(batten_curve_divide_equal_chords(point, 3, 1e-9, &chord, u),
                  BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_curve_divide_equal_chords(line, 0, 1e-9, u, &chord),
+    CHECK_STATUS(batten_curve_divide_equal_chords(line, 0, 1e-9, &chord, u),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_divide_equal_chords(line, 3, 0, u, &chord), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_divide_equal_chords(circle, 2, 1e-9, u, &chord),
+    CHECK_STATUS(batten_curve_divide_equal_chords(line, 3, 0, &chord, u), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_divide_equal_chords(circle, 2, 1e-9, &chord, u),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_OK(batten_curve_divide_equal_chords(line, 3, 1e-12, u, NULL));
+    CHECK_OK(batten_curve_divide_equal_chords(line, 3, 1e-12, NULL, u));
     CHECK_NEAR(u[1], 1 / 3.0, 1e-12);
     batten_curve_unref(circle);
     batten_curve_unref(line);

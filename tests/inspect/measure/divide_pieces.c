@@ -34,7 +34,7 @@ static batten_curve *wave(test_random *random, int degree)
         points[i] = test_random_in(random, -1, 1);
     for (int i = 0; i < 12 + degree + 1; i++)
         knots[i] = fmin(12 - degree, fmax(0, i - degree));
-    CHECK_OK(batten_curve_create(2, degree, 12, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 12, points}, degree, NULL, knots, &curve));
     return curve;
 }
 
@@ -134,7 +134,7 @@ TEST(corners_and_jumps_of_curvature_divide_spirals)
     const double corner[6] = {0, 0, 1, 1, 2, 0};
     batten_curve *curve = NULL, *space = NULL;
     batten_parameters at = {0, NULL};
-    CHECK_OK(batten_curve_from_bezier(2, 2, 2, arcs, w, breaks, &curve));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){2, 2, breaks}, arcs, w, &curve));
     CHECK_OK(batten_curve_divide_pieces(curve, BATTEN_PIECES_SPIRAL, NULL, &at));
     CHECK_INT(at.count, 3);
     CHECK(at.at[1] == 1);
@@ -152,7 +152,7 @@ TEST(corners_and_jumps_of_curvature_divide_spirals)
     CHECK_INT(at.count, 7);
     batten_curve_unref(space);
     batten_curve_unref(curve);
-    CHECK_OK(batten_curve_polyline(2, 3, corner, &curve));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 3, corner}, &curve));
     CHECK_OK(batten_curve_divide_pieces(curve, BATTEN_PIECES_SPIRAL, NULL, &at));
     CHECK_INT(at.count, 3);
     batten_release(at.at);

@@ -7,12 +7,12 @@ TEST(a_circle_is_two_pi_long)
     batten_curve *circle = NULL;
     double length, error;
     CHECK_OK(shape_ellipse(1, 1, 5, 5, &circle));
-    CHECK_OK(batten_curve_length(circle, 1e-12, &length, &error));
+    CHECK_OK(batten_curve_length(circle, 1e-12, &error, &length));
     CHECK_NEAR(length, 2 * PI, 1e-12);
     CHECK(error <= 1e-12);
-    CHECK_OK(batten_curve_length_between(circle, 0.125, 0.5, 1e-12, &length, NULL));
+    CHECK_OK(batten_curve_length_between(circle, 0.125, 0.5, 1e-12, NULL, &length));
     CHECK_NEAR(length, 0.75 * PI, 1e-12);
-    CHECK_OK(batten_curve_length_between(circle, NAN, NAN, 1e-12, &length, NULL));
+    CHECK_OK(batten_curve_length_between(circle, NAN, NAN, 1e-12, NULL, &length));
     CHECK_NEAR(length, 2 * PI, 1e-12);
     batten_curve_unref(circle);
 }
@@ -25,7 +25,7 @@ TEST(all_forms_of_a_circle_are_two_pi_long)
         batten_curve *circle = NULL;
         double length;
         CHECK_OK(batten_curve_circle(1, forms[i], &circle));
-        CHECK_OK(batten_curve_length(circle, 1e-12, &length, NULL));
+        CHECK_OK(batten_curve_length(circle, 1e-12, NULL, &length));
         CHECK_NEAR(length, 2 * PI, 1e-12);
         batten_curve_unref(circle);
     }
@@ -47,11 +47,11 @@ TEST(parabola_and_ellipse_have_their_known_lengths)
     }
     batten_curve *curve = NULL;
     CHECK_OK(shape_bezier(2, 2, parabola, &curve));
-    CHECK_OK(batten_curve_length(curve, 1e-13, &length, NULL));
+    CHECK_OK(batten_curve_length(curve, 1e-13, NULL, &length));
     CHECK_NEAR(length, 1.478942857544598, 1e-13);
     batten_curve_unref(curve);
     CHECK_OK(shape_ellipse(3, 1, 0, 0, &curve));
-    CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+    CHECK_OK(batten_curve_length(curve, 1e-12, NULL, &length));
     CHECK_NEAR(length, 2 * PI * (9 - sum) / a, 1e-11);
     batten_curve_unref(curve);
 }
@@ -62,8 +62,9 @@ TEST(G4_the_length_over_a_cusp_is_that_of_its_branches)
     const double powers[4][2] = {{1, -1}, {-2, 3}, {1, -3}, {0, 1}}, breaks[2] = {-1, 1};
     batten_curve *curve = NULL;
     double length, error;
-    CHECK_OK(batten_curve_from_power(2, 3, 1, breaks, &powers[0][0], 1e-12, &curve));
-    CHECK_OK(batten_curve_length(curve, 1e-12, &length, &error));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 1, breaks}, &powers[0][0], 1e-12,
+                                     &curve));
+    CHECK_OK(batten_curve_length(curve, 1e-12, &error, &length));
     CHECK_NEAR(length, 2 * (13 * sqrt(13) - 8) / 27, 1e-11);
     CHECK(error <= 1e-11);
     batten_curve_unref(curve);
@@ -96,10 +97,10 @@ TEST(length_and_its_inverse_agree_on_random_curves)
             points[i] = test_random_in(&random, -1, 1);
         batten_curve *curve = NULL;
         CHECK_OK(shape_bezier(3, degree, points, &curve));
-        CHECK_OK(batten_curve_length(curve, 1e-11, &whole, NULL));
+        CHECK_OK(batten_curve_length(curve, 1e-11, NULL, &whole));
         s = test_random_unit(&random) * whole;
         CHECK_OK(batten_curve_at_length(curve, 1, &s, 1e-10, &u));
-        CHECK_OK(batten_curve_length_between(curve, 0, u, 1e-11, &part, NULL));
+        CHECK_OK(batten_curve_length_between(curve, 0, u, 1e-11, NULL, &part));
         CHECK_NEAR(part, s, 1e-10);
         batten_curve_unref(curve);
     }
@@ -111,7 +112,7 @@ TEST(G3_a_curve_that_is_a_point_has_length_0)
     batten_curve *curve = NULL;
     double length, s = 0, u;
     CHECK_OK(shape_bezier(2, 2, points, &curve));
-    CHECK_OK(batten_curve_length(curve, 1e-9, &length, NULL));
+    CHECK_OK(batten_curve_length(curve, 1e-9, NULL, &length));
     CHECK_NEAR(length, 0, 1e-15);
     CHECK_OK(batten_curve_at_length(curve, 1, &s, 1e-9, &u));
     CHECK_NEAR(u, 0, 0);
@@ -125,9 +126,9 @@ TEST(N6_a_tolerance_that_is_not_positive_is_refused_and_a_tiny_one_ends_at_round
     CHECK_OK(shape_ellipse(1, 1, 0, 0, &circle));
     const double bad[] = {0, -1, NAN, HUGE_VAL};
     for (int k = 0; k < COUNT(bad); k++)
-        CHECK_STATUS(batten_curve_length(circle, bad[k], &length, NULL), BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_length(circle, bad[k], NULL, &length), BATTEN_BAD_ARGUMENT);
     CHECK_NEAR(length, 3, 0);
-    CHECK_OK(batten_curve_length(circle, 1e-300, &length, &error));
+    CHECK_OK(batten_curve_length(circle, 1e-300, &error, &length));
     CHECK_NEAR(length, 2 * PI, 1e-13);
     CHECK(error < 1e-12);
     batten_curve_unref(circle);
@@ -141,7 +142,7 @@ TEST(far_from_the_origin_a_length_ends_at_the_rounding_of_the_coordinates)
     double length = 0, error = 0, u = 0;
     CHECK_OK(batten_curve_arc(0.5, 1, &arc));
     CHECK_OK(batten_curve_transform(arc, &far, &there));
-    CHECK_OK(batten_curve_length(there, 1e-12, &length, &error));
+    CHECK_OK(batten_curve_length(there, 1e-12, &error, &length));
     CHECK_NEAR(length, 0.5, 1e-8);
     CHECK(fabs(length - 0.5) <= error && error < 1e-7);
     CHECK_OK(batten_curve_at_length(there, 1, (double[]){length / 2}, 1e-12, &u));
@@ -159,9 +160,9 @@ TEST(lengths_outside_the_curve_or_out_of_order_are_refused)
     CHECK_STATUS(batten_curve_at_length(circle, 2, beyond, 1e-9, u), BATTEN_OUT_OF_DOMAIN);
     CHECK_STATUS(batten_curve_at_length(circle, 2, backwards, 1e-9, u), BATTEN_NOT_INCREASING);
     CHECK_STATUS(batten_curve_at_length(circle, 1, bad, 1e-9, u), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_length_between(circle, 0.7, 0.2, 1e-9, &length, NULL),
+    CHECK_STATUS(batten_curve_length_between(circle, 0.7, 0.2, 1e-9, NULL, &length),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_length_between(circle, 0.7, 2, 1e-9, &length, NULL),
+    CHECK_STATUS(batten_curve_length_between(circle, 0.7, 2, 1e-9, NULL, &length),
                  BATTEN_OUT_OF_DOMAIN);
     CHECK_NEAR(u[0], 9, 0);
     batten_curve_unref(circle);
@@ -182,10 +183,10 @@ TEST(the_helix_of_the_notes_has_its_length_per_radian)
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_from_hermite(3, KNOTS, 3, at, values, &curve));
     CHECK_INT(batten_curve_degree(curve), 5);
-    CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+    CHECK_OK(batten_curve_length(curve, 1e-12, NULL, &length));
     CHECK_NEAR(length / (2 * PI), 5.003998401278721, 1e-9);
     for (int i = 1; i <= 6; i++) {
-        CHECK_OK(batten_curve_length_between(curve, 0, i, 1e-12, &length, NULL));
+        CHECK_OK(batten_curve_length_between(curve, 0, i, 1e-12, NULL, &length));
         CHECK_NEAR(length / i, 5.0039984, 1.3e-9);
         CHECK_NEAR(length / i, sqrt(25.04), 1e-9);
     }
@@ -217,7 +218,7 @@ TEST(parabolas_have_the_length_of_the_closed_form_between_chord_and_polygon)
             continue;
         batten_curve *curve = NULL;
         CHECK_OK(shape_bezier(2, 2, P[0], &curve));
-        CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+        CHECK_OK(batten_curve_length(curve, 1e-12, NULL, &length));
         CHECK_NEAR(length, root_integral(a, b, c, 1) - root_integral(a, b, c, 0), 1e-10);
         CHECK(length >= hypot(P[2][0] - P[0][0], P[2][1] - P[0][1]));
         CHECK(length <= hypot(P[1][0] - P[0][0], P[1][1] - P[0][1]) +
@@ -233,7 +234,7 @@ TEST(a_parabola_that_turns_back_on_a_line_is_as_long_as_both_ways)
     batten_curve *curve = NULL;
     double length;
     CHECK_OK(shape_bezier(2, 2, points, &curve));
-    CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+    CHECK_OK(batten_curve_length(curve, 1e-12, NULL, &length));
     CHECK_NEAR(length, 5, 1e-12);
     batten_curve_unref(curve);
 }

@@ -32,7 +32,7 @@ TEST(a_piece_on_the_value_gives_both_its_ends)
     const double points[10] = {0, 0, 1, 1, 2, 1, 3, 1, 4, 5}, knots[7] = {0, 0, 1, 2, 3, 4, 4};
     const double expected[3] = {1, 2, 3};
     batten_curve *polygon = NULL;
-    CHECK_OK(batten_curve_create(2, 1, 5, points, NULL, knots, &polygon));
+    CHECK_OK(batten_curve_create((batten_points){2, 5, points}, 1, NULL, knots, &polygon));
     check_crossings(polygon, 1, 1, 3, expected);
     batten_curve_unref(polygon);
 }

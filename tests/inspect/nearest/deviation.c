@@ -16,7 +16,9 @@ TEST(distances_from_a_circle_are_differences_of_radii)
         square += (radii[i] - 2) * (radii[i] - 2);
     }
     batten_deviation found;
-    CHECK_OK(batten_curve_deviation(circle, 50, points, NULL, NULL, distances, &found));
+    CHECK_OK(batten_curve_deviation(circle,
+                                    (batten_points){batten_curve_dimension(circle), 50, points},
+                                    NULL, NULL, distances, &found));
     for (int i = 0; i < 50; i++) {
         CHECK_NEAR(distances[i], fabs(radii[i] - 2), 1e-13);
         CHECK(distances[i] <= found.max);
@@ -43,13 +45,15 @@ TEST(I1_no_scan_finds_a_nearer_point)
             knots[i] = i <= degree  ? 0
                        : i >= count ? 1
                                     : (i - degree) / (double)(count - degree);
-        CHECK_OK(batten_curve_create(d, degree, count, points, n % 2 ? weights : NULL, knots,
-                                     &curve));
+        CHECK_OK(batten_curve_create((batten_points){d, count, points}, degree,
+                                     n % 2 ? weights : NULL, knots, &curve));
         for (int k = 0; k < d; k++)
             q[k] = test_random_in(&random, -1.5, 1.5);
         u[0] = test_random_unit(&random);
         batten_deviation found;
-        CHECK_OK(batten_curve_deviation(curve, 1, q, n % 3 ? u : NULL, NULL, NULL, &found));
+        CHECK_OK(batten_curve_deviation(curve,
+                                        (batten_points){batten_curve_dimension(curve), 1, q},
+                                        n % 3 ? u : NULL, NULL, NULL, &found));
         double at[3];
         const int scans = n % 8 ? 4000 : test_cases(100000);
         CHECK_OK(batten_curve_evaluate(curve, found.at[0], 0, at));
@@ -73,13 +77,20 @@ TEST(I1_centre_end_and_cusp_have_their_nearest_points)
     batten_curve *circle = NULL, *cusp = NULL;
     batten_deviation found;
     CHECK_OK(shape_ellipse(2, 2, 0, 0, &circle));
-    CHECK_OK(batten_curve_deviation(circle, 1, centre, NULL, NULL, NULL, &found));
+    CHECK_OK(batten_curve_deviation(circle,
+                                    (batten_points){batten_curve_dimension(circle), 1, centre},
+                                    NULL, NULL, NULL, &found));
     CHECK_NEAR(found.max, 2, 1e-15);
-    CHECK_OK(batten_curve_from_power(2, 3, 2, breaks, &powers[0][0][0], 1e-12, &cusp));
-    CHECK_OK(batten_curve_deviation(cusp, 1, left, NULL, NULL, NULL, &found));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 2, breaks}, &powers[0][0][0], 1e-12,
+                                     &cusp));
+    CHECK_OK(batten_curve_deviation(cusp,
+                                    (batten_points){batten_curve_dimension(cusp), 1, left},
+                                    NULL, NULL, NULL, &found));
     CHECK_NEAR(found.max, 3, 1e-15);
     CHECK_NEAR(found.at[0], 0, 1e-8);
-    CHECK_OK(batten_curve_deviation(cusp, 1, right, NULL, NULL, NULL, &found));
+    CHECK_OK(batten_curve_deviation(cusp,
+                                    (batten_points){batten_curve_dimension(cusp), 1, right},
+                                    NULL, NULL, NULL, &found));
     CHECK_NEAR(found.max, 4, 1e-14);
     CHECK_NEAR(found.at[0], 1, 0);
     batten_curve_unref(cusp);
@@ -92,13 +103,19 @@ TEST(points_that_are_not_finite_or_missing_are_refused)
     batten_curve *circle = NULL;
     batten_deviation found;
     CHECK_OK(shape_ellipse(1, 1, 0, 0, &circle));
-    CHECK_STATUS(batten_curve_deviation(circle, 2, bad, NULL, NULL, NULL, &found),
+    CHECK_STATUS(batten_curve_deviation(circle,
+                                        (batten_points){batten_curve_dimension(circle), 2, bad},
+                                        NULL, NULL, NULL, &found),
                  BATTEN_NOT_FINITE);
     CHECK_MESSAGE("point 1");
-    CHECK_STATUS(batten_curve_deviation(circle, 0, bad, NULL, NULL, NULL, &found),
+    CHECK_STATUS(batten_curve_deviation(circle,
+                                        (batten_points){batten_curve_dimension(circle), 0, bad},
+                                        NULL, NULL, NULL, &found),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_deviation(circle, 1, good, guess, NULL, NULL, &found),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_deviation(circle, (batten_points){batten_curve_dimension(circle), 1, good},
+                               guess, NULL, NULL, &found),
+        BATTEN_NOT_FINITE);
     batten_curve_unref(circle);
 }
 
@@ -116,13 +133,18 @@ TEST(of_many_spans_the_nearest_is_found)
             q[i] = test_random_in(&random, -1, 1 + count / 10.0);
         for (int i = 0; i < count + 4; i++)
             knots[i] = fmin(spans, fmax(0, i - 3));
-        CHECK_OK(batten_curve_create(2, 3, count, points, NULL, knots, &curve));
-        CHECK_OK(batten_curve_deviation(curve, 20, q, NULL, NULL, all, &found));
+        CHECK_OK(
+            batten_curve_create((batten_points){2, count, points}, 3, NULL, knots, &curve));
+        CHECK_OK(batten_curve_deviation(curve,
+                                        (batten_points){batten_curve_dimension(curve), 20, q},
+                                        NULL, NULL, all, &found));
         double least[20];
         for (int k = 0; k < spans; k++) { /* each span by itself */
             batten_curve *part = NULL;
             CHECK_OK(batten_curve_subrange(curve, k, k + 1, &part));
-            CHECK_OK(batten_curve_deviation(part, 20, q, NULL, NULL, one, &found));
+            CHECK_OK(batten_curve_deviation(
+                part, (batten_points){batten_curve_dimension(part), 20, q}, NULL, NULL, one,
+                &found));
             for (int i = 0; i < 20; i++)
                 least[i] = k == 0 ? one[i] : fmin(least[i], one[i]);
             batten_curve_unref(part);
@@ -147,7 +169,9 @@ TEST(points_on_a_normal_within_reach_have_its_foot)
         batten_deviation found;
         CHECK_OK(batten_curve_local_at(ellipse, u, BATTEN_FROM_RIGHT, &at));
         const double q[2] = {at.point.x + d * at.normal.x, at.point.y + d * at.normal.y};
-        CHECK_OK(batten_curve_deviation(ellipse, 1, q, NULL, NULL, NULL, &found));
+        CHECK_OK(batten_curve_deviation(ellipse,
+                                        (batten_points){batten_curve_dimension(ellipse), 1, q},
+                                        NULL, NULL, NULL, &found));
         CHECK_NEAR(found.max, fabs(d), 1e-13);
         CHECK_NEAR(found.at[0], u, 1e-9);
     }

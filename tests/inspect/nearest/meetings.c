@@ -11,7 +11,7 @@ static batten_curve *through(int count, void (*at)(double s, double *p))
     batten_curve *curve = NULL;
     for (int i = 0; i < count; i++)
         at(i / (count - 1.0), points + 3 * i);
-    CHECK_OK(batten_curve_interpolate(3, count, points, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, count, points}, NULL, NULL, &curve));
     return curve;
 }
 

@@ -27,7 +27,8 @@ static batten_curve *loop_of_size(double size)
         points[i][1] = size * (cubes[i] - 3 * s[i]);
     }
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, &points[0][0], NULL, breaks, &curve));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, &points[0][0], NULL,
+                                      &curve));
     return curve;
 }
 
@@ -51,7 +52,8 @@ TEST(a_curve_of_a_few_smallest_numbers_ends_the_search)
     const double breaks[2] = {0, 1};
     double at[2];
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, &points[0][0], NULL, breaks, &curve));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, &points[0][0], NULL,
+                                      &curve));
     CHECK(crossings(curve, at, 2) <= 1);
     batten_curve_unref(curve);
 }

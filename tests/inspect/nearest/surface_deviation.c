@@ -17,7 +17,8 @@ TEST(distances_from_sphere_and_torus_are_those_of_their_radii)
             expected[i] = fabs(hypot(ring, p[2]) - 1);
         }
         batten_deviation found;
-        CHECK_OK(batten_surface_deviation(surface, 30, points, NULL, NULL, distances, &found));
+        CHECK_OK(batten_surface_deviation(surface, (batten_points){3, 30, points}, NULL, NULL,
+                                          distances, &found));
         for (int i = 0; i < 30; i++)
             CHECK_NEAR(distances[i], expected[i], 1e-12);
         batten_surface_unref(surface);
@@ -43,8 +44,8 @@ TEST(I1_no_scan_of_a_surface_finds_a_nearer_point)
             q[k] = test_random_in(&random, -2, 7);
         for (int k = 0; k < 2; k++)
             guess[k] = test_random_unit(&random);
-        CHECK_OK(
-            batten_surface_deviation(surface, 1, q, n % 2 ? guess : NULL, NULL, NULL, &found));
+        CHECK_OK(batten_surface_deviation(surface, (batten_points){3, 1, q},
+                                          n % 2 ? guess : NULL, NULL, NULL, &found));
         for (int i = 0; i <= 100; i++)
             for (int j = 0; j <= 100; j++) {
                 double square = 0;
@@ -66,11 +67,13 @@ TEST(points_of_a_surface_lie_on_it)
     for (int i = 0; i < 100; i++)
         CHECK_OK(
             batten_surface_evaluate(torus, (i % 10) / 9.0, (i / 10) / 9.0, 0, points + 3 * i));
-    CHECK_OK(batten_surface_deviation(torus, 100, points, NULL, NULL, NULL, &found));
+    CHECK_OK(batten_surface_deviation(torus, (batten_points){3, 100, points}, NULL, NULL, NULL,
+                                      &found));
     CHECK_NEAR(found.max, 0, 1e-7); /* a square root of the rounding of squares */
     const double bad[3] = {0, NAN, 0};
-    CHECK_STATUS(batten_surface_deviation(torus, 1, bad, NULL, NULL, NULL, &found),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_surface_deviation(torus, (batten_points){3, 1, bad}, NULL, NULL, NULL, &found),
+        BATTEN_NOT_FINITE);
     batten_surface_unref(torus);
 }
 
@@ -85,7 +88,8 @@ TEST(the_foot_on_a_ridge_is_found)
         const double above[3] = {(i % 5 - 2) * 0.2, i / 40.0, 1};
         double distance;
         batten_deviation found;
-        CHECK_OK(batten_surface_deviation(roof, 1, above, NULL, NULL, &distance, &found));
+        CHECK_OK(batten_surface_deviation(roof, (batten_points){3, 1, above}, NULL, NULL,
+                                          &distance, &found));
         CHECK_NEAR(distance, hypot(above[0], 1), 1e-14);
         CHECK_NEAR(found.at[0], 1, 1e-7);
         CHECK_NEAR(found.at[1], above[1], 1e-7);
@@ -109,7 +113,8 @@ TEST(I1_no_scan_of_a_creased_surface_finds_a_nearer_point)
         CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
         for (int k = 0; k < 30; k++)
             q[k] = test_random_in(&random, -2, 8);
-        CHECK_OK(batten_surface_deviation(surface, 10, q, NULL, NULL, distances, &found));
+        CHECK_OK(batten_surface_deviation(surface, (batten_points){3, 10, q}, NULL, NULL,
+                                          distances, &found));
         for (int i = 0; i <= 60; i++)
             for (int j = 0; j <= 60; j++) {
                 CHECK_OK(batten_surface_evaluate(surface, i / 60.0, j / 60.0, 0, at));

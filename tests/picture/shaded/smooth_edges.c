@@ -10,7 +10,8 @@ static batten_model *tent(double z)
     const double points[18] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, z, 0, 1, 0, 1, 0, 0};
     batten_triangles *triangles = NULL;
     batten_model *model = NULL;
-    CHECK_OK(batten_triangles_create(3, 1, 2, points, NULL, NULL, &triangles));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 2, points, NULL, NULL},
+                                     &triangles));
     CHECK_OK(batten_model_create(1, &model));
     batten_object object = {.name = "tent", .layer = "", .kind = BATTEN_OBJECT_TRIANGLES};
     object.triangles = triangles;

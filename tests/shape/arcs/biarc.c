@@ -14,7 +14,8 @@ static batten_status make(double alpha, double beta, double l, batten_biarc_join
 {
     const double start[2] = {0, 0}, end[2] = {l, 0};
     const double T0[2] = {cos(alpha), sin(alpha)}, T1[2] = {cos(beta), sin(beta)};
-    return batten_biarc_between(start, T0, end, T1, joint, place, out);
+    return batten_biarc_between((batten_ray){start, T0}, (batten_ray){end, T1}, joint, place,
+                                out);
 }
 
 static double curvature(const batten_biarc *biarc, int i)
@@ -28,7 +29,8 @@ static void check_joins(const batten_biarc *biarc, const double *end, const doub
 {
     batten_chain *chain = NULL;
     double at[4], next[4];
-    CHECK_OK(batten_chain_create(2, biarc->count, biarc->arcs, NULL, false, tolerance, &chain));
+    CHECK_OK(batten_chain_create(
+        &(batten_chain_parts){2, biarc->count, biarc->arcs, NULL, false}, tolerance, &chain));
     const batten_interval domain = batten_chain_domain(chain);
     CHECK_OK(batten_chain_evaluate(chain, domain.b, 1, at));
     CHECK_NEAR(at[0], end[0], tolerance);
@@ -63,8 +65,9 @@ TEST(biarcs_of_every_joint_meet_their_ends_with_one_tangent)
         const double T1[2] = {0.1 * cos(angle + b), 0.1 * sin(angle + b)};
         for (int k = 0; k < COUNT(joints); k++) {
             batten_biarc biarc;
-            CHECK_OK(batten_biarc_between(start, T0, end, T1, joints[k],
-                                          test_random_in(&random, 0.05, 0.95), &biarc));
+            CHECK_OK(batten_biarc_between((batten_ray){start, T0}, (batten_ray){end, T1},
+                                          joints[k], test_random_in(&random, 0.05, 0.95),
+                                          &biarc));
             check_joins(&biarc, end, T1, 1e-8);
             CHECK_NEAR(biarc.turn[0] + (biarc.count == 2 ? biarc.turn[1] : 0), b - a, 1e-12);
         }
@@ -278,7 +281,8 @@ static double clothoid_error(double s0, double h)
     const double T0[2] = {cos(s0 * s0 / 2), sin(s0 * s0 / 2)};
     const double T1[2] = {cos((s0 + h) * (s0 + h) / 2), sin((s0 + h) * (s0 + h) / 2)};
     batten_biarc m;
-    CHECK_OK(batten_biarc_between(start, T0, end, T1, BATTEN_JOINT_EQUAL_CHORD, 0, &m));
+    CHECK_OK(batten_biarc_between((batten_ray){start, T0}, (batten_ray){end, T1},
+                                  BATTEN_JOINT_EQUAL_CHORD, 0, &m));
     for (int i = 0; i <= 100; i++) {
         double p[2], off = HUGE_VAL;
         clothoid(1, s0 + h * i / 100, p);
@@ -308,8 +312,10 @@ TEST(g10_reversed_biarcs_are_the_same)
     const double R0[2] = {-1, -1}, R1[2] = {-2, 1};
     for (int k = 0; k < COUNT(joints); k++) {
         batten_biarc there, back;
-        CHECK_OK(batten_biarc_between(a, T0, b, T1, joints[k], 0.3, &there));
-        CHECK_OK(batten_biarc_between(b, R1, a, R0, joints[k], 0.7, &back));
+        CHECK_OK(batten_biarc_between((batten_ray){a, T0}, (batten_ray){b, T1}, joints[k], 0.3,
+                                      &there));
+        CHECK_OK(batten_biarc_between((batten_ray){b, R1}, (batten_ray){a, R0}, joints[k], 0.7,
+                                      &back));
         CHECK_NEAR(there.joint[0], back.joint[0], 1e-14);
         CHECK_NEAR(there.joint[1], back.joint[1], 1e-14);
         CHECK_NEAR(there.arcs[0].curvature[0], -back.arcs[1].curvature[0], 1e-13);
@@ -322,16 +328,21 @@ TEST(g1_biarcs_between_coincident_points_are_refused)
     const double a[2] = {1, 2}, T[2] = {1, 0}, zero[2] = {0, 0}, nan[2] = {NAN, 0};
     const double far[2] = {1e308, -1e308}, near[2] = {-1e308, 1e308}, b[2] = {2, 2};
     batten_biarc out;
-    CHECK_STATUS(batten_biarc_between(a, T, a, T, BATTEN_JOINT_AUTOMATIC, 0, &out),
+    CHECK_STATUS(batten_biarc_between((batten_ray){a, T}, (batten_ray){a, T},
+                                      BATTEN_JOINT_AUTOMATIC, 0, &out),
                  BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_biarc_between(a, zero, b, T, BATTEN_JOINT_AUTOMATIC, 0, &out),
+    CHECK_STATUS(batten_biarc_between((batten_ray){a, zero}, (batten_ray){b, T},
+                                      BATTEN_JOINT_AUTOMATIC, 0, &out),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("direction at the start");
-    CHECK_STATUS(batten_biarc_between(a, T, b, nan, BATTEN_JOINT_AUTOMATIC, 0, &out),
+    CHECK_STATUS(batten_biarc_between((batten_ray){a, T}, (batten_ray){b, nan},
+                                      BATTEN_JOINT_AUTOMATIC, 0, &out),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_biarc_between(near, T, far, T, BATTEN_JOINT_AUTOMATIC, 0, &out),
+    CHECK_STATUS(batten_biarc_between((batten_ray){near, T}, (batten_ray){far, T},
+                                      BATTEN_JOINT_AUTOMATIC, 0, &out),
                  BATTEN_OVERFLOW);
-    CHECK_STATUS(batten_biarc_between(a, T, b, T, BATTEN_JOINT_GIVEN, 1, &out),
+    CHECK_STATUS(batten_biarc_between((batten_ray){a, T}, (batten_ray){b, T},
+                                      BATTEN_JOINT_GIVEN, 1, &out),
                  BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(make(pi, pi, 1, BATTEN_JOINT_AUTOMATIC, 0, &out), BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("full circle");

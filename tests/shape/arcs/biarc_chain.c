@@ -20,7 +20,8 @@ TEST(biarcs_through_points_of_a_circle_are_the_circle)
         batten_chain_biarcs_report report;
         batten_chain *chain = NULL, *merged = NULL;
         options.closed = closed;
-        CHECK_OK(batten_chain_biarcs(6, points, &options, parameters, &report, &chain));
+        CHECK_OK(batten_chain_biarcs((batten_points){2, 6, points}, &options, parameters,
+                                     &report, &chain));
         CHECK(report.error < 1e-14);
         CHECK_NEAR(report.least_radius, 3, 1e-13);
         CHECK_NEAR(report.largest_jump, 0, 1e-14);
@@ -44,7 +45,7 @@ TEST(biarcs_through_collinear_points_are_the_line)
     const double points[] = {0, 0, 1, 0.5, 4, 2, 5, 2.5};
     batten_chain_biarcs_report report;
     batten_chain *chain = NULL, *merged = NULL;
-    CHECK_OK(batten_chain_biarcs(4, points, NULL, NULL, &report, &chain));
+    CHECK_OK(batten_chain_biarcs((batten_points){2, 4, points}, NULL, NULL, &report, &chain));
     CHECK_NEAR(1 / report.least_radius, 0, 1e-15);
     CHECK_OK(batten_chain_merge_arcs(chain, 0, &merged));
     CHECK_INT(batten_chain_span_count(merged), 1);
@@ -58,12 +59,12 @@ TEST(g2_biarcs_through_two_points_are_a_line)
     const double points[] = {1, 1, 4, 5};
     batten_chain_biarcs_report report;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_biarcs(2, points, NULL, NULL, &report, &chain));
+    CHECK_OK(batten_chain_biarcs((batten_points){2, 2, points}, NULL, NULL, &report, &chain));
     CHECK_INT(report.lines, 1);
     CHECK_INT(report.arcs, 0);
     CHECK_NEAR(batten_chain_domain(chain).b, 5, 1e-15);
     batten_chain_unref(chain);
-    CHECK_STATUS(batten_chain_biarcs(1, points, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_biarcs((batten_points){2, 1, points}, NULL, NULL, NULL, &chain),
                  BATTEN_TOO_FEW_POINTS);
 }
 
@@ -87,7 +88,8 @@ TEST(biarcs_through_points_are_smooth_with_every_joint)
         options.directions = c % 2 ? directions : NULL;
         batten_chain_biarcs_report report;
         batten_chain *chain = NULL;
-        CHECK_OK(batten_chain_biarcs(n, points, &options, parameters, &report, &chain));
+        CHECK_OK(batten_chain_biarcs((batten_points){2, n, points}, &options, parameters,
+                                     &report, &chain));
         CHECK(report.error < 1e-9);
         const int count = batten_chain_span_count(chain);
         CHECK_INT(report.arcs + report.lines, count);
@@ -118,8 +120,8 @@ TEST(g10_reversed_points_give_the_reversed_biarcs)
         back[2 * i + 1] = points[9 - 2 * i];
     }
     batten_chain *chain = NULL, *reversed = NULL;
-    CHECK_OK(batten_chain_biarcs(5, points, NULL, NULL, NULL, &chain));
-    CHECK_OK(batten_chain_biarcs(5, back, NULL, NULL, NULL, &reversed));
+    CHECK_OK(batten_chain_biarcs((batten_points){2, 5, points}, NULL, NULL, NULL, &chain));
+    CHECK_OK(batten_chain_biarcs((batten_points){2, 5, back}, NULL, NULL, NULL, &reversed));
     const double length = batten_chain_domain(chain).b;
     CHECK_NEAR(batten_chain_domain(reversed).b, length, 1e-13);
     for (int i = 0; i <= 100; i++) {
@@ -139,20 +141,23 @@ TEST(g1_coincident_points_are_named_by_biarcs)
     const double points[] = {0, 0, 1, 1, 1, 1, 2, 0}, back[] = {0, 0, 1, 0, 0, 0, 2, 2};
     const double bad[] = {0, 0, 1, NAN, 2, 2}, zero[] = {1, 0, 0, 0, 1, 0};
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_biarcs(4, points, NULL, NULL, NULL, &chain), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_chain_biarcs((batten_points){2, 4, points}, NULL, NULL, NULL, &chain),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2");
-    CHECK_STATUS(batten_chain_biarcs(4, back, NULL, NULL, NULL, &chain), BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_chain_biarcs((batten_points){2, 4, back}, NULL, NULL, NULL, &chain),
+                 BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("point 1");
-    CHECK_STATUS(batten_chain_biarcs(3, bad, NULL, NULL, NULL, &chain), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_chain_biarcs((batten_points){2, 3, bad}, NULL, NULL, NULL, &chain),
+                 BATTEN_NOT_FINITE);
     batten_chain_biarcs_options options = batten_chain_biarcs_defaults();
     options.directions = zero;
-    CHECK_STATUS(batten_chain_biarcs(3, back, &options, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_biarcs((batten_points){2, 3, back}, &options, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("direction 1");
     options = batten_chain_biarcs_defaults();
     options.joint = BATTEN_JOINT_GIVEN;
     options.place = 2;
-    CHECK_STATUS(batten_chain_biarcs(3, zero, &options, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_biarcs((batten_points){2, 3, zero}, &options, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
     CHECK(!chain);
 }

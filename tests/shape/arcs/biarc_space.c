@@ -37,7 +37,8 @@ TEST(biarcs_in_space_are_arcs_of_two_circles)
         }
         batten_curve *curve = NULL;
         const double ratio = test_random_in(&random, 0.3, 3);
-        CHECK_OK(batten_curve_biarc(3, start, T0, end, T1, ratio, &curve));
+        CHECK_OK(batten_curve_biarc(3, (batten_ray){start, T0}, (batten_ray){end, T1}, ratio,
+                                    &curve));
         check_smooth(curve);
         const batten_interval domain = batten_curve_domain(curve);
         CHECK_OK(batten_curve_evaluate(curve, domain.a, 1, at));
@@ -56,7 +57,7 @@ TEST(biarcs_in_space_are_arcs_of_two_circles)
             CHECK_NEAR(b.curvature / a.curvature, 1, 1e-8);
             CHECK_NEAR(a.torsion / a.curvature, 0, 1e-5);
         }
-        CHECK_OK(batten_curve_length(curve, 1e-10, &length, NULL));
+        CHECK_OK(batten_curve_length(curve, 1e-10, NULL, &length));
         CHECK_NEAR(length, domain.b - domain.a, 1e-8 * length);
         batten_curve_unref(curve);
     }
@@ -68,8 +69,9 @@ TEST(biarcs_by_legs_are_those_by_joints)
     batten_biarc plane;
     batten_curve *curve = NULL;
     double at[2];
-    CHECK_OK(batten_biarc_between(start, T0, end, T1, BATTEN_JOINT_EQUAL_LEGS, 0, &plane));
-    CHECK_OK(batten_curve_biarc(2, start, T0, end, T1, 1, &curve));
+    CHECK_OK(batten_biarc_between((batten_ray){start, T0}, (batten_ray){end, T1},
+                                  BATTEN_JOINT_EQUAL_LEGS, 0, &plane));
+    CHECK_OK(batten_curve_biarc(2, (batten_ray){start, T0}, (batten_ray){end, T1}, 1, &curve));
     CHECK_OK(batten_curve_evaluate(curve, plane.arcs[0].length, 0, at));
     CHECK_NEAR(at[0], plane.joint[0], 1e-13);
     CHECK_NEAR(at[1], plane.joint[1], 1e-13);
@@ -80,13 +82,17 @@ TEST(g9_biarcs_in_space_without_legs_are_refused)
 {
     const double start[3] = {0, 0, 0}, end[3] = {1, 0, 0}, across[3] = {0, 0, 1};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_biarc(3, start, across, end, across, 1, &curve),
+    CHECK_STATUS(batten_curve_biarc(3, (batten_ray){start, across}, (batten_ray){end, across},
+                                    1, &curve),
                  BATTEN_SINGULAR_HERE);
-    CHECK_STATUS(batten_curve_biarc(3, start, across, start, across, 1, &curve),
+    CHECK_STATUS(batten_curve_biarc(3, (batten_ray){start, across}, (batten_ray){start, across},
+                                    1, &curve),
                  BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_curve_biarc(3, start, across, end, across, 0, &curve),
+    CHECK_STATUS(batten_curve_biarc(3, (batten_ray){start, across}, (batten_ray){end, across},
+                                    0, &curve),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_biarc(1, start, across, end, across, 1, &curve),
+    CHECK_STATUS(batten_curve_biarc(1, (batten_ray){start, across}, (batten_ray){end, across},
+                                    1, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK(!curve);
 }
@@ -104,7 +110,8 @@ TEST(biarcs_through_points_of_a_tilted_circle_are_the_circle)
         batten_chain_biarcs_options options = batten_chain_biarcs_defaults();
         options.closed = closed;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_biarcs(3, 6, points, &options, parameters, &curve));
+        CHECK_OK(
+            batten_curve_biarcs((batten_points){3, 6, points}, &options, parameters, &curve));
         check_smooth(curve);
         const batten_interval domain = batten_curve_domain(curve);
         CHECK_NEAR(domain.b - domain.a, closed ? 4 * acos(-1) : 2 * 4.4, 1e-12);

@@ -63,7 +63,8 @@ TEST(data_of_one_conic_give_that_conic)
             options.curvatures = curvatures;
             batten_curve *curve = NULL;
             batten_curve_conics_report report;
-            CHECK_OK(batten_curve_conics(count, points, &options, NULL, &report, &curve));
+            CHECK_OK(batten_curve_conics((batten_points){2, count, points}, &options, NULL,
+                                         &report, &curve));
             CHECK(off_conic(curve, rows[i].hyperbola, rows[i].a, rows[i].b) < 1e-12);
             CHECK(report.jump < 1e-11);
             CHECK_INT(report.fallen_back + report.arcs + report.inflections, 0);
@@ -83,7 +84,8 @@ TEST(a_circle_has_its_shares)
     for (int k = 0; k < 2; k++) {
         options.start_share = options.end_share = tan(f / 2) / tan(f) + 0.05 * k;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_conics(2, points, &options, NULL, NULL, &curve));
+        CHECK_OK(
+            batten_curve_conics((batten_points){2, 2, points}, &options, NULL, NULL, &curve));
         const double off = off_conic(curve, false, 1, 1);
         CHECK(k == 0 ? off < 1e-14 : off > 1e-5);
         /* Round or not, curvature is given at the ends and continuous in the middle. */
@@ -109,7 +111,8 @@ TEST(a_pair_has_the_curvatures_that_were_asked_for)
         options.end_share = k * 0.4;
         batten_curve *curve = NULL;
         double u[3];
-        CHECK_OK(batten_curve_conics(2, points, &options, NULL, NULL, &curve));
+        CHECK_OK(
+            batten_curve_conics((batten_points){2, 2, points}, &options, NULL, NULL, &curve));
         CHECK_INT(batten_curve_spans(curve, u), 3);
         CHECK_NEAR(curvature_at(curve, u[0], BATTEN_FROM_RIGHT), -0.7, 1e-13);
         CHECK_NEAR(curvature_at(curve, u[2], BATTEN_FROM_LEFT), -0.25, 1e-13);
@@ -133,8 +136,8 @@ TEST(parabolas_are_the_quadratic_spline_with_a_knot_in_the_middle)
     options.tangents = tangents;
     batten_curve *curve = NULL, *spline = NULL;
     double u[3];
-    CHECK_OK(batten_curve_conics(2, points, &options, NULL, NULL, &curve));
-    CHECK_OK(batten_curve_create(2, 2, 4, control, NULL, knots, &spline));
+    CHECK_OK(batten_curve_conics((batten_points){2, 2, points}, &options, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 4, control}, 2, NULL, knots, &spline));
     CHECK_INT(batten_curve_spans(curve, u), 3);
     for (int i = 0; i <= 20; i++) {
         const double t = i / 20.0;
@@ -172,7 +175,8 @@ TEST(smooth_curves_are_met_with_orders_five_and_four)
             options.tangents = tangents;
             options.curvatures = curvatures;
             batten_curve *curve = NULL;
-            CHECK_OK(batten_curve_conics(n, points, &options, NULL, NULL, &curve));
+            CHECK_OK(batten_curve_conics((batten_points){2, n, points}, &options, NULL, NULL,
+                                         &curve));
             for (int i = 0; i <= 4000; i++) {
                 double at[2];
                 const double end = batten_curve_domain(curve).b;
@@ -202,7 +206,8 @@ TEST(a_span_that_bends_to_both_sides_is_cut_on_its_chord)
         batten_curve_conics_report report;
         batten_curve *curve = NULL;
         double u[3], before[4], after[4];
-        CHECK_OK(batten_curve_conics(2, points, &options, NULL, &report, &curve));
+        CHECK_OK(batten_curve_conics((batten_points){2, 2, points}, &options, NULL, &report,
+                                     &curve));
         CHECK_INT(report.inflections, 1);
         CHECK_INT(batten_curve_spans(curve, u), 3);
         CHECK_OK(batten_curve_evaluate_side(curve, u[1], BATTEN_FROM_LEFT, 1, before));
@@ -238,7 +243,8 @@ TEST(g2_points_of_a_circle_give_the_circle_and_of_a_line_the_line)
         double parameters[8];
         options.kind = (batten_conics_kind)kind;
         options.closed = true;
-        CHECK_OK(batten_curve_conics(7, ring, &options, parameters, &report, &curve));
+        CHECK_OK(batten_curve_conics((batten_points){2, 7, ring}, &options, parameters, &report,
+                                     &curve));
         if (kind != BATTEN_CONICS_PARABOLAS)
             CHECK(off_conic(curve, false, 3, 3) < 1e-13 && report.jump < 1e-13);
         for (int i = 0; i < 7; i++) {
@@ -252,8 +258,9 @@ TEST(g2_points_of_a_circle_give_the_circle_and_of_a_line_the_line)
         options.closed = false;
         for (int count = 2; count <= 5; count += 3) {
             double length = 0;
-            CHECK_OK(batten_curve_conics(count, line, &options, NULL, &report, &curve));
-            CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+            CHECK_OK(batten_curve_conics((batten_points){2, count, line}, &options, NULL,
+                                         &report, &curve));
+            CHECK_OK(batten_curve_length(curve, 1e-12, NULL, &length));
             CHECK_NEAR(length, hypot(line[2 * count - 2], line[2 * count - 1] - 1), 1e-12);
             CHECK_NEAR(report.jump, 0, 1e-12);
             batten_curve_unref(curve);
@@ -273,7 +280,8 @@ TEST(tangents_that_do_not_meet_get_arcs)
         batten_curve *curve = NULL;
         options.tangents = tangents[i];
         options.kind = BATTEN_CONICS_SINGLE;
-        CHECK_OK(batten_curve_conics(2, points, &options, NULL, &report, &curve));
+        CHECK_OK(batten_curve_conics((batten_points){2, 2, points}, &options, NULL, &report,
+                                     &curve));
         CHECK_INT(report.arcs, 1);
         CHECK_INT(report.first_arcs, 0);
         double at[4];
@@ -297,7 +305,8 @@ TEST(curvatures_against_the_tangents_are_left_out_and_named)
     batten_curve_conics_report report;
     batten_curve *curve = NULL;
     options.curvatures = curvatures;
-    CHECK_OK(batten_curve_conics(4, points, &options, NULL, &report, &curve));
+    CHECK_OK(
+        batten_curve_conics((batten_points){2, 4, points}, &options, NULL, &report, &curve));
     CHECK_INT(report.fallen_back, 2);
     CHECK_INT(report.first_fallen_back, 0);
     CHECK(report.jump > 0.1);
@@ -320,9 +329,12 @@ TEST(g10_conics_follow_their_points)
         batten_curve_conics_options options = batten_curve_conics_defaults();
         batten_curve *curve = NULL, *mirrored = NULL, *reversed = NULL;
         options.kind = (batten_conics_kind)kind;
-        CHECK_OK(batten_curve_conics(5, points, &options, NULL, NULL, &curve));
-        CHECK_OK(batten_curve_conics(5, turned, &options, NULL, NULL, &mirrored));
-        CHECK_OK(batten_curve_conics(5, back, &options, NULL, NULL, &reversed));
+        CHECK_OK(
+            batten_curve_conics((batten_points){2, 5, points}, &options, NULL, NULL, &curve));
+        CHECK_OK(batten_curve_conics((batten_points){2, 5, turned}, &options, NULL, NULL,
+                                     &mirrored));
+        CHECK_OK(
+            batten_curve_conics((batten_points){2, 5, back}, &options, NULL, NULL, &reversed));
         const double end = batten_curve_domain(curve).b;
         CHECK_NEAR(batten_curve_domain(reversed).b, end, 1e-13);
         for (int i = 0; i <= 40; i++) {
@@ -349,37 +361,45 @@ TEST(n1_g1_bad_data_of_conics_are_refused)
     double tangents[] = {1, 1, 1, 0, 1, -1}, curvatures[] = {1, 1, NAN};
     batten_curve *curve = NULL;
     batten_curve_conics_options options = batten_curve_conics_defaults();
-    CHECK_STATUS(batten_curve_conics(1, points, NULL, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_conics((batten_points){2, 1, points}, NULL, NULL, NULL, &curve),
                  BATTEN_TOO_FEW_POINTS);
     options.closed = true;
-    CHECK_STATUS(batten_curve_conics(2, points, &options, NULL, NULL, &curve),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_curve_conics((batten_points){2, 2, points}, &options, NULL, NULL, &curve),
+        BATTEN_TOO_FEW_POINTS);
     options.closed = false;
     options.curvatures = curvatures;
-    CHECK_STATUS(batten_curve_conics(3, points, &options, NULL, NULL, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_conics((batten_points){2, 3, points}, &options, NULL, NULL, &curve),
+        BATTEN_NOT_FINITE);
     CHECK_MESSAGE("point 2");
     options.curvatures = NULL;
     options.tangents = tangents;
     tangents[2] = tangents[3] = 0;
-    CHECK_STATUS(batten_curve_conics(3, points, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_conics((batten_points){2, 3, points}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("tangent at point 1");
     tangents[2] = INFINITY;
-    CHECK_STATUS(batten_curve_conics(3, points, &options, NULL, NULL, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_conics((batten_points){2, 3, points}, &options, NULL, NULL, &curve),
+        BATTEN_NOT_FINITE);
     options.tangents = NULL;
     options.start_share = 1;
-    CHECK_STATUS(batten_curve_conics(3, points, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_conics((batten_points){2, 3, points}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options.start_share = 0;
     options.weight = -1;
-    CHECK_STATUS(batten_curve_conics(3, points, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_conics((batten_points){2, 3, points}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     points[2] = points[3] = 0;
-    CHECK_STATUS(batten_curve_conics(3, points, NULL, NULL, NULL, &curve), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_conics((batten_points){2, 3, points}, NULL, NULL, NULL, &curve),
+                 BATTEN_COINCIDENT);
     points[3] = NAN;
-    CHECK_STATUS(batten_curve_conics(3, points, NULL, NULL, NULL, &curve), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_conics((batten_points){2, 3, points}, NULL, NULL, NULL, &curve),
+                 BATTEN_NOT_FINITE);
     CHECK(!curve);
 }
 
@@ -391,7 +411,8 @@ TEST(n2_conics_of_any_size_are_the_same)
                      points[] = {0, 0, z, 0.6 * z, 2 * z, 0.2 * z, 3 * z, 0.3 * z};
         batten_curve *curve = NULL;
         batten_curve_conics_report report;
-        CHECK_OK(batten_curve_conics(4, points, NULL, NULL, &report, &curve));
+        CHECK_OK(
+            batten_curve_conics((batten_points){2, 4, points}, NULL, NULL, &report, &curve));
         CHECK_INT(report.inflections, 1);
         CHECK_INT(report.arcs + report.fallen_back, 0);
         CHECK_NEAR(report.jump * z, 0, 1e-13);

@@ -40,7 +40,9 @@ static void check_chain(const batten_curve *curve, const batten_chain *chain,
                 chain, breaks[i] + (breaks[i + 1] - breaks[i]) * (k + 0.5) / 8, 0,
                 points + 2 * k));
         batten_deviation off;
-        CHECK_OK(batten_curve_deviation(curve, 8, points, NULL, NULL, NULL, &off));
+        CHECK_OK(batten_curve_deviation(
+            curve, (batten_points){batten_curve_dimension(curve), 8, points}, NULL, NULL, NULL,
+            &off));
         CHECK(off.max <= report->error * (1 + 1e-6) + 1e-9 * tolerance + 1e-13);
     }
 }
@@ -81,7 +83,7 @@ TEST(g2_a_line_is_one_line)
         batten_chain *chain = NULL;
         batten_arcs_report report;
         const batten_arcs_options options = within(1e-6, (batten_arcs_join)joined);
-        CHECK_OK(batten_curve_create(2, 3, 5, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create((batten_points){2, 5, points}, 3, NULL, knots, &curve));
         CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
         CHECK_INT(report.lines, 1);
         CHECK_INT(report.arcs, 0);
@@ -179,7 +181,7 @@ static batten_curve *wave(void)
                              4.5, 2.5, 5, 2, 6, 2,  7, 2, 8,   2, 9,   2};
     const double knots[] = {0, 0, 0, 0, 1, 2, 2, 2, 3, 4, 5, 6, 7, 7, 7, 7};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(2, 3, 12, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 12, points}, 3, NULL, knots, &curve));
     return curve;
 }
 
@@ -278,7 +280,7 @@ static batten_curve *round_square(const double radii[4])
 {
     const double points[] = {4, 0, 8, 0, 8, 8, 0, 8, 0, 0, 4, 0};
     batten_curve *polyline = NULL, *round = NULL;
-    CHECK_OK(batten_curve_polyline(2, 6, points, &polyline));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 6, points}, &polyline));
     CHECK_OK(batten_curve_fillet(polyline, 4, radii, 1e-9, NULL, &round));
     batten_curve_unref(polyline);
     return round;
@@ -318,7 +320,7 @@ TEST(a_run_that_is_no_arc_is_followed_and_its_neighbours_stay)
     const double points[] = {0, 0, 6, 0, 6, 6, 0, 6};
     const double radii[2] = {0, 2};
     batten_curve *polyline = NULL, *round = NULL, *part = NULL, *end = NULL, *whole = NULL;
-    CHECK_OK(batten_curve_polyline(2, 4, points, &polyline));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 4, points}, &polyline));
     CHECK_OK(batten_curve_fillet(polyline, 2, radii, 1e-9, NULL, &round));
     part = ellipse(3, 1, 0, 2);
     const batten_affine map = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {-3, 6, 0}};
@@ -366,14 +368,14 @@ TEST(corners_stay_and_cusps_are_corners)
     batten_chain *chain = NULL;
     batten_arcs_report report;
     batten_arcs_options options = within(1e-4, BATTEN_ARCS_SMOOTH);
-    CHECK_OK(batten_curve_create(2, 1, 5, square, NULL, steps, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 5, square}, 1, NULL, steps, &curve));
     CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
     CHECK_INT(report.lines, 4);
     CHECK_NEAR(report.largest_turn, pi / 2, 1e-14);
     CHECK(batten_chain_is_closed(chain));
     batten_chain_unref(chain);
     batten_curve_unref(curve);
-    CHECK_OK(batten_curve_create(2, 3, 4, cusp, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 4, cusp}, 3, NULL, knots, &curve));
     CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
     CHECK(report.largest_turn > 3);
     check_chain(curve, chain, &report, 1e-4);
@@ -394,7 +396,8 @@ TEST(chains_are_followed_as_curves_are)
     batten_curve *curve = NULL;
     batten_arcs_report report;
     const batten_arcs_options options = within(1e-5, BATTEN_ARCS_PLAIN);
-    CHECK_OK(batten_chain_create(2, 1, &spiral, NULL, false, 1e-9, &clothoid));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &spiral, NULL, false}, 1e-9,
+                                 &clothoid));
     CHECK_OK(batten_arcs_from_chain(clothoid, &options, &report, &chain));
     /* k' = 1: the length by that of one arc. */
     const double theory = 2 / cbrt(72 * sqrt(3) * 1e-5);
@@ -470,7 +473,7 @@ TEST(n6_tolerances_of_arcs_that_are_none_are_refused)
     CHECK_STATUS(batten_arcs_from_curve(solid, &options, NULL, &chain), BATTEN_BAD_ARGUMENT);
     const double zero[] = {1, 1, 1, 1};
     const double knots[] = {0, 0, 1, 1};
-    CHECK_OK(batten_curve_create(2, 1, 2, zero, NULL, knots, &point));
+    CHECK_OK(batten_curve_create((batten_points){2, 2, zero}, 1, NULL, knots, &point));
     options.side = BATTEN_ARCS_EITHER;
     CHECK_STATUS(batten_arcs_from_curve(point, &options, NULL, &chain), BATTEN_SINGULAR_HERE);
     CHECK(!chain);

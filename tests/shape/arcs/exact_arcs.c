@@ -78,7 +78,8 @@ TEST(a_piece_that_turns_by_more_than_half_a_circle_is_two_arcs)
             for (int d = 0; d < 2; d++)
                 points[i][d] /= weights[i];
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_create(2, 4, 5, points[0], weights, knots, &curve));
+        CHECK_OK(
+            batten_curve_create((batten_points){2, 5, points[0]}, 4, weights, knots, &curve));
         batten_chain *chain = exact(curve);
         CHECK(chain != NULL);
         CHECK_NEAR(length_of(chain), angles[k], 1e-10);
@@ -97,7 +98,7 @@ TEST(lines_of_any_degree_are_lines_and_go_on_as_one)
         points[i][1] = -4 * along[i];
     }
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(2, 3, 6, points[0], NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 6, points[0]}, 3, NULL, knots, &curve));
     batten_chain *chain = exact(curve);
     CHECK(chain != NULL);
     CHECK_INT(batten_chain_span_count(chain), 1);
@@ -108,7 +109,7 @@ TEST(lines_of_any_degree_are_lines_and_go_on_as_one)
     /* One that turns back is none. */
     points[2][0] = 1000 + 3 * 6;
     points[2][1] = -4 * 6;
-    CHECK_OK(batten_curve_create(2, 3, 6, points[0], NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 6, points[0]}, 3, NULL, knots, &curve));
     CHECK(exact(curve) == NULL);
     batten_curve_unref(curve);
 }
@@ -131,11 +132,11 @@ TEST(curves_that_are_a_little_different_are_none)
     batten_curve_unref(curve);
     const double line[8] = {0, 0, 1, 0, 2, 1e-9, 3, 0};
     const double knots[8] = {0, 0, 0, 0, 1, 1, 1, 1};
-    CHECK_OK(batten_curve_create(2, 3, 4, line, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 4, line}, 3, NULL, knots, &curve));
     CHECK(exact(curve) == NULL);
     batten_curve_unref(curve);
     const double same[8] = {1, 1, 1, 1, 1, 1, 1, 1};
-    CHECK_OK(batten_curve_create(2, 3, 4, same, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 4, same}, 3, NULL, knots, &curve));
     CHECK(exact(curve) == NULL);
     batten_curve_unref(curve);
 }

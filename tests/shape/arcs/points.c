@@ -42,7 +42,8 @@ TEST(arcs_pass_points_of_a_wave_within_the_tolerance)
                 batten_arcs_report report;
                 batten_chain *chain = NULL;
                 options.side = (batten_arcs_side)side;
-                CHECK_OK(batten_arcs_from_points(N, points, &options, at, &report, &chain));
+                CHECK_OK(batten_arcs_from_points((batten_points){2, N, points}, &options, at,
+                                                 &report, &chain));
                 check_points(N, points, at, chain, &report, options.tolerance);
                 CHECK(report.arcs + report.lines > before);
                 CHECK(side != BATTEN_ARCS_LEFT || report.right < 1e-13);
@@ -68,15 +69,18 @@ TEST(g2_points_on_a_circle_or_line_are_one_arc_or_line)
         const batten_arcs_options options = within(1e-6, (batten_arcs_join)joined);
         batten_arcs_report report;
         batten_chain *chain = NULL;
-        CHECK_OK(batten_arcs_from_points(9, circle, &options, NULL, &report, &chain));
+        CHECK_OK(batten_arcs_from_points((batten_points){2, 9, circle}, &options, NULL, &report,
+                                         &chain));
         CHECK_INT(report.arcs, 1);
         CHECK_NEAR(report.least_radius, 4, 1e-11);
         batten_chain_unref(chain);
-        CHECK_OK(batten_arcs_from_points(9, line, &options, NULL, &report, &chain));
+        CHECK_OK(batten_arcs_from_points((batten_points){2, 9, line}, &options, NULL, &report,
+                                         &chain));
         CHECK_INT(report.arcs, 0);
         CHECK_INT(report.lines, 1);
         batten_chain_unref(chain);
-        CHECK_OK(batten_arcs_from_points(2, line, &options, NULL, &report, &chain));
+        CHECK_OK(batten_arcs_from_points((batten_points){2, 2, line}, &options, NULL, &report,
+                                         &chain));
         CHECK_INT(report.lines, 1);
         batten_chain_unref(chain);
     }
@@ -97,7 +101,8 @@ TEST(closed_rows_of_points_have_an_inside)
         batten_chain *chain = NULL;
         options.closed = true;
         options.side = BATTEN_ARCS_INSIDE;
-        CHECK_OK(batten_arcs_from_points(N, points, &options, at, &report, &chain));
+        CHECK_OK(batten_arcs_from_points((batten_points){2, N, points}, &options, at, &report,
+                                         &chain));
         CHECK(batten_chain_is_closed(chain));
         CHECK(report.left < 1e-13 && report.right > 1e-3);
         check_points(N, points, at, chain, &report, 1e-2);
@@ -118,7 +123,8 @@ TEST(rough_points_are_passed_by_few_plain_arcs)
     const batten_arcs_options options = within(2.5e-3, BATTEN_ARCS_PLAIN);
     batten_arcs_report report;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_arcs_from_points(N, points, &options, at, &report, &chain));
+    CHECK_OK(
+        batten_arcs_from_points((batten_points){2, N, points}, &options, at, &report, &chain));
     CHECK_INT(report.arcs, 1);
     CHECK(report.error <= 2.5e-3);
     batten_chain_unref(chain);
@@ -130,18 +136,23 @@ TEST(g1_coincident_points_are_named_by_arcs)
     const double bad[] = {0, 0, INFINITY, 1};
     const batten_arcs_options options = within(0.1, BATTEN_ARCS_PLAIN);
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_arcs_from_points(4, same, &options, NULL, NULL, &chain),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_arcs_from_points((batten_points){2, 4, same}, &options, NULL, NULL, &chain),
+        BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2");
-    CHECK_STATUS(batten_arcs_from_points(3, back, &options, NULL, NULL, &chain),
-                 BATTEN_SINGULAR_HERE);
-    CHECK_STATUS(batten_arcs_from_points(2, bad, &options, NULL, NULL, &chain),
-                 BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_arcs_from_points(1, same, &options, NULL, NULL, &chain),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_arcs_from_points((batten_points){2, 3, back}, &options, NULL, NULL, &chain),
+        BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(
+        batten_arcs_from_points((batten_points){2, 2, bad}, &options, NULL, NULL, &chain),
+        BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_arcs_from_points((batten_points){2, 1, same}, &options, NULL, NULL, &chain),
+        BATTEN_TOO_FEW_POINTS);
     batten_arcs_options inside = options;
     inside.side = BATTEN_ARCS_INSIDE;
-    CHECK_STATUS(batten_arcs_from_points(2, same, &inside, NULL, NULL, &chain),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_arcs_from_points((batten_points){2, 2, same}, &inside, NULL, NULL, &chain),
+        BATTEN_BAD_ARGUMENT);
     CHECK(!chain);
 }

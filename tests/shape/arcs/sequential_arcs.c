@@ -33,8 +33,8 @@ TEST(arcs_one_after_another_pass_their_points)
             double angles[6], parameters[6];
             batten_chain *chain = NULL;
             batten_chain_sequential_arcs_report report;
-            CHECK_OK(batten_chain_sequential_arcs(count, ducks, starts[i], angles, parameters,
-                                                  &report, &chain));
+            CHECK_OK(batten_chain_sequential_arcs((batten_points){2, count, ducks}, starts[i],
+                                                  angles, parameters, &report, &chain));
             check_arcs(chain, count, ducks, angles, parameters);
             if (!isnan(starts[i]))
                 CHECK_NEAR(remainder(report.start_angle - starts[i], 2 * pi), 0, 1e-13);
@@ -49,12 +49,14 @@ TEST(a_turn_at_the_start_goes_on_undamped)
     batten_chain *chain = NULL;
     batten_chain_sequential_arcs_report report;
     const double turn = 1e-6;
-    CHECK_OK(batten_chain_sequential_arcs(6, ducks, 0.5, angles, NULL, &report, &chain));
+    CHECK_OK(batten_chain_sequential_arcs((batten_points){2, 6, ducks}, 0.5, angles, NULL,
+                                          &report, &chain));
     double curvatures[5], most = 0;
     for (int i = 0; i < 5; i++)
         curvatures[i] = batten_chain_span(chain, i)->curvature[0];
     batten_chain_unref(chain);
-    CHECK_OK(batten_chain_sequential_arcs(6, ducks, 0.5 + turn, turned, NULL, NULL, &chain));
+    CHECK_OK(batten_chain_sequential_arcs((batten_points){2, 6, ducks}, 0.5 + turn, turned,
+                                          NULL, NULL, &chain));
     for (int i = 0; i < 6; i++)
         CHECK_NEAR(remainder(turned[i] - angles[i], 2 * pi), i % 2 == 0 ? turn : -turn, 1e-14);
     for (int i = 0; i < 5; i++)
@@ -84,14 +86,16 @@ TEST(no_other_start_without_loops_has_smaller_jumps)
         const int count = row ? 4 : 6;
         batten_chain *best = NULL;
         batten_chain_sequential_arcs_report report;
-        CHECK_OK(batten_chain_sequential_arcs(count, points, NAN, NULL, NULL, &report, &best));
+        CHECK_OK(batten_chain_sequential_arcs((batten_points){2, count, points}, NAN, NULL,
+                                              NULL, &report, &best));
         CHECK_INT(report.long_arcs, 0);
         const double least = sum_of_jumps(best);
         batten_chain_unref(best);
         for (int i = 0; i < 500; i++) {
             batten_chain *other = NULL;
             const batten_status status = batten_chain_sequential_arcs(
-                count, points, 2 * pi * i / 500 + 0.001, NULL, NULL, &report, &other);
+                (batten_points){2, count, points}, 2 * pi * i / 500 + 0.001, NULL, NULL,
+                &report, &other);
             if (status != BATTEN_OK) /* one arc a full circle, or no memory */
                 continue;
             CHECK(report.long_arcs > 0 || sum_of_jumps(other) >= least * (1 - 1e-12));
@@ -113,14 +117,15 @@ TEST(g2_points_of_a_circle_give_it_and_points_of_a_line_the_line)
         line[2 * i + 1] = 1 - at[i] / 2;
     }
     for (int count = 3; count <= 7; count++) {
-        CHECK_OK(batten_chain_sequential_arcs(count, ring, NAN, angles, parameters, &report,
-                                              &chain));
+        CHECK_OK(batten_chain_sequential_arcs((batten_points){2, count, ring}, NAN, angles,
+                                              parameters, &report, &chain));
         check_arcs(chain, count, ring, angles, parameters);
         for (int i = 0; i + 1 < count; i++)
             CHECK_NEAR(batten_chain_span(chain, i)->curvature[0], 0.5, 1e-12);
         CHECK_NEAR(report.jump, 0, 1e-12);
         batten_chain_unref(chain);
-        CHECK_OK(batten_chain_sequential_arcs(count, line, NAN, NULL, NULL, &report, &chain));
+        CHECK_OK(batten_chain_sequential_arcs((batten_points){2, count, line}, NAN, NULL, NULL,
+                                              &report, &chain));
         CHECK_NEAR(report.start_angle, atan2(-0.5, 1), 1e-13);
         CHECK_NEAR(report.jump, 0, 1e-12);
         batten_chain_unref(chain);
@@ -131,18 +136,23 @@ TEST(n1_g1_bad_data_of_sequential_arcs_are_refused)
 {
     double points[] = {0, 0, 1, 0, 2, 1};
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_sequential_arcs(1, points, NAN, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_sequential_arcs((batten_points){2, 1, points}, NAN, NULL, NULL,
+                                              NULL, &chain),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_chain_sequential_arcs(3, points, INFINITY, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_sequential_arcs((batten_points){2, 3, points}, INFINITY, NULL,
+                                              NULL, NULL, &chain),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_chain_sequential_arcs(3, points, pi, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_sequential_arcs((batten_points){2, 3, points}, pi, NULL, NULL,
+                                              NULL, &chain),
                  BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("from point 0 to point 1");
     points[2] = 0;
-    CHECK_STATUS(batten_chain_sequential_arcs(3, points, NAN, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_sequential_arcs((batten_points){2, 3, points}, NAN, NULL, NULL,
+                                              NULL, &chain),
                  BATTEN_COINCIDENT);
     points[2] = NAN;
-    CHECK_STATUS(batten_chain_sequential_arcs(3, points, NAN, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_sequential_arcs((batten_points){2, 3, points}, NAN, NULL, NULL,
+                                              NULL, &chain),
                  BATTEN_NOT_FINITE);
     CHECK(!chain);
 }

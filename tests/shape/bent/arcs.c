@@ -47,7 +47,8 @@ TEST(spans_of_arcs_have_the_curvatures_and_ends_of_their_family)
         CHECK_OK(arcs->spans(a, b, 1.7, 0, spans, &count));
         CHECK_NEAR(spans[0].curvature[0], k.k0, 1e-13);
         CHECK_NEAR(spans[count - 1].curvature[0], k.k1, 1e-13);
-        CHECK_OK(batten_chain_create(2, count, spans, NULL, false, 1e-12, &chain));
+        CHECK_OK(batten_chain_create(&(batten_chain_parts){2, count, spans, NULL, false}, 1e-12,
+                                     &chain));
         CHECK_OK(batten_chain_evaluate(chain, batten_chain_domain(chain).b, 1, at));
         CHECK_NEAR(at[0], 1.7, 1e-12);
         CHECK_NEAR(at[1], 0, 1e-12);

@@ -9,8 +9,8 @@ static batten_curve *find(int d, int count, const double *points,
                           double *parameters, batten_curve_minimum_energy_report *report)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(
-        batten_curve_minimum_energy(d, count, points, options, parameters, report, &curve));
+    CHECK_OK(batten_curve_minimum_energy((batten_points){d, count, points}, options, parameters,
+                                         report, &curve));
     return curve;
 }
 
@@ -147,7 +147,8 @@ TEST(the_curve_of_least_variation_is_near_spiro_and_no_worse)
         batten_curve_minimum_energy_report report;
         batten_chain_spiro_report beside;
         batten_chain *chain = NULL;
-        CHECK_OK(batten_chain_spiro(12, points, &spiro, NULL, &beside, &chain));
+        CHECK_OK(
+            batten_chain_spiro((batten_points){2, 12, points}, &spiro, NULL, &beside, &chain));
         batten_chain_unref(chain);
         batten_curve_unref(find(2, 12, points, &options, u, &report));
         CHECK(report.after < beside.variation);
@@ -284,11 +285,13 @@ TEST(g1_coincident_points_are_named_by_least_energy)
 {
     const double points[] = {0, 0, 1, 1, 1, 1, 2, 0};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_minimum_energy(2, 4, points, NULL, NULL, NULL, &curve),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 4, points}, NULL, NULL, NULL, &curve),
+        BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2");
-    CHECK_STATUS(batten_curve_minimum_energy(2, 1, points, NULL, NULL, NULL, &curve),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 1, points}, NULL, NULL, NULL, &curve),
+        BATTEN_TOO_FEW_POINTS);
     CHECK(!curve);
 }
 
@@ -296,32 +299,39 @@ TEST(n1_options_of_least_energy_that_are_not_allowed_are_refused)
 {
     const double bad[] = {0, 0, NAN, 1, 2, 0}, none[] = {0, 0};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_minimum_energy(2, 3, bad, NULL, NULL, NULL, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 3, bad}, NULL, NULL, NULL, &curve),
+        BATTEN_NOT_FINITE);
     batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_BENDING, false);
     options.tension = -1;
-    CHECK_STATUS(batten_curve_minimum_energy(2, 3, arch, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 3, arch}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options.tension = 1;
     options.scale_invariant = true;
-    CHECK_STATUS(batten_curve_minimum_energy(2, 3, arch, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 3, arch}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options = of(BATTEN_ENERGY_BENDING, false);
     options.start_tangent = none;
-    CHECK_STATUS(batten_curve_minimum_energy(2, 3, arch, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 3, arch}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("no length");
     options.start_tangent = NULL;
     options.end_curvature = bad;
-    CHECK_STATUS(batten_curve_minimum_energy(2, 3, arch, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 3, arch}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("needs a tangent");
     options = of(BATTEN_ENERGY_BENDING, false);
     options.pieces = 17;
-    CHECK_STATUS(batten_curve_minimum_energy(2, 3, arch, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_minimum_energy(1, 3, arch, NULL, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 3, arch}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){1, 3, arch}, NULL, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     CHECK(!curve);
 }
 
@@ -343,8 +353,9 @@ TEST(g9_a_search_that_ends_too_early_says_so)
     batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_BENDING, false);
     batten_curve *curve = NULL;
     options.max_steps = 2;
-    CHECK_STATUS(batten_curve_minimum_energy(2, 3, arch, &options, NULL, NULL, &curve),
-                 BATTEN_INCOMPLETE);
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 3, arch}, &options, NULL, NULL, &curve),
+        BATTEN_INCOMPLETE);
     CHECK_MESSAGE("2 steps took the energy");
     CHECK(!curve);
 }

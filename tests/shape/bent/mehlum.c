@@ -30,9 +30,10 @@ TEST(mehlum_arcs_pass_the_points_with_the_directions_of_the_elastica)
             options.arcs = arcs;
             options.closed = elastica.closed = closed;
             elastica.family = BATTEN_FAMILY_ELASTICA;
-            CHECK_OK(
-                batten_chain_mehlum(5, points, &options, angles, parameters, &report, &chain));
-            CHECK_OK(batten_chain_nonlinear(5, points, &elastica, beams, NULL, NULL, &beam));
+            CHECK_OK(batten_chain_mehlum((batten_points){2, 5, points}, &options, angles,
+                                         parameters, &report, &chain));
+            CHECK_OK(batten_chain_nonlinear((batten_points){2, 5, points}, &elastica, beams,
+                                            NULL, NULL, &beam));
             CHECK_INT(report.arcs, arcs * (closed ? 5 : 4));
             CHECK_INT(batten_chain_span_count(chain), report.arcs);
             CHECK(batten_chain_is_arcs(chain));
@@ -70,7 +71,8 @@ TEST(mehlum_arcs_come_near_with_order_three_and_their_energy_with_order_two)
         batten_chain *chain = NULL;
         double angles[3];
         options.arcs = 4 << r;
-        CHECK_OK(batten_chain_mehlum(3, ducks, &options, angles, NULL, &report, &chain));
+        CHECK_OK(batten_chain_mehlum((batten_points){2, 3, ducks}, &options, angles, NULL,
+                                     &report, &chain));
         CHECK_NEAR(angles[0], 0.8000326, 1e-7);
         CHECK_NEAR(angles[1], 0.0262808, 1e-7);
         CHECK_NEAR(angles[2], -0.7108030, 1e-7);
@@ -95,7 +97,8 @@ TEST(mehlum_arcs_make_the_least_arch)
     options.start_value = pi / 2;
     options.end_value = -pi / 2;
     options.arcs = 400;
-    CHECK_OK(batten_chain_mehlum(2, gap, &options, NULL, NULL, NULL, &chain));
+    CHECK_OK(
+        batten_chain_mehlum((batten_points){2, 2, gap}, &options, NULL, NULL, NULL, &chain));
     CHECK_NEAR(energy(chain), 2.8710800442, 1e-4);
     batten_chain_unref(chain);
 }
@@ -112,8 +115,10 @@ TEST(mehlum_arcs_keep_a_tolerance)
         options.arcs = 2;
         options.tolerance = pow(10, -e);
         elastica.family = BATTEN_FAMILY_ELASTICA;
-        CHECK_OK(batten_chain_mehlum(5, ducks, &options, NULL, NULL, &report, &chain));
-        CHECK_OK(batten_chain_nonlinear(5, ducks, &elastica, NULL, NULL, NULL, &beam));
+        CHECK_OK(batten_chain_mehlum((batten_points){2, 5, ducks}, &options, NULL, NULL,
+                                     &report, &chain));
+        CHECK_OK(batten_chain_nonlinear((batten_points){2, 5, ducks}, &elastica, NULL, NULL,
+                                        NULL, &beam));
         CHECK(report.error <= options.tolerance);
         CHECK(report.arcs > before);
         before = report.arcs;
@@ -145,7 +150,8 @@ TEST(n6_mehlum_reaches_a_tolerance_near_rounding)
     batten_chain_mehlum_report report;
     batten_chain *chain = NULL;
     options.tolerance = 1e-12;
-    CHECK_OK(batten_chain_mehlum(5, ducks, &options, NULL, NULL, &report, &chain));
+    CHECK_OK(batten_chain_mehlum((batten_points){2, 5, ducks}, &options, NULL, NULL, &report,
+                                 &chain));
     CHECK(report.error <= 1e-12);
     batten_chain_unref(chain);
 }
@@ -160,16 +166,19 @@ TEST(g2_mehlum_of_a_line_is_the_line_and_of_a_circle_no_circle)
     }
     batten_chain_mehlum_report report;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_mehlum(4, line, NULL, NULL, NULL, &report, &chain));
+    CHECK_OK(
+        batten_chain_mehlum((batten_points){2, 4, line}, NULL, NULL, NULL, &report, &chain));
     CHECK_NEAR(report.error, 0, 1e-14);
     CHECK_NEAR(batten_chain_domain(chain).b, hypot(5, 2.5), 1e-13);
     batten_chain_unref(chain);
-    CHECK_OK(batten_chain_mehlum(2, line, NULL, NULL, NULL, &report, &chain));
+    CHECK_OK(
+        batten_chain_mehlum((batten_points){2, 2, line}, NULL, NULL, NULL, &report, &chain));
     CHECK_NEAR(report.jump, 0, 1e-13);
     batten_chain_unref(chain);
     batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
     options.start = options.end = BATTEN_NONLINEAR_CIRCULAR;
-    CHECK_OK(batten_chain_mehlum(6, ring, &options, NULL, NULL, &report, &chain));
+    CHECK_OK(batten_chain_mehlum((batten_points){2, 6, ring}, &options, NULL, NULL, &report,
+                                 &chain));
     CHECK(report.jump > 1e-4);
     batten_chain_unref(chain);
 }
@@ -179,27 +188,34 @@ TEST(n1_g1_n6_bad_data_of_mehlum_are_refused)
     double points[] = {0, 0, 1, 1, 2, 0};
     batten_chain *chain = NULL;
     batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
-    CHECK_STATUS(batten_chain_mehlum(1, points, NULL, NULL, NULL, NULL, &chain),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_chain_mehlum((batten_points){2, 1, points}, NULL, NULL, NULL, NULL, &chain),
+        BATTEN_TOO_FEW_POINTS);
     options.arcs = 1;
-    CHECK_STATUS(batten_chain_mehlum(3, points, &options, NULL, NULL, NULL, &chain),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_chain_mehlum((batten_points){2, 3, points}, &options, NULL, NULL, NULL, &chain),
+        BATTEN_BAD_ARGUMENT);
     options.arcs = 2;
     options.tolerance = -1;
-    CHECK_STATUS(batten_chain_mehlum(3, points, &options, NULL, NULL, NULL, &chain),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_chain_mehlum((batten_points){2, 3, points}, &options, NULL, NULL, NULL, &chain),
+        BATTEN_BAD_ARGUMENT);
     options.tolerance = NAN;
-    CHECK_STATUS(batten_chain_mehlum(3, points, &options, NULL, NULL, NULL, &chain),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_chain_mehlum((batten_points){2, 3, points}, &options, NULL, NULL, NULL, &chain),
+        BATTEN_BAD_ARGUMENT);
     options.tolerance = 1e-30;
-    CHECK_STATUS(batten_chain_mehlum(3, points, &options, NULL, NULL, NULL, &chain),
-                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_STATUS(
+        batten_chain_mehlum((batten_points){2, 3, points}, &options, NULL, NULL, NULL, &chain),
+        BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("more than 10000");
     points[2] = points[3] = 0;
-    CHECK_STATUS(batten_chain_mehlum(3, points, NULL, NULL, NULL, NULL, &chain),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_chain_mehlum((batten_points){2, 3, points}, NULL, NULL, NULL, NULL, &chain),
+        BATTEN_COINCIDENT);
     points[3] = NAN;
-    CHECK_STATUS(batten_chain_mehlum(3, points, NULL, NULL, NULL, NULL, &chain),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_chain_mehlum((batten_points){2, 3, points}, NULL, NULL, NULL, NULL, &chain),
+        BATTEN_NOT_FINITE);
     CHECK(!chain);
 }

@@ -25,7 +25,8 @@ static batten_chain *through(batten_span_family family, int count, const double 
     options.family = family;
     options.closed = closed;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_nonlinear(count, points, &options, angles, NULL, NULL, &chain));
+    CHECK_OK(batten_chain_nonlinear((batten_points){2, count, points}, &options, angles, NULL,
+                                    NULL, &chain));
     return chain;
 }
 
@@ -132,7 +133,8 @@ TEST(g9_points_without_a_mechanical_spline_name_the_span_and_what_to_use)
     batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.family = BATTEN_FAMILY_ELASTICA;
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_nonlinear(5, points, &options, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_nonlinear((batten_points){2, 5, points}, &options, NULL, NULL,
+                                        NULL, &chain),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("span ");
     CHECK_MESSAGE("an Euler spiral");
@@ -151,7 +153,8 @@ TEST(nonlinear_splines_pass_the_points_and_curvature_is_continuous)
         double angles[12], at[12];
         batten_chain_nonlinear_report report;
         batten_chain *chain = NULL;
-        CHECK_OK(batten_chain_nonlinear(12, points, &options, angles, at, &report, &chain));
+        CHECK_OK(batten_chain_nonlinear((batten_points){2, 12, points}, &options, angles, at,
+                                        &report, &chain));
         CHECK(report.error <= 1e-12 * report.curvature);
         CHECK(report.steps <= (kinds[n].family == BATTEN_FAMILY_LOCAL_TENSION ? 20 : 6));
         for (int i = 0; i < 12; i++) {
@@ -264,7 +267,8 @@ TEST(an_euler_spiral_through_one_more_of_its_points_is_the_same)
     double points[2 * N], more[2 * N + 2], angles[N], others[N + 1], at[N];
     wave(N, points);
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_nonlinear(N, points, NULL, angles, at, NULL, &chain));
+    CHECK_OK(
+        batten_chain_nonlinear((batten_points){2, N, points}, NULL, angles, at, NULL, &chain));
     for (int j = 0; j + 1 < N; j++) {
         double between[4];
         CHECK_OK(batten_chain_evaluate(chain, 0.6 * at[j] + 0.4 * at[j + 1], 1, between));
@@ -296,7 +300,8 @@ static batten_chain *half_circle(batten_span_family family, int count, double *a
     options.family = family;
     options.start = options.end = BATTEN_NONLINEAR_CIRCULAR;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_nonlinear(count, points, &options, angles, NULL, NULL, &chain));
+    CHECK_OK(batten_chain_nonlinear((batten_points){2, count, points}, &options, angles, NULL,
+                                    NULL, &chain));
     return chain;
 }
 
@@ -352,7 +357,8 @@ TEST(local_splines_without_tension_are_local_cubics)
     options.family = BATTEN_FAMILY_LOCAL_TENSION;
     options.tensions = none;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_nonlinear(N, points, &options, tension, NULL, NULL, &chain));
+    CHECK_OK(batten_chain_nonlinear((batten_points){2, N, points}, &options, tension, NULL,
+                                    NULL, &chain));
     batten_chain_unref(chain);
     batten_chain_unref(through(BATTEN_FAMILY_LOCAL_CUBIC, N, points, false, cubic));
     for (int i = 0; i < N; i++)
@@ -374,7 +380,8 @@ TEST(local_splines_in_much_tension_are_the_polygon)
     options.family = BATTEN_FAMILY_LOCAL_TENSION;
     options.tensions = tensions;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_nonlinear(N, points, &options, NULL, NULL, NULL, &chain));
+    CHECK_OK(batten_chain_nonlinear((batten_points){2, N, points}, &options, NULL, NULL, NULL,
+                                    &chain));
     const double *breaks = batten_chain_breaks(chain);
     for (int j = 0; j + 1 < N; j++)
         for (int i = 0; i <= 10; i++) {
@@ -399,11 +406,13 @@ TEST(tension_that_is_chosen_leaves_no_excess_inflection)
     batten_chain_nonlinear_report report;
     batten_chain *chain = NULL;
     options.family = BATTEN_FAMILY_LOCAL_CUBIC;
-    CHECK_OK(batten_chain_nonlinear(6, points, &options, NULL, NULL, &report, &chain));
+    CHECK_OK(batten_chain_nonlinear((batten_points){2, 6, points}, &options, NULL, NULL,
+                                    &report, &chain));
     batten_chain_unref(chain);
     CHECK(report.inflections_added > 0);
     options.family = BATTEN_FAMILY_LOCAL_TENSION;
-    CHECK_OK(batten_chain_nonlinear(6, points, &options, NULL, NULL, &report, &chain));
+    CHECK_OK(batten_chain_nonlinear((batten_points){2, 6, points}, &options, NULL, NULL,
+                                    &report, &chain));
     CHECK_INT(report.inflections_added, 0);
     for (int i = 0; i <= 500; i++) {
         double at[6];
@@ -442,7 +451,8 @@ TEST(hobbys_angles_solve_the_equations_of_mock_curvature)
     options.family = BATTEN_FAMILY_HOBBY;
     batten_chain_nonlinear_report report;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_nonlinear(N, points, &options, angles, NULL, &report, &chain));
+    CHECK_OK(batten_chain_nonlinear((batten_points){2, N, points}, &options, angles, NULL,
+                                    &report, &chain));
     batten_chain_unref(chain);
     CHECK_INT(report.steps, 1);
     double phi[N], l[N];
@@ -472,7 +482,8 @@ TEST(ends_of_nonlinear_splines_have_the_given_tangent_or_curvature)
         options.end_value = -0.15;
         batten_chain *chain = NULL;
         double a[6], b[6];
-        CHECK_OK(batten_chain_nonlinear(6, points, &options, NULL, NULL, NULL, &chain));
+        CHECK_OK(batten_chain_nonlinear((batten_points){2, 6, points}, &options, NULL, NULL,
+                                        NULL, &chain));
         const batten_interval domain = batten_chain_domain(chain);
         CHECK_OK(batten_chain_evaluate(chain, domain.a, 2, a));
         CHECK_OK(batten_chain_evaluate(chain, domain.b, 2, b));
@@ -490,12 +501,14 @@ TEST(g1_coincident_points_are_named_by_nonlinear_splines)
     const double points[] = {0, 0, 1, 1, 1, 1, 2, 0}, ring[] = {0, 0, 1, 0, 1, 1, 0, 0};
     batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_nonlinear(4, points, NULL, NULL, NULL, NULL, &chain),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_chain_nonlinear((batten_points){2, 4, points}, NULL, NULL, NULL, NULL, &chain),
+        BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2 coincide");
     options.closed = true;
-    CHECK_STATUS(batten_chain_nonlinear(4, ring, &options, NULL, NULL, NULL, &chain),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_chain_nonlinear((batten_points){2, 4, ring}, &options, NULL, NULL, NULL, &chain),
+        BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 3 and 0 coincide");
 }
 
@@ -503,8 +516,9 @@ TEST(points_that_turn_back_are_named_by_nonlinear_splines)
 {
     const double back[] = {0, 0, 2, 1, 1, 0.5, 4, 4};
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_nonlinear(4, back, NULL, NULL, NULL, NULL, &chain),
-                 BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(
+        batten_chain_nonlinear((batten_points){2, 4, back}, NULL, NULL, NULL, NULL, &chain),
+        BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("turns back on itself at point 1");
 }
 
@@ -513,31 +527,39 @@ TEST(n1_bad_input_of_nonlinear_splines_is_refused)
     const double points[] = {0, 0, 1, 1, 2, 0}, bad[] = {0, 0, 1, NAN, 2, 0};
     batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_nonlinear(1, points, NULL, NULL, NULL, NULL, &chain),
-                 BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_chain_nonlinear(3, bad, NULL, NULL, NULL, NULL, &chain),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_chain_nonlinear((batten_points){2, 1, points}, NULL, NULL, NULL, NULL, &chain),
+        BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_chain_nonlinear((batten_points){2, 3, bad}, NULL, NULL, NULL, NULL, &chain),
+        BATTEN_NOT_FINITE);
     options.closed = true;
-    CHECK_STATUS(batten_chain_nonlinear(2, points, &options, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_nonlinear((batten_points){2, 2, points}, &options, NULL, NULL,
+                                        NULL, &chain),
                  BATTEN_TOO_FEW_POINTS);
     options.closed = false;
     options.family = (batten_span_family)99;
-    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_nonlinear((batten_points){2, 3, points}, &options, NULL, NULL,
+                                        NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
     options = batten_chain_nonlinear_defaults();
     options.start = (batten_nonlinear_end)7;
-    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_nonlinear((batten_points){2, 3, points}, &options, NULL, NULL,
+                                        NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
     options.start = BATTEN_NONLINEAR_TANGENT;
     options.start_value = INFINITY;
-    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_nonlinear((batten_points){2, 3, points}, &options, NULL, NULL,
+                                        NULL, &chain),
                  BATTEN_NOT_FINITE);
     options = batten_chain_nonlinear_defaults();
     options.max_steps = 0;
-    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_nonlinear((batten_points){2, 3, points}, &options, NULL, NULL,
+                                        NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
     options.max_steps = 1;
-    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_nonlinear((batten_points){2, 3, points}, &options, NULL, NULL,
+                                        NULL, &chain),
                  BATTEN_INCOMPLETE);
     CHECK_MESSAGE("after 1 step curvature still jumps");
 }
@@ -548,7 +570,8 @@ TEST(g9_two_points_with_circular_ends_determine_no_circle)
     batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.start = options.end = BATTEN_NONLINEAR_CIRCULAR;
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_nonlinear(2, points, &options, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_nonlinear((batten_points){2, 2, points}, &options, NULL, NULL,
+                                        NULL, &chain),
                  BATTEN_SINGULAR_SYSTEM);
 }
 

@@ -18,11 +18,13 @@ TEST(clothoids_reach_random_poses_in_few_steps)
         batten_span span;
         int steps = 0;
         double error = 0;
-        CHECK_OK(batten_spiral_hermite(from, a, to, b, &steps, &error, &span));
+        CHECK_OK(batten_spiral_hermite((batten_heading){from, a}, (batten_heading){to, b},
+                                       &steps, &error, &span));
         most = steps > most ? steps : most;
         worst = fmax(worst, error);
         batten_chain *chain = NULL;
-        CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 1, &chain));
+        CHECK_OK(
+            batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain));
         double end[4];
         CHECK_OK(batten_chain_evaluate(chain, span.length, 1, end));
         CHECK(hypot(end[0] - 1, end[1]) <= 1e-12);
@@ -57,7 +59,8 @@ TEST(clothoids_between_symmetric_directions_are_arcs_and_lines)
     const double from[2] = {3, 4}, to[2] = {3, 6};
     for (double a = -3; a <= 3; a += 0.25) {
         batten_span span;
-        CHECK_OK(batten_spiral_hermite(from, pi / 2 + a, to, pi / 2 - a, NULL, NULL, &span));
+        CHECK_OK(batten_spiral_hermite((batten_heading){from, pi / 2 + a},
+                                       (batten_heading){to, pi / 2 - a}, NULL, NULL, &span));
         CHECK_NEAR(span.curvature[0], -sin(a), 1e-14);
         CHECK_NEAR(span.curvature[1], 0, 1e-14);
         CHECK_NEAR(span.length, a == 0 ? 2 : 2 * a / sin(a), 1e-12);
@@ -69,13 +72,20 @@ TEST(n1_g1_clothoids_refuse_bad_ends)
     const double a[2] = {0, 0}, b[2] = {1, 0}, bad[2] = {NAN, 0};
     const double far[2][2] = {{-1e308, 0}, {1e308, 0}};
     batten_span span;
-    CHECK_STATUS(batten_spiral_hermite(a, 0, bad, 0, NULL, NULL, &span), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_spiral_hermite(a, INFINITY, b, 0, NULL, NULL, &span),
+    CHECK_STATUS(batten_spiral_hermite((batten_heading){a, 0}, (batten_heading){bad, 0}, NULL,
+                                       NULL, &span),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_spiral_hermite(a, 0, a, 0, NULL, NULL, &span), BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_spiral_hermite(far[0], 0, far[1], 0, NULL, NULL, &span),
+    CHECK_STATUS(batten_spiral_hermite((batten_heading){a, INFINITY}, (batten_heading){b, 0},
+                                       NULL, NULL, &span),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_spiral_hermite((batten_heading){a, 0}, (batten_heading){a, 0}, NULL,
+                                       NULL, &span),
+                 BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_spiral_hermite((batten_heading){far[0], 0}, (batten_heading){far[1], 0},
+                                       NULL, NULL, &span),
                  BATTEN_OVERFLOW);
-    CHECK_STATUS(batten_spiral_hermite(a, pi, b, pi, NULL, NULL, &span),
+    CHECK_STATUS(batten_spiral_hermite((batten_heading){a, pi}, (batten_heading){b, pi}, NULL,
+                                       NULL, &span),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("one must stay below");
 }
@@ -87,7 +97,8 @@ TEST(n2_clothoids_have_any_size)
         const double from[2] = {0, 0}, to[2] = {sizes[n], sizes[n]};
         batten_span span;
         double error = 0;
-        CHECK_OK(batten_spiral_hermite(from, 1, to, 2, NULL, &error, &span));
+        CHECK_OK(batten_spiral_hermite((batten_heading){from, 1}, (batten_heading){to, 2}, NULL,
+                                       &error, &span));
         CHECK(error <= 1e-13 * sizes[n]);
     }
 }

@@ -9,7 +9,8 @@ static batten_chain *through(int count, const double *points,
                              batten_chain_spiro_report *report)
 {
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_spiro(count, points, options, parameters, report, &chain));
+    CHECK_OK(batten_chain_spiro((batten_points){2, count, points}, options, parameters, report,
+                                &chain));
     return chain;
 }
 
@@ -58,7 +59,7 @@ static void cubic_curvature(double s, double point[2], double *angle, double *cu
     const batten_span span = {
         .kind = BATTEN_SPAN_SPIRAL, .length = 5, .curvature = {0.3, 0.8, -1, 0.48}};
     batten_chain *whole = NULL;
-    CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 0, &whole));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0, &whole));
     CHECK_OK(batten_chain_evaluate(whole, s, 0, point));
     *angle = s * (0.3 + s * (0.4 + s * (-0.5 / 3 + s * 0.02)));
     *curvature = 0.3 + s * (0.8 + s * (-0.5 + s * 0.08));
@@ -161,7 +162,8 @@ TEST(points_of_curvature_alone_give_euler_spirals)
         spirals.start = spirals.end = BATTEN_NONLINEAR_CIRCULAR;
         spirals.closed = closed;
         batten_chain *expected = NULL;
-        CHECK_OK(batten_chain_nonlinear(N, points, &spirals, angles, NULL, NULL, &expected));
+        CHECK_OK(batten_chain_nonlinear((batten_points){2, N, points}, &spirals, angles, NULL,
+                                        NULL, &expected));
         batten_chain_unref(expected);
         batten_chain_spiro_options options = batten_chain_spiro_defaults();
         options.kinds = kinds;
@@ -420,7 +422,8 @@ TEST(a_polygon_that_turns_back_has_a_spiro_only_with_a_corner_there)
     const double points[] = {0, 0, 2, 0, 1, 0, 1, 3};
     batten_spiro_kind kinds[4] = {0};
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_spiro(4, points, NULL, NULL, NULL, &chain), BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_chain_spiro((batten_points){2, 4, points}, NULL, NULL, NULL, &chain),
+                 BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("turns back on itself at point 1");
     kinds[1] = BATTEN_SPIRO_CORNER;
     batten_chain_spiro_options options = batten_chain_spiro_defaults();
@@ -435,29 +438,34 @@ TEST(g1_g9_n1_points_without_a_spiro_are_named)
     const double same[] = {0, 0, 1, 1, 1, 1, 2, 0}, bad[] = {0, 0, 1, NAN, 2, 0};
     const double knot[] = {0, 0, 1, 0, 0.2, 0.3, 1.2, 0.3, 0.3, 0.6, 1, 2, -3, 0.5};
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_spiro(4, same, NULL, NULL, NULL, &chain), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_chain_spiro((batten_points){2, 4, same}, NULL, NULL, NULL, &chain),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2");
-    CHECK_STATUS(batten_chain_spiro(3, bad, NULL, NULL, NULL, &chain), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_chain_spiro(1, same, NULL, NULL, NULL, &chain), BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_chain_spiro(7, knot, NULL, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_spiro((batten_points){2, 3, bad}, NULL, NULL, NULL, &chain),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_chain_spiro((batten_points){2, 1, same}, NULL, NULL, NULL, &chain),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_chain_spiro((batten_points){2, 7, knot}, NULL, NULL, NULL, &chain),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("span ");
     CHECK_MESSAGE("put a point between");
     batten_chain_spiro_options options = batten_chain_spiro_defaults();
     const batten_spiro_kind kinds[] = {0, 7, 0, 0};
     options.kinds = kinds;
-    CHECK_STATUS(batten_chain_spiro(4, knot, &options, NULL, NULL, &chain),
+    CHECK_STATUS(batten_chain_spiro((batten_points){2, 4, knot}, &options, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("point 1 is of kind 7");
     options = batten_chain_spiro_defaults();
     options.end = (batten_spiro_end){.has_tangent = true, .tangent = INFINITY};
-    CHECK_STATUS(batten_chain_spiro(2, knot, &options, NULL, NULL, &chain), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_chain_spiro((batten_points){2, 2, knot}, &options, NULL, NULL, &chain),
+                 BATTEN_NOT_FINITE);
     options = batten_chain_spiro_defaults();
     options.max_steps = 2;
     double points[18];
     wave(9, points);
-    CHECK_STATUS(batten_chain_spiro(9, points, &options, NULL, NULL, &chain),
-                 BATTEN_INCOMPLETE);
+    CHECK_STATUS(
+        batten_chain_spiro((batten_points){2, 9, points}, &options, NULL, NULL, &chain),
+        BATTEN_INCOMPLETE);
     CHECK_MESSAGE("after 2 steps");
     CHECK(!chain);
 }

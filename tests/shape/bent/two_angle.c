@@ -21,7 +21,8 @@ TEST(short_uneven_spans_do_not_keep_the_driver_from_its_end)
         batten_chain_nonlinear_report report;
         batten_chain *chain = NULL;
         options.family = families[k];
-        CHECK_OK(batten_chain_nonlinear(POINTS, points, &options, NULL, NULL, &report, &chain));
+        CHECK_OK(batten_chain_nonlinear((batten_points){2, POINTS, points}, &options, NULL,
+                                        NULL, &report, &chain));
         CHECK(report.error <= 1e-10 * report.curvature);
         batten_chain_unref(chain);
     }

@@ -49,7 +49,7 @@ static inline void frame_surface(batten_surface *surface, frame_of_surface *out)
     for (int e = 0; e < 4; e++) {
         for (int k = 0; k < 3; k++)
             out->curves[e][k] = NULL;
-        CHECK_OK(batten_edge_ribbon(surface, (batten_edge)e, 2, 0, out->curves[e], NULL));
+        CHECK_OK(batten_edge_ribbon(surface, (batten_edge)e, 2, 0, NULL, out->curves[e]));
         out->curves[e][1] = inward(out->curves[e][1]);
         out->sides[e] =
             (batten_ribbon){out->curves[e][0], out->curves[e][1], out->curves[e][2]};

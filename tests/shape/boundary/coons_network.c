@@ -32,7 +32,7 @@ static batten_curve *through(int count, const double *t, const double *points, i
     batten_curve *curve = NULL;
     for (int i = 0; i < count; i++)
         memcpy(row + 3 * i, points + 3 * i * step, 3 * sizeof *row);
-    CHECK_OK(batten_curve_interpolate(3, count, row, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, count, row}, &options, NULL, &curve));
     return curve;
 }
 
@@ -56,9 +56,10 @@ static batten_status patches(const net *given,
                              const batten_surface_coons_network_options *options, double *gap,
                              batten_surface **out)
 {
-    return batten_surface_coons_network(N, u, M, v, (const batten_curve *const *)given->along_u,
-                                        (const batten_curve *const *)given->along_v, options,
-                                        gap, out);
+    return batten_surface_coons_network(
+        &(batten_curve_net){N, M, u, v, (const batten_curve *const *)given->along_u,
+                            (const batten_curve *const *)given->along_v},
+        options, gap, out);
 }
 
 /* The largest jump of derivatives of this order over the inner lines of the net. */
@@ -72,8 +73,10 @@ static double jump(const batten_surface *surface, int order)
                 const double x = turn ? u[0] + (u[N - 1] - u[0]) * s / 30 : u[line];
                 const double y = turn ? v[line] : v[0] + (v[M - 1] - v[0]) * s / 30;
                 CHECK_OK(batten_surface_evaluate_side(
-                    surface, x, y, turn ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT,
-                    turn ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, 2, left));
+                    surface, x, y,
+                    (batten_sides){turn ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT,
+                                   turn ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT},
+                    2, left));
                 CHECK_OK(batten_surface_evaluate(surface, x, y, 2, right));
                 for (int i = first; i < last; i++)
                     worst = fmax(worst, fabs(left[i] - right[i]));
@@ -199,7 +202,8 @@ TEST(a_grid_of_points_makes_a_network_with_every_kind_of_twist)
         batten_surface_coons_network_options options = batten_surface_coons_network_defaults();
         batten_surface *surface = NULL;
         options.twists = (batten_twists)method;
-        CHECK_OK(batten_surface_coons_grid(3, N, M, points, &options, at_u, at_v, &surface));
+        CHECK_OK(batten_surface_coons_grid((batten_grid){3, N, M, points}, &options,
+                                           (batten_uv_out){at_u, at_v}, &surface));
         for (int i = 0; i < N; i++)
             for (int j = 0; j < M; j++) {
                 double out[3];
@@ -211,10 +215,12 @@ TEST(a_grid_of_points_makes_a_network_with_every_kind_of_twist)
     }
     batten_surface *surface = NULL;
     points[10] = INFINITY;
-    CHECK_STATUS(batten_surface_coons_grid(3, N, M, points, NULL, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_coons_grid((batten_grid){3, N, M, points}, NULL,
+                                           (batten_uv_out){NULL, NULL}, &surface),
                  BATTEN_NOT_FINITE);
     CHECK_MESSAGE("point (0, 3)");
-    CHECK_STATUS(batten_surface_coons_grid(3, 1, M, points, NULL, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_coons_grid((batten_grid){3, 1, M, points}, NULL,
+                                           (batten_uv_out){NULL, NULL}, &surface),
                  BATTEN_TOO_FEW_POINTS);
 }
 
@@ -240,7 +246,8 @@ TEST(the_nine_corners_without_tangents_are_a_flat_square_with_normals)
     double values[9][4][3];
     nine(0, 0, values);
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_from_hermite(3, 3, at, 3, at, &values[0][0][0], &surface));
+    CHECK_OK(batten_surface_from_hermite((batten_uv){at, at},
+                                         (batten_grid){3, 3, 3, &values[0][0][0]}, &surface));
     for (int i = 0; i <= 16; i++)
         for (int j = 0; j <= 16; j++) {
             double out[3];
@@ -249,7 +256,7 @@ TEST(the_nine_corners_without_tangents_are_a_flat_square_with_normals)
             CHECK_NEAR(out[0], 1 - (i < 8 ? steps[i] : 1 + steps[i - 8]), 1e-15);
             CHECK_NEAR(out[1], (j < 8 ? steps[j] : 1 + steps[j - 8]) - 1, 1e-15);
             CHECK(out[2] == 0);
-            CHECK_OK(batten_surface_normal(surface, i / 8.0, j / 8.0, &normal, NULL));
+            CHECK_OK(batten_surface_normal(surface, i / 8.0, j / 8.0, NULL, &normal));
             CHECK_NEAR(fabs(normal.z), 1, 1e-12);
         }
     batten_surface_unref(surface);
@@ -261,7 +268,8 @@ TEST(a_twist_at_the_middle_corner_lifts_the_faces_and_leaves_the_edges)
     double values[9][4][3];
     nine(1, 4, values);
     batten_surface *surface = NULL, *face = NULL;
-    CHECK_OK(batten_surface_from_hermite(3, 3, at, 3, at, &values[0][0][0], &surface));
+    CHECK_OK(batten_surface_from_hermite((batten_uv){at, at},
+                                         (batten_grid){3, 3, 3, &values[0][0][0]}, &surface));
     for (int s = 0; s <= 32; s++)
         for (int k = 0; k < 3; k++) {
             double out[3];
@@ -314,13 +322,14 @@ TEST(S5_a_network_that_would_be_too_large_is_refused_before_the_work)
     const batten_curve **curves = test_array(MANY, sizeof *curves);
     batten_curve *curve = NULL;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, &curve));
     for (int i = 0; i < MANY; i++) {
         at[i] = i;
         curves[i] = curve;
     }
     CHECK_STATUS(
-        batten_surface_coons_network(MANY, at, MANY, at, curves, curves, NULL, NULL, &surface),
+        batten_surface_coons_network(&(batten_curve_net){MANY, MANY, at, at, curves, curves},
+                                     NULL, NULL, &surface),
         BATTEN_TOO_LARGE);
     CHECK_MESSAGE("3000 x 3000");
     batten_curve_unref(curve);

@@ -34,7 +34,7 @@ TEST(the_spline_of_a_patch_is_the_patch_for_every_kind_and_blend)
             double error = 1;
             CHECK(report.exact);
             CHECK_TEXT(batten_surface_kind(coons), "coons");
-            CHECK_OK(batten_surface_to_nurbs(coons, 0, &nurbs, &error));
+            CHECK_OK(batten_surface_to_nurbs(coons, 0, &error, &nurbs));
             CHECK(error == 0);
             CHECK(!batten_surface_is_rational(nurbs));
             CHECK_NEAR(apart(coons, nurbs, count, 0, 0, false), 0, 1e-13);
@@ -99,7 +99,7 @@ static batten_curve *line(double x0, double y0, double z0, double x1, double y1,
 {
     const double points[] = {x0, y0, z0, x1, y1, z1}, knots[] = {0, 0, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, &curve));
     return curve;
 }
 
@@ -437,7 +437,7 @@ TEST(gregorys_twists_leave_a_patch_that_is_smooth_inside_and_near_a_spline)
             CHECK_NEAR((b[3 * n + x] - a[3 * n + x]) / (2 * h),
                        c[3 * BATTEN_SURFACE_DERIVATIVE(k + 1, l) + x], 1e-7);
         }
-    CHECK_OK(batten_surface_to_nurbs(coons, 1e-4, &nurbs, &error));
+    CHECK_OK(batten_surface_to_nurbs(coons, 1e-4, &error, &nurbs));
     CHECK(error > 0 && error <= 1e-4);
     CHECK_NEAR(apart(coons, nurbs, 25, 0, 0, false), 0, 1.5e-4);
     batten_surface_unref(nurbs);
@@ -454,7 +454,7 @@ static batten_curve *quarter(double r, double h)
     const double points[] = {r, 0, h, r, r, h, 0, r, h}, weights[] = {1, sqrt(0.5), 1};
     const double knots[] = {0, 0, 0, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 2, 3, points, weights, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, weights, knots, &curve));
     return curve;
 }
 
@@ -471,7 +471,7 @@ TEST(circles_that_share_their_weights_are_met_exactly_by_a_rational_surface)
                        *nurbs = NULL;
         double error = 1;
         CHECK(report.exact);
-        CHECK_OK(batten_surface_to_nurbs(coons, 0, &nurbs, &error));
+        CHECK_OK(batten_surface_to_nurbs(coons, 0, &error, &nurbs));
         CHECK(error == 0);
         CHECK(batten_surface_is_rational(nurbs));
         CHECK_NEAR(apart(coons, nurbs, 30, 0, 0, false), 0, 1e-13);
@@ -496,7 +496,7 @@ TEST(circles_that_share_their_weights_are_met_exactly_by_a_rational_surface)
     batten_surface *nurbs = NULL;
     double error = 0;
     CHECK(!report.exact);
-    CHECK_OK(batten_surface_to_nurbs(coons, 1e-5, &nurbs, &error));
+    CHECK_OK(batten_surface_to_nurbs(coons, 1e-5, &error, &nurbs));
     CHECK(error > 0 && error <= 1e-5);
     CHECK_NEAR(apart(coons, nurbs, 30, 0, 0, false), 0, 1.2e-5);
     batten_surface_unref(nurbs);
@@ -513,8 +513,8 @@ TEST(given_blending_functions_are_used_and_checked)
     batten_ribbon sides[4];
     saddle(curves, sides);
     const double knots[] = {0, 0, 0.5, 1, 1}, f0[] = {1, 0.25, 0}, f1[] = {0, 0.75, 1};
-    CHECK_OK(batten_curve_create(1, 1, 3, f0, NULL, knots, &functions[0]));
-    CHECK_OK(batten_curve_create(1, 1, 3, f1, NULL, knots, &functions[1]));
+    CHECK_OK(batten_curve_create((batten_points){1, 3, f0}, 1, NULL, knots, &functions[0]));
+    CHECK_OK(batten_curve_create((batten_points){1, 3, f1}, 1, NULL, knots, &functions[1]));
     batten_surface_coons_options options = batten_surface_coons_defaults();
     batten_surface *coons = NULL, *nurbs = NULL;
     options.blending_u = BATTEN_BLENDING_GIVEN;
@@ -522,7 +522,7 @@ TEST(given_blending_functions_are_used_and_checked)
     CHECK_MESSAGE("in u are missing");
     options.given_u = (const batten_curve *const *)functions;
     CHECK_OK(batten_surface_coons(sides, &options, NULL, &coons));
-    CHECK_OK(batten_surface_to_nurbs(coons, 0, &nurbs, NULL));
+    CHECK_OK(batten_surface_to_nurbs(coons, 0, NULL, &nurbs));
     CHECK_NEAR(apart(coons, nurbs, 30, 0, 0, false), 0, 1e-15);
     const batten_curve *wrong[2] = {functions[1], functions[0]};
     options.given_u = wrong;
@@ -595,7 +595,7 @@ TEST(huge_and_tiny_patches_are_as_exact)
         batten_surface *coons =
             patch(sides, 2, BATTEN_BLENDING_COONS, BATTEN_BLENDING_CUBIC, NULL);
         batten_surface *nurbs = NULL;
-        CHECK_OK(batten_surface_to_nurbs(coons, 0, &nurbs, NULL));
+        CHECK_OK(batten_surface_to_nurbs(coons, 0, NULL, &nurbs));
         CHECK_NEAR(apart(coons, nurbs, 9, 0, 0, false) / s, 0, 1e-14);
         double out[3];
         CHECK_OK(batten_surface_evaluate(nurbs, 0.3, 0.7, 0, out));
@@ -624,7 +624,7 @@ static batten_curve *bent(double x0, double y0, double x1, double y1, double kno
                              0};
     const double knots[] = {0, 0, 0, knot, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 2, 4, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 4, points}, 2, NULL, knots, &curve));
     return curve;
 }
 
@@ -639,11 +639,11 @@ TEST(K7_near_knots_leave_no_slivers_within_a_tolerance)
     batten_surface *coons = patch(sides, 1, BATTEN_BLENDING_COONS, BATTEN_BLENDING_COONS, NULL);
     batten_surface *exact = NULL, *near = NULL;
     double error = 1;
-    CHECK_OK(batten_surface_to_nurbs(coons, 0, &exact, &error));
+    CHECK_OK(batten_surface_to_nurbs(coons, 0, &error, &exact));
     CHECK(error == 0);
     CHECK_INT(batten_surface_spans(exact, BATTEN_U, NULL), 6);
     CHECK_INT(batten_surface_spans(exact, BATTEN_V, NULL), 6);
-    CHECK_OK(batten_surface_to_nurbs(coons, 1e-6, &near, &error));
+    CHECK_OK(batten_surface_to_nurbs(coons, 1e-6, &error, &near));
     CHECK(error > 0 && error < 1e-9);
     CHECK_INT(batten_surface_spans(near, BATTEN_U, NULL), 4);
     CHECK_INT(batten_surface_spans(near, BATTEN_V, NULL), 5);
@@ -702,13 +702,13 @@ TEST(G5_a_side_with_a_triple_vertex_has_a_corner_with_a_normal)
                              0, 0.5, 1.5, 0,   0.9, 1.2, 0,   1,   1, 0};
     batten_curve *curves[4] = {line(0, 0, 0, 1, 0, 0), line(1, 0, 0, 1, 1, 0), NULL,
                                line(0, 0, 0, 0, 1, 0)};
-    CHECK_OK(batten_curve_create(3, 3, 7, points, NULL, knots, &curves[2]));
+    CHECK_OK(batten_curve_create((batten_points){3, 7, points}, 3, NULL, knots, &curves[2]));
     batten_ribbon sides[4];
     for (int e = 0; e < 4; e++)
         sides[e] = (batten_ribbon){curves[e], NULL, NULL};
     batten_surface *coons = patch(sides, 1, BATTEN_BLENDING_COONS, BATTEN_BLENDING_COONS, NULL);
     batten_surface *nurbs = NULL;
-    CHECK_OK(batten_surface_to_nurbs(coons, 0, &nurbs, NULL));
+    CHECK_OK(batten_surface_to_nurbs(coons, 0, NULL, &nurbs));
     double speed = 1;
     for (int i = 5; i <= 10; i++) {
         double out[9];
@@ -719,7 +719,7 @@ TEST(G5_a_side_with_a_triple_vertex_has_a_corner_with_a_normal)
     CHECK_NEAR(speed, 0, 1e-14);
     batten_vec3 normal;
     bool is_limit = false;
-    CHECK_OK(batten_surface_normal(nurbs, 0.5, 1, &normal, &is_limit));
+    CHECK_OK(batten_surface_normal(nurbs, 0.5, 1, &is_limit, &normal));
     CHECK(is_limit);
     CHECK_NEAR(normal.z, 1, 1e-12);
     batten_surface_unref(nurbs);
@@ -743,7 +743,7 @@ TEST(rounding_of_huge_numbers_is_no_gap)
         batten_surface *coons =
             patch(frame.sides, 3, BATTEN_BLENDING_QUINTIC, BATTEN_BLENDING_COONS, &report);
         CHECK(report.exact && report.twist_gap <= 1e-12 * s);
-        CHECK_OK(batten_surface_to_nurbs(coons, 0, &nurbs, NULL));
+        CHECK_OK(batten_surface_to_nurbs(coons, 0, NULL, &nurbs));
         CHECK_NEAR(apart(coons, nurbs, 15, 0, 0, false) / s, 0, 1e-13);
         batten_surface_unref(nurbs);
         batten_surface_unref(coons);

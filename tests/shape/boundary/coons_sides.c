@@ -6,7 +6,7 @@ static batten_curve *bow(const double *a, const double *b, double rise)
                              b[0], b[1], 0};
     const double knots[] = {0, 0, 0, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 2, 3, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, NULL, knots, &curve));
     return curve;
 }
 
@@ -53,7 +53,7 @@ TEST(six_curves_in_any_order_and_direction_make_four_sides)
     CHECK(spans[1] > 0.65 && spans[1] < 0.7);
     batten_surface *surface = NULL, *nurbs = NULL;
     make_patch(sides, &surface);
-    CHECK_OK(batten_surface_to_nurbs(surface, 0, &nurbs, NULL));
+    CHECK_OK(batten_surface_to_nurbs(surface, 0, NULL, &nurbs));
     CHECK_NEAR(apart(surface, nurbs, 40, 0, 0, false), 0, 1e-13);
     batten_surface_unref(nurbs);
     batten_surface_unref(surface);
@@ -87,7 +87,7 @@ TEST(G5_three_curves_make_a_patch_with_a_pole_and_two_one_with_two)
         CHECK_OK(batten_surface_evaluate(surface, 0, i / 4.0, 0, out));
         CHECK(out[0] == 0 && out[1] == 0 && out[2] == 0);
     }
-    CHECK_OK(batten_surface_normal(surface, 0.5, 0.5, &normal, &is_limit));
+    CHECK_OK(batten_surface_normal(surface, 0.5, 0.5, &is_limit, &normal));
     CHECK(!is_limit);
     batten_surface_unref(surface);
     release(sides, 4);
@@ -118,7 +118,8 @@ static int read_loop(const char *path, batten_curve **curves, int most)
             CHECK(fscanf(file, "%lf", &points[i]) == 1);
         CHECK_INT(knot_count, point_count + degree + 1);
         curves[c] = NULL;
-        CHECK_OK(batten_curve_create(3, degree, point_count, points, NULL, knots, &curves[c]));
+        CHECK_OK(batten_curve_create((batten_points){3, point_count, points}, degree, NULL,
+                                     knots, &curves[c]));
     }
     fclose(file);
     return count;
@@ -133,7 +134,7 @@ TEST(a_pocket_with_four_sides_is_filled_through_all_its_curves)
                                    sides));
     batten_surface *surface = NULL, *nurbs = NULL;
     make_patch(sides, &surface);
-    CHECK_OK(batten_surface_to_nurbs(surface, 0, &nurbs, NULL));
+    CHECK_OK(batten_surface_to_nurbs(surface, 0, NULL, &nurbs));
     double worst = 0;
     for (int c = 0; c < 4; c++)
         for (int i = 0; i <= 100; i++) {
@@ -205,7 +206,8 @@ static void beside(const batten_surface *surface, double a, double b, batten_cur
             points[9 + x] = tip[k][x] = out[x] + 1.4 * leave + (x == 2 ? 0.5 : 0);
         }
         curves[k ? 1 : 3] = NULL;
-        CHECK_OK(batten_curve_create(3, 3, 4, points, NULL, knots, &curves[k ? 1 : 3]));
+        CHECK_OK(batten_curve_create((batten_points){3, 4, points}, 3, NULL, knots,
+                                     &curves[k ? 1 : 3]));
     }
     curves[2] = bow(tip[0], tip[1], 0);
     double points[9];
@@ -217,7 +219,7 @@ static void beside(const batten_surface *surface, double a, double b, batten_cur
     static const double knots[] = {0, 0, 0, 1, 1, 1};
     batten_curve_unref(curves[2]);
     curves[2] = NULL;
-    CHECK_OK(batten_curve_create(3, 2, 3, points, NULL, knots, &curves[2]));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, NULL, knots, &curves[2]));
 }
 
 static void check_join(const batten_surface *surface, double a, double b, double tolerance)
@@ -232,7 +234,8 @@ static void check_join(const batten_surface *surface, double a, double b, double
         CHECK_OK(batten_curve_evaluate(curves[k ? 1 : 3], 0, 1, out));
         memcpy(ends + 3 * k, out + 3, 3 * sizeof *ends);
     }
-    CHECK_OK(batten_ribbon_along(surface, part, 1, ends, 1e-6, ribbon, misfit, &error));
+    CHECK_OK(batten_ribbon_along(surface, part, (batten_ribbon_wish){1, ends, 1e-6}, misfit,
+                                 &error, ribbon));
     CHECK_NEAR(misfit[0], 0, 1e-9);
     CHECK_NEAR(misfit[1], 0, 1e-9);
     const batten_ribbon sides[4] = {{ribbon[0], ribbon[1], NULL},
@@ -289,10 +292,12 @@ TEST(surfaces_that_are_not_beside_a_curve_are_told)
     batten_surface *surface = bumpy(&random, 3, 3, 2, 2);
     const double a[] = {4, 4}, b[] = {5, 4}, ends[6] = {0, 1, 0, 0, 1, 0};
     batten_curve *curve = bow(a, b, 1), *ribbon[2];
-    CHECK_STATUS(batten_ribbon_along(surface, curve, 1, ends, 1e-6, ribbon, NULL, NULL),
+    CHECK_STATUS(batten_ribbon_along(surface, curve, (batten_ribbon_wish){1, ends, 1e-6}, NULL,
+                                     NULL, ribbon),
                  BATTEN_NOT_FOUND);
     CHECK_MESSAGE("no edge of the surface runs along the curve");
-    CHECK_STATUS(batten_ribbon_along(surface, curve, 1, ends, 0, ribbon, NULL, NULL),
+    CHECK_STATUS(batten_ribbon_along(surface, curve, (batten_ribbon_wish){1, ends, 0}, NULL,
+                                     NULL, ribbon),
                  BATTEN_BAD_ARGUMENT);
     batten_curve_unref(curve);
     batten_surface_unref(surface);
@@ -318,8 +323,8 @@ TEST(curvatures_along_a_neighbour_are_its_own)
             ends[3 * k + x] = out[3 + x] / 2;
     }
     double misfit[2], error = 1;
-    CHECK_OK(
-        batten_ribbon_along(low, frame.curves[3][0], 2, ends, 1e-9, ribbon, misfit, &error));
+    CHECK_OK(batten_ribbon_along(low, frame.curves[3][0], (batten_ribbon_wish){2, ends, 1e-9},
+                                 misfit, &error, ribbon));
     CHECK(error == 0);
     const batten_ribbon sides[4] = {{frame.curves[0][0], NULL, NULL},
                                     {frame.curves[1][0], NULL, NULL},

@@ -17,7 +17,7 @@ static batten_curve *side(int i, bool back, double shift)
         points[4 + x] = first;
     }
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(2, 2, 3, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, points}, 2, NULL, knots, &curve));
     return curve;
 }
 
@@ -62,8 +62,8 @@ TEST(two_curves_may_be_a_loop)
     const double low[] = {0, 0, 1, -1, 2, 0}, high[] = {0, 0, 1, 1, 2, 1e-4};
     batten_curve *curves[2] = {NULL, NULL};
     batten_loop_place places[2];
-    CHECK_OK(batten_curve_create(2, 2, 3, low, NULL, knots, &curves[0]));
-    CHECK_OK(batten_curve_create(2, 2, 3, high, NULL, knots, &curves[1]));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, low}, 2, NULL, knots, &curves[0]));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, high}, 2, NULL, knots, &curves[1]));
     CHECK_OK(batten_curves_loop(2, (const batten_curve *const *)curves, 1e-3, places));
     CHECK(places[1].curve == 1 && places[1].reversed);
     CHECK_NEAR(places[0].gap, 1e-4, 1e-15);
@@ -105,17 +105,17 @@ TEST(sides_that_cannot_be_are_refused)
     const double knots[] = {0, 0, 0, 1, 1, 1}, dot[] = {3, 3, 3, 3, 3, 3};
     const double ring[] = {0, 0, 1, 1, 0, 0}, line[] = {0, 1, 2};
     curves[2] = NULL;
-    CHECK_OK(batten_curve_create(2, 2, 3, dot, NULL, knots, &curves[2]));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, dot}, 2, NULL, knots, &curves[2]));
     CHECK_STATUS(batten_curves_loop(3, given, 1e-9, places), BATTEN_COINCIDENT);
     CHECK_MESSAGE("curve 3 has no length");
     batten_curve_unref(curves[2]);
     curves[2] = NULL;
-    CHECK_OK(batten_curve_create(2, 2, 3, ring, NULL, knots, &curves[2]));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, ring}, 2, NULL, knots, &curves[2]));
     CHECK_STATUS(batten_curves_loop(3, given, 1e-9, places), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("curve 3 is closed");
     batten_curve_unref(curves[2]);
     curves[2] = NULL;
-    CHECK_OK(batten_curve_create(1, 2, 3, line, NULL, knots, &curves[2]));
+    CHECK_OK(batten_curve_create((batten_points){1, 3, line}, 2, NULL, knots, &curves[2]));
     CHECK_STATUS(batten_curves_loop(3, given, 1e-9, places), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("dimensions");
     release(4, curves);

@@ -131,7 +131,7 @@ TEST(equal_inner_points_make_the_bicubic_bezier_surface)
                 CHECK_NEAR(a[k], b[k], 1e-11);
         }
     double error = 0;
-    CHECK_OK(batten_surface_to_nurbs(patch, 1e-6, &spline, &error));
+    CHECK_OK(batten_surface_to_nurbs(patch, 1e-6, &error, &spline));
     CHECK(error <= 1e-6);
     batten_surface_unref(spline);
     batten_surface_unref(plain);
@@ -186,7 +186,7 @@ static batten_curve *arc(const double a[3], const double b[3])
         for (int c = 0; c < 3; c++)
             P[1 + end][c] = here[c] + 0.4 * (there[c] - here[c] - up / size * here[c]);
     }
-    CHECK_OK(batten_curve_from_bezier(3, 3, 1, P[0], NULL, ends, &curve));
+    CHECK_OK(batten_curve_from_bezier(3, (batten_pieces){3, 1, ends}, P[0], NULL, &curve));
     return curve;
 }
 

@@ -17,9 +17,10 @@ static void outward(const batten_surface *surface, batten_edge edge, double t, i
     const double at = low ? across.a : across.b;
     const batten_side side = low ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT;
     double all[BATTEN_SURFACE_DERIVATIVES(2) * 3];
-    CHECK_OK(batten_surface_evaluate_side(surface, along_u ? t : at, along_u ? at : t,
-                                          along_u ? BATTEN_FROM_RIGHT : side,
-                                          along_u ? side : BATTEN_FROM_RIGHT, 2, all));
+    CHECK_OK(batten_surface_evaluate_side(
+        surface, along_u ? t : at, along_u ? at : t,
+        (batten_sides){along_u ? BATTEN_FROM_RIGHT : side, along_u ? side : BATTEN_FROM_RIGHT},
+        2, all));
     const int place =
         along_u ? BATTEN_SURFACE_DERIVATIVE(0, k) : BATTEN_SURFACE_DERIVATIVE(k, 0);
     for (int x = 0; x < d; x++)
@@ -61,7 +62,7 @@ TEST(the_ribbon_of_every_edge_continues_the_surface)
             batten_curve *curves[3] = {NULL, NULL, NULL};
             double error = 1;
             const int order = 1 + c % 2;
-            CHECK_OK(batten_edge_ribbon(surface, edges[e], order, 0, curves, &error));
+            CHECK_OK(batten_edge_ribbon(surface, edges[e], order, 0, &error, curves));
             CHECK(error == 0);
             check_ribbon(surface, edges[e], curves, order, 1e-9);
             for (int k = 0; k <= order; k++)
@@ -82,7 +83,7 @@ TEST(weights_that_do_not_change_across_an_edge_keep_its_degree)
     batten_surface *surface = NULL;
     batten_curve *curves[3] = {NULL, NULL, NULL};
     CHECK_OK(batten_surface_create(3, &u, &v, points, weights, &surface));
-    CHECK_OK(batten_edge_ribbon(surface, BATTEN_EDGE_V1, 2, 0, curves, NULL));
+    CHECK_OK(batten_edge_ribbon(surface, BATTEN_EDGE_V1, 2, 0, NULL, curves));
     for (int k = 0; k < 3; k++)
         CHECK_INT(batten_curve_degree(curves[k]), 2);
     double slope[3];
@@ -115,15 +116,15 @@ TEST(a_ribbon_of_too_high_a_degree_is_met_within_a_tolerance)
     batten_curve *curves[3] = {NULL, NULL, NULL};
     double error = 0;
     CHECK_OK(batten_surface_create(3, &u, &v, points, weights, &surface));
-    CHECK_STATUS(batten_edge_ribbon(surface, BATTEN_EDGE_V0, 2, 0, curves, &error),
+    CHECK_STATUS(batten_edge_ribbon(surface, BATTEN_EDGE_V0, 2, 0, &error, curves),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("tolerance");
-    CHECK_OK(batten_edge_ribbon(surface, BATTEN_EDGE_V0, 2, 1e-6, curves, &error));
+    CHECK_OK(batten_edge_ribbon(surface, BATTEN_EDGE_V0, 2, 1e-6, &error, curves));
     CHECK(error > 0 && error <= 1e-6);
     check_ribbon(surface, BATTEN_EDGE_V0, curves, 2, 2e-6);
     for (int k = 0; k < 3; k++)
         batten_curve_unref(curves[k]);
-    CHECK_STATUS(batten_edge_ribbon(surface, BATTEN_EDGE_V0, 3, 1e-6, curves, &error),
+    CHECK_STATUS(batten_edge_ribbon(surface, BATTEN_EDGE_V0, 3, 1e-6, &error, curves),
                  BATTEN_BAD_ARGUMENT);
     batten_surface_unref(surface);
 }

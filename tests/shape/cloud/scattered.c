@@ -58,7 +58,8 @@ TEST(polynomials_of_the_degree_are_found_without_a_penalty)
         options.by = BATTEN_SMOOTH_BY_LAMBDA;
         if (degree == 5)
             options.degree_v = 4;
-        CHECK_OK(batten_surface_scattered(1, 600, uv, z, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(uv, (batten_points){1, 600, z}, &options, NULL,
+                                          &report, &s));
         CHECK(report.error < 1e-10 && report.lambda == 0 && report.iterations == 0);
         CHECK_NEAR(value(s, 0.37, 0.61), cubic(0.37, 0.61), 1e-10);
         batten_surface_unref(s);
@@ -80,7 +81,7 @@ TEST(residuals_are_square_to_the_basis_and_weights_count)
     options.spans_u = 4;
     options.spans_v = 3;
     options.by = BATTEN_SMOOTH_BY_LAMBDA;
-    CHECK_OK(batten_surface_scattered(1, N, uv, z, &options, NULL, NULL, &s));
+    CHECK_OK(batten_surface_scattered(uv, (batten_points){1, N, z}, &options, NULL, NULL, &s));
     for (int i = 0; i < 7; i += 2)
         for (int j = 0; j < 6; j += 2) {
             const double up = batten_surface_points(s)[i * 6 + j] + 1;
@@ -107,7 +108,8 @@ TEST(an_infinite_penalty_leaves_the_plane)
         z[i] += 0.1 * sin(1000.0 * i);
     options.by = BATTEN_SMOOTH_BY_LAMBDA;
     options.amount = HUGE_VAL;
-    CHECK_OK(batten_surface_scattered(1, 500, uv, z, &options, NULL, &report, &s));
+    CHECK_OK(
+        batten_surface_scattered(uv, (batten_points){1, 500, z}, &options, NULL, &report, &s));
     CHECK_NEAR(report.freedom, 3, 2); /* an estimate from eight probes */
     for (int k = 1; k < 10; k++)
         CHECK_NEAR(value(s, 0.1 * k, 0.5), plane(0.1 * k, 0.5), 0.03);
@@ -127,7 +129,8 @@ TEST(G9_where_data_leave_the_surface_open_a_small_penalty_decides)
         z[i] = plane(uv[2 * i], uv[2 * i + 1]);
     options.spans_u = options.spans_v = 40;
     options.by = BATTEN_SMOOTH_BY_LAMBDA;
-    CHECK_OK(batten_surface_scattered(1, 400, uv, z, &options, NULL, &report, &s));
+    CHECK_OK(
+        batten_surface_scattered(uv, (batten_points){1, 400, z}, &options, NULL, &report, &s));
     CHECK(report.lambda > 0 && report.empty > 400);
     CHECK_NEAR(value(s, 0.4, 0.5), plane(0.4, 0.5), 1e-6);
     batten_surface_unref(s);
@@ -146,7 +149,8 @@ TEST(validation_and_the_target_see_the_noise)
         batten_surface_fit_report report;
         options.by = c ? BATTEN_SMOOTH_BY_RMS : BATTEN_SMOOTH_BY_VALIDATION;
         options.amount = 0.06;
-        CHECK_OK(batten_surface_scattered(1, MANY, uv, z, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(uv, (batten_points){1, MANY, z}, &options, NULL,
+                                          &report, &s));
         if (c)
             CHECK_NEAR(report.rms, 0.06, 1e-7);
         CHECK_NEAR(report.rms, 0.1 / sqrt(3), 0.004);
@@ -174,7 +178,8 @@ TEST(outliers_draw_a_robust_fit_less)
             z[i] += test_random_in(&random, -0.01, 0.01) + (i % 20 == 0 ? 2 : 0);
         options.huber = huber;
         options.spans_u = options.spans_v = 10;
-        CHECK_OK(batten_surface_scattered(1, 1000, uv, z, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(uv, (batten_points){1, 1000, z}, &options, NULL,
+                                          &report, &s));
         for (int i = 0; i < 1000; i++)
             off[huber] +=
                 fabs(value(s, uv[2 * i], uv[2 * i + 1]) - franke(uv[2 * i], uv[2 * i + 1]));
@@ -201,15 +206,18 @@ TEST(conjugate_gradients_give_what_the_band_gives)
     options.by = BATTEN_SMOOTH_BY_LAMBDA;
     options.amount = 1e-6;
     options.spans_u = options.spans_v = 125;
-    CHECK_OK(batten_surface_scattered(1, N, at, h, &options, NULL, &report, &s[0]));
+    CHECK_OK(
+        batten_surface_scattered(at, (batten_points){1, N, h}, &options, NULL, &report, &s[0]));
     CHECK(report.iterations > 0);
     options.spans_u = options.spans_v = 60;
-    CHECK_OK(batten_surface_scattered(1, N, at, h, &options, NULL, &report, &s[1]));
+    CHECK_OK(
+        batten_surface_scattered(at, (batten_points){1, N, h}, &options, NULL, &report, &s[1]));
     CHECK_INT(report.iterations, 0);
     options.spans_u = options.spans_v = 140;
     batten_surface *none = NULL;
-    CHECK_STATUS(batten_surface_scattered(1, N / 2, at, h, &options, NULL, NULL, &none),
-                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(
+        batten_surface_scattered(at, (batten_points){1, N / 2, h}, &options, NULL, NULL, &none),
+        BATTEN_TOO_LARGE);
     CHECK_MESSAGE("20449 control points for 4100 data");
     for (int k = 1; k < 50; k++)
         CHECK_NEAR(value(s[0], 0.02 * k, 0.5), value(s[1], 0.02 * k, 0.5), 1e-5);
@@ -229,10 +237,12 @@ TEST(swapped_parameters_give_the_swapped_surface)
     options.spans_v = 12;
     options.by = BATTEN_SMOOTH_BY_LAMBDA;
     options.amount = 1e-6;
-    CHECK_OK(batten_surface_scattered(1, 500, uv, z, &options, NULL, NULL, &s));
+    CHECK_OK(
+        batten_surface_scattered(uv, (batten_points){1, 500, z}, &options, NULL, NULL, &s));
     options.spans_u = 12;
     options.spans_v = 7;
-    CHECK_OK(batten_surface_scattered(1, 500, vu, z, &options, NULL, NULL, &t));
+    CHECK_OK(
+        batten_surface_scattered(vu, (batten_points){1, 500, z}, &options, NULL, NULL, &t));
     for (int k = 1; k < 20; k++)
         CHECK_NEAR(value(s, 0.05 * k, 0.3), value(t, 0.3, 0.05 * k), 1e-10);
     batten_surface_unref(s);
@@ -251,7 +261,8 @@ TEST(frankes_function_is_met_within_the_tolerance)
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         options.tolerance = tolerances[c];
-        CHECK_OK(batten_surface_scattered(1, MANY, uv, z, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(uv, (batten_points){1, MANY, z}, &options, NULL,
+                                          &report, &s));
         double most = 0;
         for (int i = 0; i < MANY; i++)
             most = fmax(most, fabs(value(s, uv[2 * i], uv[2 * i + 1]) - z[i]));
@@ -276,7 +287,8 @@ TEST(knots_go_across_the_direction_that_needs_them)
     batten_surface_fit_report report;
     scatter(MANY, ridge, uv, z);
     options.tolerance = 1e-3;
-    CHECK_OK(batten_surface_scattered(1, MANY, uv, z, &options, NULL, &report, &s));
+    CHECK_OK(
+        batten_surface_scattered(uv, (batten_points){1, MANY, z}, &options, NULL, &report, &s));
     CHECK(report.points_u > 2 * report.points_v);
     batten_surface_unref(s);
 }
@@ -293,8 +305,9 @@ TEST(a_tolerance_that_noise_forbids_is_not_claimed)
         uv[4 * i + 1] = uv[4 * i + 3];
     }
     options.tolerance = 1e-3;
-    CHECK_STATUS(batten_surface_scattered(1, 200, uv, z, &options, NULL, NULL, &s),
-                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_STATUS(
+        batten_surface_scattered(uv, (batten_points){1, 200, z}, &options, NULL, NULL, &s),
+        BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("is missed by");
     CHECK(s == NULL);
 }
@@ -325,7 +338,8 @@ TEST(a_tolerance_near_the_noise_leaves_empty_corners_calm)
     batten_surface_fit_report report;
     scatter_disc(400, 0.0025);
     options.tolerance = 0.002;
-    CHECK_OK(batten_surface_scattered(1, 400, uv, z, &options, NULL, &report, &s));
+    CHECK_OK(
+        batten_surface_scattered(uv, (batten_points){1, 400, z}, &options, NULL, &report, &s));
     CHECK(report.error <= 0.002 && report.empty > 0);
     CHECK(report.outside_share < 4);
     for (int i = 0; i < 4; i++) /* 0.2, were the paraboloid to go on */
@@ -346,7 +360,8 @@ TEST(open_places_are_held_and_the_data_keep_their_fit)
             z[i] += 0.02 * sin(9 * uv[2 * i]) * sin(9 * uv[2 * i + 1]);
         options.spans_u = options.spans_v = 9;
         options.by = c ? BATTEN_SMOOTH_BY_VALIDATION : BATTEN_SMOOTH_BY_LAMBDA;
-        CHECK_OK(batten_surface_scattered(1, 1500, uv, z, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(uv, (batten_points){1, 1500, z}, &options, NULL,
+                                          &report, &s));
         rms[c] = report.rms;
         share[c] = report.outside_share;
         const double *at = report.outside_at;
@@ -369,7 +384,8 @@ TEST(a_target_that_cannot_be_met_lets_nothing_go)
         options.spans_u = options.spans_v = 8;
         options.by = c ? BATTEN_SMOOTH_BY_RMS : BATTEN_SMOOTH_BY_LAMBDA;
         options.amount = c ? 1e-5 : 0;
-        CHECK_OK(batten_surface_scattered(1, 400, uv, z, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(uv, (batten_points){1, 400, z}, &options, NULL,
+                                          &report, &s));
         CHECK(report.rms > 1e-4);
         share[c] = report.outside_share;
         batten_surface_unref(s);
@@ -382,7 +398,8 @@ TEST(a_surface_within_the_box_of_its_data_is_said_to_be)
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     scatter(MANY, plane, uv, z);
-    CHECK_OK(batten_surface_scattered(1, MANY, uv, z, NULL, NULL, &report, &s));
+    CHECK_OK(
+        batten_surface_scattered(uv, (batten_points){1, MANY, z}, NULL, NULL, &report, &s));
     CHECK(report.outside_share < 0.1);
     batten_surface_unref(s);
 }
@@ -397,7 +414,7 @@ TEST(one_point_of_a_lattice_is_met_exactly)
     options.method = BATTEN_SCATTERED_MULTILEVEL;
     options.spans_u = options.spans_v = 20;
     options.levels = 1;
-    CHECK_OK(batten_surface_scattered(1, 3, at, h, &options, NULL, NULL, &s));
+    CHECK_OK(batten_surface_scattered(at, (batten_points){1, 3, h}, &options, NULL, NULL, &s));
     CHECK_NEAR(value(s, 0.3, 0.6), 7, 1e-14);
     CHECK_NEAR(value(s, 0, 0), 0, 1e-14);
     batten_surface_unref(s);
@@ -413,7 +430,8 @@ TEST(every_level_leaves_less_of_frankes_function)
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         options.levels = levels;
-        CHECK_OK(batten_surface_scattered(1, 500, uv, z, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(uv, (batten_points){1, 500, z}, &options, NULL,
+                                          &report, &s));
         CHECK(report.rms < last);
         CHECK_INT(report.points_u, (1 << (levels - 1)) + 3);
         last = report.rms;
@@ -424,12 +442,14 @@ TEST(every_level_leaves_less_of_frankes_function)
     options.levels = 0;
     batten_surface *s = NULL;
     batten_surface_fit_report report;
-    CHECK_OK(batten_surface_scattered(1, 500, uv, z, &options, NULL, &report, &s));
+    CHECK_OK(
+        batten_surface_scattered(uv, (batten_points){1, 500, z}, &options, NULL, &report, &s));
     CHECK(report.error <= 0.02 && report.rounds < 9);
     batten_surface_unref(s);
     options.levels = 2;
-    CHECK_STATUS(batten_surface_scattered(1, 500, uv, z, &options, NULL, &report, &s),
-                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_STATUS(
+        batten_surface_scattered(uv, (batten_points){1, 500, z}, &options, NULL, &report, &s),
+        BATTEN_TOLERANCE_NOT_MET);
 }
 
 TEST(levels_end_when_the_data_are_few_and_the_report_says_so)
@@ -441,7 +461,8 @@ TEST(levels_end_when_the_data_are_few_and_the_report_says_so)
         batten_surface_fit_report report;
         scatter(counts[c], franke, uv, z);
         options.method = BATTEN_SCATTERED_MULTILEVEL;
-        CHECK_OK(batten_surface_scattered(1, counts[c], uv, z, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(uv, (batten_points){1, counts[c], z}, &options, NULL,
+                                          &report, &s));
         CHECK_INT(report.end, BATTEN_LEVELS_FEW);
         CHECK(report.points_u * report.points_v <= 8 * counts[c] && report.rms < 0.03);
         batten_surface_unref(s);
@@ -461,7 +482,8 @@ TEST(levels_end_when_they_bring_nothing)
         z[2 * i + 1] = -1;
     }
     options.method = BATTEN_SCATTERED_MULTILEVEL;
-    CHECK_OK(batten_surface_scattered(1, 1000, uv, z, &options, NULL, &report, &s));
+    CHECK_OK(
+        batten_surface_scattered(uv, (batten_points){1, 1000, z}, &options, NULL, &report, &s));
     CHECK_INT(report.end, BATTEN_LEVELS_NO_GAIN);
     CHECK_INT(report.rounds, 3);
     batten_surface_unref(s);
@@ -486,7 +508,8 @@ TEST(a_closed_body_is_said_to_lie_in_layers)
         }
         options.spans_u = options.spans_v = 6;
         options.corrections = 1;
-        CHECK_OK(batten_surface_cloud(N, points, NULL, &options, NULL, NULL, &report, &s));
+        CHECK_OK(batten_surface_cloud(&(batten_cloud){{3, N, points}, NULL}, &options, NULL,
+                                      NULL, &report, &s));
         if (c)
             CHECK(report.layered > 0.3 && report.layers_apart > 0.5);
         else
@@ -519,8 +542,10 @@ TEST(corrected_parameters_are_as_good_as_true_ones)
     options.spans_u = 4;
     options.spans_v = 2;
     options.by = BATTEN_SMOOTH_BY_LAMBDA;
-    CHECK_OK(batten_surface_scattered(3, N, at, points, &options, NULL, &with_true, &s));
-    CHECK_OK(batten_surface_cloud(N, points, NULL, &options, NULL, found, &cloud, &t));
+    CHECK_OK(batten_surface_scattered(at, (batten_points){3, N, points}, &options, NULL,
+                                      &with_true, &s));
+    CHECK_OK(batten_surface_cloud(&(batten_cloud){{3, N, points}, NULL}, &options, NULL, found,
+                                  &cloud, &t));
     /* Steps to the feet move parameters along the surface alone, and slowly. */
     CHECK(cloud.rms <= 1.5 * with_true.rms && cloud.corrections > 0);
     for (int i = 0; i < N; i += 50) { /* what is reported is what is there */
@@ -546,7 +571,8 @@ TEST(clouds_are_fitted_over_corners_and_within_a_tolerance)
     CHECK_OK(batten_surface_from_corners(corners, &base));
     batten_surface_scattered_options options = batten_surface_scattered_defaults();
     options.tolerance = 1e-4;
-    CHECK_OK(batten_surface_cloud(N, points, base, &options, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_cloud(&(batten_cloud){{3, N, points}, base}, &options, NULL, NULL,
+                                  &report, &s));
     CHECK(report.error <= 1e-4 && report.points_u > report.points_v);
     CHECK_NEAR(batten_surface_domain(s, BATTEN_U).b, 1, 0);
     batten_surface_unref(s);
@@ -572,7 +598,8 @@ TEST(a_square_cloud_has_a_square_domain)
             points[3 * i + c] = other ? 0.5 * p[c] : p[c];
     }
     options.spans_u = options.spans_v = 8;
-    CHECK_OK(batten_surface_cloud(N, points, NULL, &options, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_cloud(&(batten_cloud){{3, N, points}, NULL}, &options, NULL, NULL,
+                                  &report, &s));
     CHECK(report.outside_share < 0.05 && report.empty == 0);
     batten_surface_unref(s);
 }
@@ -584,7 +611,8 @@ TEST(G2_points_on_a_line_have_no_plane)
     for (int i = 0; i < 10; i++)
         for (int k = 0; k < 3; k++)
             points[3 * i + k] = i * (k + 1);
-    CHECK_STATUS(batten_surface_cloud(10, points, NULL, NULL, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_cloud(&(batten_cloud){{3, 10, points}, NULL}, NULL, NULL, NULL,
+                                      NULL, &s),
                  BATTEN_COINCIDENT);
     CHECK_MESSAGE("lie on a line");
 }
@@ -595,7 +623,7 @@ TEST(a_graph_has_its_parameters_as_coordinates)
 {
     batten_surface *s = NULL, *graph = NULL;
     scatter(300, franke, uv, z);
-    CHECK_OK(batten_surface_scattered(1, 300, uv, z, NULL, NULL, NULL, &s));
+    CHECK_OK(batten_surface_scattered(uv, (batten_points){1, 300, z}, NULL, NULL, NULL, &s));
     CHECK_OK(batten_surface_from_function(s, &graph));
     const batten_interval u = batten_surface_domain(s, BATTEN_U);
     for (int k = 0; k <= 10; k++) {
@@ -647,7 +675,8 @@ TEST(the_eighty_data_of_dierckx_are_smoothed_to_their_noise)
     /* s = 80 with the weights 1 / 0.010257 of the published test: rms = 0.010257. */
     options.by = BATTEN_SMOOTH_BY_RMS;
     options.amount = 0.010257;
-    CHECK_OK(batten_surface_scattered(1, 80, at, h, &options, NULL, &report, &s));
+    CHECK_OK(
+        batten_surface_scattered(at, (batten_points){1, 80, h}, &options, NULL, &report, &s));
     CHECK_NEAR(report.rms, 0.010257, 1e-9);
     /* The data are exp(-x^2 - y^2) and noise. */
     double off = 0;
@@ -680,7 +709,8 @@ TEST(measured_points_of_akima_are_met_within_a_tolerance)
             options.amount = 0.005;
             options.spans_u = options.spans_v = 12;
         }
-        CHECK_OK(batten_surface_scattered(1, 50, at, h, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(at, (batten_points){1, 50, h}, &options, NULL,
+                                          &report, &s));
         CHECK(report.error <= (c ? 0.01 : 0.05));
         batten_surface_unref(s);
     }
@@ -693,41 +723,46 @@ TEST(N1_bad_scattered_data_are_refused)
     batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     scatter(100, franke, uv, z);
-    CHECK_STATUS(batten_surface_scattered(1, 2, uv, z, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_scattered(uv, (batten_points){1, 2, z}, NULL, NULL, NULL, &s),
                  BATTEN_TOO_FEW_POINTS);
     uv[41] = NAN;
-    CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_scattered(uv, (batten_points){1, 100, z}, NULL, NULL, NULL, &s),
                  BATTEN_NOT_FINITE);
     CHECK_MESSAGE("parameter v of datum 20");
     scatter(100, franke, uv, z);
     z[7] = HUGE_VAL;
-    CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_scattered(uv, (batten_points){1, 100, z}, NULL, NULL, NULL, &s),
                  BATTEN_NOT_FINITE);
     CHECK_MESSAGE("datum 7");
     scatter(100, franke, uv, z);
     options.domain[0][1] = options.domain[1][1] = 0.5;
-    CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
-                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(
+        batten_surface_scattered(uv, (batten_points){1, 100, z}, &options, NULL, NULL, &s),
+        BATTEN_OUT_OF_DOMAIN);
     options = batten_surface_scattered_defaults();
     options.degree_u = 1;
-    CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
-                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(
+        batten_surface_scattered(uv, (batten_points){1, 100, z}, &options, NULL, NULL, &s),
+        BATTEN_BAD_DEGREE);
     options = batten_surface_scattered_defaults();
     options.spans_u = options.spans_v = 100000;
-    CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
-                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(
+        batten_surface_scattered(uv, (batten_points){1, 100, z}, &options, NULL, NULL, &s),
+        BATTEN_TOO_LARGE);
     options = batten_surface_scattered_defaults();
     options.tolerance = -1;
-    CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_surface_scattered(uv, (batten_points){1, 100, z}, &options, NULL, NULL, &s),
+        BATTEN_BAD_ARGUMENT);
     options = batten_surface_scattered_defaults();
     double weights[100] = {0};
     options.weights = weights;
-    CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
-                 BATTEN_BAD_WEIGHT);
+    CHECK_STATUS(
+        batten_surface_scattered(uv, (batten_points){1, 100, z}, &options, NULL, NULL, &s),
+        BATTEN_BAD_WEIGHT);
     for (int i = 0; i < 100; i++)
         uv[2 * i] = 3;
-    CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_scattered(uv, (batten_points){1, 100, z}, NULL, NULL, NULL, &s),
                  BATTEN_COINCIDENT);
     CHECK_MESSAGE("along u: that is no area");
     CHECK(s == NULL);
@@ -748,7 +783,8 @@ TEST(N2_scattered_data_of_any_size_are_fitted)
             for (int i = 0; i < 200; i++)
                 h[i] = z[i] * sizes[c][1];
             options.method = (batten_scattered_method)method;
-            CHECK_OK(batten_surface_scattered(1, 200, at, h, &options, NULL, &report, &s));
+            CHECK_OK(batten_surface_scattered(at, (batten_points){1, 200, h}, &options, NULL,
+                                              &report, &s));
             CHECK(report.rms < 0.02 * sizes[c][1]);
             batten_surface_unref(s);
         }

@@ -40,7 +40,8 @@ TEST(the_volcano_is_fitted_with_ever_less_left)
         batten_surface_fit_report report;
         options.points_u = n;
         options.points_v = n;
-        CHECK_OK(batten_surface_fit_grid(1, U, V, z, &options, NULL, NULL, NULL, &report, &s));
+        CHECK_OK(batten_surface_fit_grid((batten_grid){1, U, V, z}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, &report, &s));
         CHECK(report.rms < 0.7 * last && report.error < 60);
         last = report.rms;
         batten_surface_unref(s);
@@ -50,7 +51,8 @@ TEST(the_volcano_is_fitted_with_ever_less_left)
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     options.points_u = options.points_v = 0;
-    CHECK_OK(batten_surface_smooth_grid(1, U, V, z, &options, NULL, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_smooth_grid((batten_grid){1, U, V, z}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, &report, &s));
     CHECK(report.rms > 0.1 && report.rms < 2);
     batten_surface_unref(s);
 }
@@ -72,7 +74,8 @@ TEST(akimas_grid_of_1974_is_reproduced)
     options.parameters = BATTEN_GIVEN;
     options.given_u = u;
     options.given_v = v;
-    CHECK_OK(batten_surface_interpolate(1, U, V, z, &options, NULL, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_interpolate((batten_grid){1, U, V, z}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, &report, &s));
     CHECK(report.error < 1e-13 * 62);
     batten_surface_unref(s);
 }
@@ -112,7 +115,8 @@ TEST(the_deep_drawn_sheet_comes_nearer_with_every_knot)
         batten_surface_fit_report report;
         options.spans_u = options.spans_v = spans;
         options.by = BATTEN_SMOOTH_BY_LAMBDA;
-        CHECK_OK(batten_surface_scattered(3, N, uv, points, &options, NULL, &report, &s));
+        CHECK_OK(batten_surface_scattered(uv, (batten_points){3, N, points}, &options, NULL,
+                                          &report, &s));
         CHECK(report.rms < last);
         last = report.rms;
         batten_surface_unref(s);
@@ -143,7 +147,8 @@ TEST(the_scan_of_a_face_is_fitted_over_its_plane)
     options.huber = true;
     options.spans_u = options.spans_v = 12;
     options.corrections = 3;
-    CHECK_OK(batten_surface_cloud(N, points, NULL, &options, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_cloud(&(batten_cloud){{3, N, points}, NULL}, &options, NULL, NULL,
+                                  &report, &s));
     /* Metres; a camera of depth knows some millimetres at this distance. */
     CHECK(report.most < 0.02 && report.rms < 0.01 && report.reweightings > 0);
     batten_surface_unref(s);

@@ -35,7 +35,7 @@ static void begin(example *e, test_random *random)
     double points[2 * MANY];
     for (int i = 0; i < 2 * MANY; i++)
         points[i] = test_random_in(random, -1, 1);
-    CHECK_OK(batten_triangulate(MANY, points, NULL, &e->t));
+    CHECK_OK(batten_triangulate((batten_points){2, MANY, points}, NULL, &e->t));
     e->domain = (batten_triangulation){e->t.vertex_count, e->t.vertices, e->t.corners};
 }
 
@@ -60,8 +60,9 @@ static void check_is(const batten_triangles *triangles, double (*f)(double, doub
             p[k % 2] += b[k / 2] * domain.vertices[2 * domain.corners[3 * t + k / 2] + k % 2];
         CHECK_OK(batten_triangles_evaluate(triangles, t, b, 0, value));
         CHECK_NEAR(value[0], f(p[0], p[1], g), tolerance);
-        CHECK_OK(batten_triangles_over(triangles, 1, p, 1, BATTEN_OUTSIDE_CLAMPED, NULL, value,
-                                       NULL));
+        CHECK_OK(batten_triangles_over(triangles, (batten_batch){1, p}, 1,
+                                       (batten_outside_points){BATTEN_OUTSIDE_CLAMPED, NULL},
+                                       NULL, value));
         CHECK_NEAR(value[0], f(p[0], p[1], g), tolerance);
         CHECK_NEAR(value[1], g[0], 1e3 * tolerance);
         CHECK_NEAR(value[2], g[1], 1e3 * tolerance);
@@ -70,15 +71,14 @@ static void check_is(const batten_triangles *triangles, double (*f)(double, doub
 
 static void check_smooth(const batten_triangles *triangles, double tolerance)
 {
-    int count;
-    batten_triangle_join *joins = NULL;
-    CHECK_OK(batten_triangles_joins(triangles, 1e-9, &count, &joins));
-    CHECK(count > 0);
-    for (int i = 0; i < count; i++) {
-        CHECK_NEAR(joins[i].gap, 0, tolerance);
-        CHECK_NEAR(joins[i].slope, 0, tolerance);
+    batten_triangle_joins joins = {0, NULL};
+    CHECK_OK(batten_triangles_joins(triangles, 1e-9, &joins));
+    CHECK(joins.count > 0);
+    for (int i = 0; i < joins.count; i++) {
+        CHECK_NEAR(joins.at[i].gap, 0, tolerance);
+        CHECK_NEAR(joins.at[i].slope, 0, tolerance);
     }
-    batten_release(joins);
+    batten_triangle_joins_release(&joins);
 }
 
 TEST(quadratics_with_their_gradients_are_met_exactly)
@@ -136,8 +136,9 @@ TEST(random_values_and_gradients_give_smooth_functions_with_them)
         for (int k = 0; k < 2; k++) {
             double found[3 * MANY];
             check_smooth(out[k], 1e-9);
-            CHECK_OK(batten_triangles_over(out[k], MANY, e.t.vertices, 1,
-                                           BATTEN_OUTSIDE_CLAMPED, NULL, found, NULL));
+            CHECK_OK(batten_triangles_over(
+                out[k], (batten_batch){MANY, e.t.vertices}, 1,
+                (batten_outside_points){BATTEN_OUTSIDE_CLAMPED, NULL}, NULL, found));
             for (int v = 0; v < MANY; v++) {
                 CHECK_NEAR(found[3 * v], e.f[v], 1e-13);
                 CHECK_NEAR(found[3 * v + 1], e.g[2 * v], 1e-7);
@@ -155,10 +156,12 @@ static const double corners[6] = {0, 0, 2, 0.3, 0.7, 1.8}, places[4] = {0.8, 0.5
 static void check_same(batten_triangles *one, batten_triangles *other, double tolerance)
 {
     double value[2][2];
-    CHECK_OK(
-        batten_triangles_over(one, 2, places, 0, BATTEN_OUTSIDE_REFUSED, NULL, value[0], NULL));
-    CHECK_OK(batten_triangles_over(other, 2, places, 0, BATTEN_OUTSIDE_REFUSED, NULL, value[1],
-                                   NULL));
+    CHECK_OK(batten_triangles_over(one, (batten_batch){2, places}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL}, NULL,
+                                   value[0]));
+    CHECK_OK(batten_triangles_over(other, (batten_batch){2, places}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL}, NULL,
+                                   value[1]));
     for (int i = 0; i < 2; i++)
         CHECK_NEAR(value[0][i], value[1][i], tolerance);
     batten_triangles_unref(one);
@@ -211,8 +214,9 @@ TEST(planes_are_met_over_the_affine_image_of_a_triangle)
     const batten_triangulation domain = {3, q, turned};
     batten_triangles *made = NULL;
     CHECK_OK(batten_triangles_clough_tocher(&domain, 1, plane, h, NULL, &made));
-    CHECK_OK(
-        batten_triangles_over(made, 2, mapped, 0, BATTEN_OUTSIDE_REFUSED, NULL, value, NULL));
+    CHECK_OK(batten_triangles_over(made, (batten_batch){2, mapped}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL}, NULL,
+                                   value));
     for (int i = 0; i < 2; i++)
         CHECK_NEAR(value[i], 2 * mapped[2 * i] - mapped[2 * i + 1], 1e-13);
     batten_triangles_unref(made);
@@ -250,12 +254,14 @@ TEST(bad_domains_and_numbers_are_refused_by_name)
     const double outside[2] = {3, 0.5};
     size_t count = 0;
     CHECK_OK(batten_triangles_linear(&domain, 1, p + 2, &out));
-    CHECK_STATUS(
-        batten_triangles_over(out, 1, outside, 0, BATTEN_OUTSIDE_REFUSED, NULL, value, NULL),
-        BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_triangles_over(out, (batten_batch){1, outside}, 0,
+                                       (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL},
+                                       NULL, value),
+                 BATTEN_OUT_OF_DOMAIN);
     CHECK_MESSAGE("(3, 0.5)");
-    CHECK_OK(
-        batten_triangles_over(out, 1, outside, 0, BATTEN_OUTSIDE_CLAMPED, NULL, value, &count));
+    CHECK_OK(batten_triangles_over(out, (batten_batch){1, outside}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_CLAMPED, &count},
+                                   NULL, value));
     CHECK_INT((int)count, 1);
     CHECK_NEAR(value[0], p[3], 0); /* the value at vertex 1, which is nearest */
     batten_triangles_unref(out);

@@ -48,8 +48,9 @@ static double error_of(const batten_triangles *triangles, double (*f)(double, do
         xy[2 * i] = 0.15 + 0.7 * (i % SIDE) / (SIDE - 1);
         xy[2 * i + 1] = 0.15 + 0.7 * (i / SIDE) / (SIDE - 1);
     }
-    CHECK_OK(batten_triangles_over(triangles, SIDE * SIDE, xy, 0, BATTEN_OUTSIDE_REFUSED, NULL,
-                                   found, NULL));
+    CHECK_OK(batten_triangles_over(triangles, (batten_batch){SIDE * SIDE, xy}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL}, NULL,
+                                   found));
     for (int i = 0; i < SIDE * SIDE; i++)
         most = fmax(most, fabs(found[i] - f(xy[2 * i], xy[2 * i + 1])));
     return most;
@@ -64,7 +65,8 @@ static double try_out(int n, double (*f)(double, double),
     double *values = test_array((size_t)(n * n), sizeof *values);
     batten_triangles *triangles = NULL;
     shaken(n, 0.3, &random, f, xy, values);
-    CHECK_OK(batten_triangles_scattered(n * n, xy, values, options, NULL, report, &triangles));
+    CHECK_OK(batten_triangles_scattered((batten_points){2, n * n, xy}, values, options, NULL,
+                                        report, &triangles));
     const double error = error_of(triangles, f);
     batten_triangles_unref(triangles);
     return error;
@@ -125,11 +127,13 @@ TEST(G2_points_on_two_lines_or_round_a_hub_give_planes_where_no_quadratic_is_det
         }
         batten_triangles_scattered_report report;
         batten_triangles *out = NULL;
-        CHECK_OK(batten_triangles_scattered(N, xy, f, NULL, NULL, &report, &out));
+        CHECK_OK(batten_triangles_scattered((batten_points){2, N, xy}, f, NULL, NULL, &report,
+                                            &out));
         CHECK(c || report.planes > 0);
         double at[2] = {0.4, 0.3}, value[3];
-        CHECK_OK(
-            batten_triangles_over(out, 1, at, 1, BATTEN_OUTSIDE_REFUSED, NULL, value, NULL));
+        CHECK_OK(batten_triangles_over(out, (batten_batch){1, at}, 1,
+                                       (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL},
+                                       NULL, value));
         CHECK_NEAR(value[0], plane(0.4, 0.3), 1e-10);
         CHECK_NEAR(value[1], 3, 1e-8);
         CHECK_NEAR(value[2], -2, 1e-8);
@@ -144,13 +148,13 @@ TEST(the_network_bends_less_than_any_other)
     double xy[2 * N * N], f[N * N], g[2 * N * N];
     batten_plane_triangles t;
     shaken(N, 0.3, &random, franke, xy, f);
-    CHECK_OK(batten_triangulate(N * N, xy, NULL, &t));
+    CHECK_OK(batten_triangulate((batten_points){2, N * N, xy}, NULL, &t));
     int steps = 0;
-    CHECK_OK(batten_triangle_gradients(&t, f, g, NULL));
-    CHECK_OK(batten_triangle_network(&t, f, g, &steps));
+    CHECK_OK(batten_triangle_gradients(&t, f, NULL, g));
+    CHECK_OK(batten_triangle_network(&t, f, &steps, g));
     CHECK(steps > 3 && steps < 60);
     double again[2 * N * N] = {0};
-    CHECK_OK(batten_triangle_network(&t, f, again, NULL));
+    CHECK_OK(batten_triangle_network(&t, f, NULL, again));
     for (int i = 0; i < 2 * N * N; i++)
         CHECK_NEAR(again[i], g[i], 1e-11);
     /* the derivative of the bending with respect to each unknown vanishes */
@@ -190,15 +194,17 @@ TEST(edges_follow_a_ridge_where_they_depend_on_the_data)
     batten_triangles *out = NULL;
     options.element = BATTEN_ELEMENT_LINEAR;
     options.data_dependent = true;
-    CHECK_OK(batten_triangles_scattered(N * N, xy, f, &options, NULL, &report, &out));
+    CHECK_OK(batten_triangles_scattered((batten_points){2, N * N, xy}, f, &options, NULL,
+                                        &report, &out));
     CHECK(report.swaps > 0);
     for (int i = 0; i + 1 < N; i++) { /* between vertices of the ridge the value stays 0 */
         const int a = i * (N + 1), b = a + N + 1;
         const double middle[2] = {(xy[2 * a] + xy[2 * b]) / 2,
                                   (xy[2 * a + 1] + xy[2 * b + 1]) / 2};
         double value;
-        CHECK_OK(batten_triangles_over(out, 1, middle, 0, BATTEN_OUTSIDE_REFUSED, NULL, &value,
-                                       NULL));
+        CHECK_OK(batten_triangles_over(out, (batten_batch){1, middle}, 0,
+                                       (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL},
+                                       NULL, &value));
         CHECK_NEAR(value, 0, 1e-14);
     }
     batten_triangles_unref(out);
@@ -209,7 +215,8 @@ TEST(G1_points_at_one_place_give_their_mean_and_the_conflict_is_reported)
     const double xy[] = {0, 0, 2, 0, 2, 2, 0, 2, 1, 1, 1, 1, 2, 2}, f[] = {0, 0, 0, 0, 3, 5, 0};
     batten_triangles_scattered_report report;
     batten_triangles *out = NULL;
-    CHECK_OK(batten_triangles_scattered(7, xy, f, NULL, NULL, &report, &out));
+    CHECK_OK(
+        batten_triangles_scattered((batten_points){2, 7, xy}, f, NULL, NULL, &report, &out));
     CHECK_INT(report.vertices, 5);
     CHECK_INT(report.merged, 2);
     CHECK_NEAR(report.conflict, 2, 0);
@@ -219,8 +226,9 @@ TEST(G1_points_at_one_place_give_their_mean_and_the_conflict_is_reported)
     CHECK_NEAR(report.rms, sqrt(2.0 / 7), 1e-15);
     const double middle[2] = {1, 1};
     double value;
-    CHECK_OK(
-        batten_triangles_over(out, 1, middle, 0, BATTEN_OUTSIDE_REFUSED, NULL, &value, NULL));
+    CHECK_OK(batten_triangles_over(out, (batten_batch){1, middle}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL}, NULL,
+                                   &value));
     CHECK_NEAR(value, 4, 1e-14);
     batten_triangles_unref(out);
 }
@@ -229,13 +237,16 @@ TEST(N1_G2_values_that_are_no_numbers_and_points_on_a_line_are_refused)
 {
     const double line[] = {0, 0, 1, 2, 2, 4, 3, 6}, f[] = {0, 1, NAN, 2}, good[] = {0, 1, 2, 2};
     batten_triangles *out = NULL;
-    CHECK_STATUS(batten_triangles_scattered(4, line, f, NULL, NULL, NULL, &out),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_triangles_scattered((batten_points){2, 4, line}, f, NULL, NULL, NULL, &out),
+        BATTEN_NOT_FINITE);
     CHECK_MESSAGE("value 2");
-    CHECK_STATUS(batten_triangles_scattered(4, line, good, NULL, NULL, NULL, &out),
-                 BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_triangles_scattered(-1, line, good, NULL, NULL, NULL, &out),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_triangles_scattered((batten_points){2, 4, line}, good, NULL, NULL, NULL, &out),
+        BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_triangles_scattered((batten_points){2, -1, line}, good, NULL, NULL, NULL, &out),
+        BATTEN_TOO_FEW_POINTS);
 }
 
 TEST(N2_scattered_values_of_any_size_are_met_or_refused)
@@ -254,18 +265,20 @@ TEST(N2_scattered_values_of_any_size_are_met_or_refused)
         batten_triangles_scattered_options options = batten_triangles_scattered_defaults();
         options.network = c % 2;
         batten_triangles *out = NULL;
-        batten_status status =
-            batten_triangles_scattered(30, xy, f, &options, NULL, NULL, &out);
+        batten_status status = batten_triangles_scattered((batten_points){2, 30, xy}, f,
+                                                          &options, NULL, NULL, &out);
         if (test_memory_failed(status, BATTEN_OK))
-            status = batten_triangles_scattered(30, xy, f, &options, NULL, NULL, &out);
+            status = batten_triangles_scattered((batten_points){2, 30, xy}, f, &options, NULL,
+                                                NULL, &out);
         if (status != BATTEN_OK) {
             CHECK(width != 1 || height != 1);
             continue;
         }
         const double at[2] = {0.5 * width, 0.5 * width};
         double value;
-        CHECK_OK(
-            batten_triangles_over(out, 1, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, &value, NULL));
+        CHECK_OK(batten_triangles_over(out, (batten_batch){1, at}, 0,
+                                       (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL},
+                                       NULL, &value));
         CHECK_NEAR(value / height, 0.15, 1e-9);
         batten_triangles_unref(out);
     }
@@ -283,8 +296,9 @@ TEST(I8_scattered_triangles_are_cancelled_cleanly)
     batten_job job = BATTEN_JOB;
     batten_triangles *out = NULL;
     job.is_cancelled = always;
-    CHECK_STATUS(batten_triangles_scattered(3, xy, f, NULL, &job, NULL, &out),
-                 BATTEN_CANCELLED);
+    CHECK_STATUS(
+        batten_triangles_scattered((batten_points){2, 3, xy}, f, NULL, &job, NULL, &out),
+        BATTEN_CANCELLED);
 }
 
 /* ---- published data ---- */
@@ -320,10 +334,12 @@ TEST(published_terrains_are_met_at_every_point)
         batten_triangles *out = NULL;
         options.element = (batten_triangle_element)(c / 2 % 2);
         options.network = c / 4;
-        CHECK_OK(batten_triangles_scattered(count, xy, f, &options, NULL, &report, &out));
+        CHECK_OK(batten_triangles_scattered((batten_points){2, count, xy}, f, &options, NULL,
+                                            &report, &out));
         CHECK_INT(report.merged, 0);
-        CHECK_OK(batten_triangles_over(out, (size_t)count, xy, 0, BATTEN_OUTSIDE_REFUSED, NULL,
-                                       found, NULL));
+        CHECK_OK(batten_triangles_over(out, (batten_batch){(size_t)count, xy}, 0,
+                                       (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL},
+                                       NULL, found));
         for (int i = 0; i < count; i++)
             CHECK_NEAR(found[i], f[i], 1e-12 * 1000);
         batten_triangles_unref(out);

@@ -16,7 +16,7 @@ static void random_curve(test_random *random, int dimension, double shift, batte
                 (k == 0 ? i + shift : 0) + test_random_in(random, -0.3, 0.3);
         weights[i] = test_random_in(random, 0.7, 1.4);
     }
-    CHECK_OK(batten_curve_create(dimension, 3, 5, points,
+    CHECK_OK(batten_curve_create((batten_points){dimension, 5, points}, 3,
                                  test_random_int(random, 0, 1) ? weights : NULL, knots, out));
 }
 
@@ -54,7 +54,7 @@ TEST(a_piece_cut_out_of_a_cubic_is_its_own_blend)
 {
     const double points[] = {0, 0, 1, 2, 3, 3, 4, 0}, breaks[] = {0, 1};
     batten_curve *whole = NULL, *a = NULL, *b = NULL, *blend = NULL;
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, points, NULL, breaks, &whole));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, points, NULL, &whole));
     CHECK_OK(batten_curve_subrange(whole, 0, 0.3, &a));
     CHECK_OK(batten_curve_subrange(whole, 0.8, 1, &b));
     batten_blend_end ends[2] = {{at_end, 1, 1}, {at_start, 1, 1}};
@@ -146,7 +146,7 @@ TEST(N1_G4_blends_that_cannot_be_are_refused)
 {
     const double p[] = {0, 0, 1, 0, 1, 0, 1, 0, 3, 1}, one[] = {0, 1}, breaks[] = {0, 1};
     batten_curve *still = NULL, *line = NULL, *space = NULL, *function = NULL, *out = NULL;
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, p, NULL, breaks, &still));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, p, NULL, &still));
     CHECK_OK(batten_curve_line(2, p + 6, p + 8, &line));
     CHECK_OK(batten_curve_line(3, p + 2, p + 7, &space));
     CHECK_OK(batten_curve_line(1, one, one + 1, &function));

@@ -14,8 +14,8 @@ static void random_curve(test_random *random, int dimension, bool rational, batt
             points[i * dimension + k] = (k == 0 ? i : 0) + test_random_in(random, -0.4, 0.4);
         weights[i] = test_random_in(random, 0.8, 1.25);
     }
-    CHECK_OK(
-        batten_curve_create(dimension, 3, 7, points, rational ? weights : NULL, knots, out));
+    CHECK_OK(batten_curve_create((batten_points){dimension, 7, points}, 3,
+                                 rational ? weights : NULL, knots, out));
 }
 
 /* How far the curves are apart on the domain of the first. */
@@ -46,7 +46,8 @@ TEST(an_extended_curve_contains_the_old_one_and_joins_as_promised)
         batten_curve_extend_report report;
         double length, error;
         random_curve(&random, dimension, n % 5 == 0, &given);
-        CHECK_OK(batten_curve_extend(given, end, way, 0.4, 1e-8, &report, &made));
+        CHECK_OK(batten_curve_extend(given, end, (batten_lengthening){way, 1e-8}, 0.4, &report,
+                                     &made));
         CHECK(apart(given, made) <= 1e-13);
         const batten_interval was = batten_curve_domain(given), is = batten_curve_domain(made);
         if (end == BATTEN_CURVE_END) {
@@ -56,7 +57,7 @@ TEST(an_extended_curve_contains_the_old_one_and_joins_as_promised)
             CHECK(is.b == was.b && is.a < was.a);
             CHECK_OK(batten_curve_subrange(made, is.a, was.a, &tail));
         }
-        CHECK_OK(batten_curve_length(tail, 1e-12, &length, &error));
+        CHECK_OK(batten_curve_length(tail, 1e-12, &error, &length));
         CHECK_NEAR(length, 0.4, way == BATTEN_EXTEND_SPIRAL ? 1e-6 : 2e-8);
         CHECK_NEAR(report.length, 0.4, 2e-8);
         CHECK(report.error <= 1e-8);
@@ -76,7 +77,8 @@ TEST(an_arc_goes_on_along_its_circle)
     static const double lengths[] = {0.3, 4, 3 * 5.28};
     for (int i = 0; i < COUNT(lengths); i++) {
         batten_curve_extend_report report;
-        CHECK_OK(batten_curve_extend(arc, BATTEN_CURVE_END, BATTEN_EXTEND_ARC, lengths[i], 1e-9,
+        CHECK_OK(batten_curve_extend(arc, BATTEN_CURVE_END,
+                                     (batten_lengthening){BATTEN_EXTEND_ARC, 1e-9}, lengths[i],
                                      &report, &made));
         const batten_interval domain = batten_curve_domain(made);
         for (int k = 0; k <= 100; k++) {
@@ -92,7 +94,8 @@ TEST(an_arc_goes_on_along_its_circle)
         CHECK(report.error == 0);
         batten_curve_unref(made);
     }
-    CHECK_STATUS(batten_curve_extend(arc, BATTEN_CURVE_END, BATTEN_EXTEND_ARC, 6.3 * 3, 1e-9,
+    CHECK_STATUS(batten_curve_extend(arc, BATTEN_CURVE_END,
+                                     (batten_lengthening){BATTEN_EXTEND_ARC, 1e-9}, 6.3 * 3,
                                      NULL, &made),
                  BATTEN_BAD_ARGUMENT);
     batten_curve_unref(arc);
@@ -104,11 +107,12 @@ TEST(a_clothoid_goes_on_as_a_clothoid)
     batten_span span = {.kind = BATTEN_SPAN_SPIRAL, .length = 2, .curvature = {0, 0.5}};
     batten_chain *half = NULL, *whole = NULL;
     batten_curve *curve = NULL, *made = NULL;
-    CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 0, &half));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0, &half));
     span.length = 3;
-    CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 0, &whole));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0, &whole));
     CHECK_OK(batten_chain_to_curve(half, 1e-12, NULL, &curve));
-    CHECK_OK(batten_curve_extend(curve, BATTEN_CURVE_END, BATTEN_EXTEND_SPIRAL, 1, 1e-12, NULL,
+    CHECK_OK(batten_curve_extend(curve, BATTEN_CURVE_END,
+                                 (batten_lengthening){BATTEN_EXTEND_SPIRAL, 1e-12}, 1, NULL,
                                  &made));
     for (int i = 0; i <= 100; i++) {
         double p[2], q[2];
@@ -126,11 +130,11 @@ TEST(a_natural_extension_is_the_same_polynomial)
 {
     const double power[] = {1, 0, 2, -1, 0, 0.5, -0.25, 1}, breaks[] = {0, 1};
     batten_curve *curve = NULL, *made = NULL;
-    CHECK_OK(batten_curve_from_power(2, 3, 1, breaks, power, 0, &curve));
+    CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 1, breaks}, power, 0, &curve));
     for (int side = 0; side < 2; side++) {
         CHECK_OK(batten_curve_extend_to(curve, side ? BATTEN_CURVE_END : BATTEN_CURVE_START,
-                                        BATTEN_EXTEND_NATURAL, side ? 3 : -2, 1e-9, NULL,
-                                        &made));
+                                        (batten_lengthening){BATTEN_EXTEND_NATURAL, 1e-9},
+                                        side ? 3 : -2, NULL, &made));
         const batten_interval domain = batten_curve_domain(made);
         CHECK(domain.a == (side ? 0 : -2) && domain.b == (side ? 3 : 1));
         for (int i = 0; i <= 50; i++) {
@@ -151,14 +155,16 @@ TEST(a_rational_arc_goes_on_naturally_until_its_weight_vanishes)
     /* A quarter as one piece: t runs to infinity towards three quarters of the circle. */
     batten_curve *arc = NULL, *made = NULL;
     CHECK_OK(batten_curve_arc(1, PI / 2, &arc));
-    CHECK_OK(batten_curve_extend(arc, BATTEN_CURVE_END, BATTEN_EXTEND_NATURAL, 1, 1e-12, NULL,
+    CHECK_OK(batten_curve_extend(arc, BATTEN_CURVE_END,
+                                 (batten_lengthening){BATTEN_EXTEND_NATURAL, 1e-12}, 1, NULL,
                                  &made));
     double end[2];
     CHECK_OK(batten_curve_evaluate(made, batten_curve_domain(made).b, 0, end));
     CHECK_NEAR(end[0], cos(PI / 2 + 1), 1e-11);
     CHECK_NEAR(end[1], sin(PI / 2 + 1), 1e-11);
     batten_curve_unref(made);
-    CHECK_STATUS(batten_curve_extend(arc, BATTEN_CURVE_END, BATTEN_EXTEND_NATURAL, 4, 1e-12,
+    CHECK_STATUS(batten_curve_extend(arc, BATTEN_CURVE_END,
+                                     (batten_lengthening){BATTEN_EXTEND_NATURAL, 1e-12}, 4,
                                      NULL, &made),
                  BATTEN_BAD_WEIGHT);
     batten_curve_unref(arc);
@@ -168,11 +174,12 @@ TEST(G2_a_straight_curve_goes_on_straight_whichever_way)
 {
     const double points[] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3}, breaks[] = {0, 1};
     batten_curve *curve = NULL, *made = NULL;
-    CHECK_OK(batten_curve_from_bezier(3, 3, 1, points, NULL, breaks, &curve));
+    CHECK_OK(batten_curve_from_bezier(3, (batten_pieces){3, 1, breaks}, points, NULL, &curve));
     for (int way = 0; way < 4; way++) {
         double end[3];
-        CHECK_OK(batten_curve_extend(curve, BATTEN_CURVE_END, (batten_extension)way, sqrt(3),
-                                     1e-12, NULL, &made));
+        CHECK_OK(batten_curve_extend(curve, BATTEN_CURVE_END,
+                                     (batten_lengthening){(batten_extension)way, 1e-12},
+                                     sqrt(3), NULL, &made));
         CHECK_OK(batten_curve_evaluate(made, batten_curve_domain(made).b, 0, end));
         for (int k = 0; k < 3; k++)
             CHECK_NEAR(end[k], 4, 1e-11);
@@ -185,26 +192,39 @@ TEST(N1_N6_G4_what_cannot_be_extended_is_refused)
 {
     const double points[] = {0, 0, 1, 1, 2, 0, 2, 0}, breaks[] = {0, 1}, more[] = {0, 1, 2, 3};
     batten_curve *curve = NULL, *ring = NULL, *function = NULL, *out = NULL;
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, points, NULL, breaks, &curve));
-    CHECK_OK(batten_curve_create_periodic(2, 2, 3, points, NULL, more, &ring));
-    CHECK_OK(batten_curve_from_bezier(1, 3, 1, points, NULL, breaks, &function));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, points, NULL, &curve));
+    CHECK_OK(batten_curve_create_periodic((batten_points){2, 3, points}, 2, NULL, more, &ring));
+    CHECK_OK(
+        batten_curve_from_bezier(1, (batten_pieces){3, 1, breaks}, points, NULL, &function));
     const batten_curve_end end = BATTEN_CURVE_END;
-    CHECK_STATUS(batten_curve_extend(curve, end, BATTEN_EXTEND_LINE, 1, 1e-9, NULL, &out),
+    CHECK_STATUS(batten_curve_extend(curve, end, (batten_lengthening){BATTEN_EXTEND_LINE, 1e-9},
+                                     1, NULL, &out),
                  BATTEN_SINGULAR_HERE);
-    CHECK_OK(batten_curve_extend(curve, end, BATTEN_EXTEND_NATURAL, 1, 1e-9, NULL, &out));
+    CHECK_OK(batten_curve_extend(curve, end, (batten_lengthening){BATTEN_EXTEND_NATURAL, 1e-9},
+                                 1, NULL, &out));
     batten_curve_unref(out);
     const batten_curve_end start = BATTEN_CURVE_START;
-    CHECK_STATUS(batten_curve_extend(curve, start, BATTEN_EXTEND_LINE, NAN, 1e-9, NULL, &out),
+    CHECK_STATUS(batten_curve_extend(curve, start,
+                                     (batten_lengthening){BATTEN_EXTEND_LINE, 1e-9}, NAN, NULL,
+                                     &out),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_extend(curve, start, BATTEN_EXTEND_LINE, 0, 1e-9, NULL, &out),
+    CHECK_STATUS(batten_curve_extend(curve, start,
+                                     (batten_lengthening){BATTEN_EXTEND_LINE, 1e-9}, 0, NULL,
+                                     &out),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_extend(curve, start, BATTEN_EXTEND_LINE, 1, 0, NULL, &out),
+    CHECK_STATUS(batten_curve_extend(curve, start, (batten_lengthening){BATTEN_EXTEND_LINE, 0},
+                                     1, NULL, &out),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_extend_to(curve, start, BATTEN_EXTEND_LINE, 0.5, 1, NULL, &out),
+    CHECK_STATUS(batten_curve_extend_to(curve, start,
+                                        (batten_lengthening){BATTEN_EXTEND_LINE, 1}, 0.5, NULL,
+                                        &out),
                  BATTEN_OUT_OF_DOMAIN);
-    CHECK_STATUS(batten_curve_extend(ring, end, BATTEN_EXTEND_LINE, 1, 1e-9, NULL, &out),
+    CHECK_STATUS(batten_curve_extend(ring, end, (batten_lengthening){BATTEN_EXTEND_LINE, 1e-9},
+                                     1, NULL, &out),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_STATUS(batten_curve_extend(function, end, BATTEN_EXTEND_LINE, 1, 1e-9, NULL, &out),
+    CHECK_STATUS(batten_curve_extend(function, end,
+                                     (batten_lengthening){BATTEN_EXTEND_LINE, 1e-9}, 1, NULL,
+                                     &out),
                  BATTEN_UNSUPPORTED);
     batten_curve_unref(function);
     batten_curve_unref(ring);

@@ -9,7 +9,7 @@
 static double length_of(const batten_curve *curve)
 {
     double length = 0;
-    CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+    CHECK_OK(batten_curve_length(curve, 1e-12, NULL, &length));
     return length;
 }
 
@@ -133,7 +133,7 @@ TEST(fillets_of_random_curves_touch_both_in_plane_and_space)
                 p[k][2 * i + 1] = (k ? i - 0.5 : 0) + test_random_in(&random, -0.2, 0.2);
             }
             batten_curve *flat = NULL, *space = NULL;
-            CHECK_OK(batten_curve_create(2, 3, 5, p[k], NULL, knots, &flat));
+            CHECK_OK(batten_curve_create((batten_points){2, 5, p[k]}, 3, NULL, knots, &flat));
             if (n % 2) {
                 c[k] = flat;
                 continue;
@@ -158,7 +158,7 @@ TEST(a_square_with_round_corners_has_its_length)
 {
     const double p[] = {0, 0, 4, 0, 4, 4, 0, 4, 0, 0};
     batten_curve *square = NULL, *made = NULL, *mid = NULL;
-    CHECK_OK(batten_curve_polyline(2, 5, p, &square));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 5, p}, &square));
     const double r = 0.75;
     batten_corners_report report;
     CHECK_OK(batten_curve_fillet(square, 1, &r, 1e-9, &report, &made));
@@ -193,7 +193,7 @@ TEST(a_square_with_round_corners_has_its_length)
     CHECK_STATUS(batten_curve_fillet(square, 3, each, 1e-9, NULL, &made), BATTEN_BAD_ARGUMENT);
     /* A seam in the middle of a side is none. */
     const double q[] = {2, 0, 4, 0, 4, 4, 0, 4, 0, 0, 2, 0};
-    CHECK_OK(batten_curve_polyline(2, 6, q, &mid));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 6, q}, &mid));
     CHECK_OK(batten_curve_fillet(mid, 4, each, 1e-9, &report, &made));
     CHECK_INT(report.corners, 4);
     CHECK_NEAR(length_of(made), 16 - (2 - PI / 2) * 1.75, 1e-11);
@@ -211,20 +211,22 @@ TEST(a_path_in_space_is_rounded_and_cut_corner_by_corner)
     const double p[] = {0, 0, 0, 2, 0, 0, 2, 3, 0, 2, 3, 4}, r = 0.5;
     batten_curve *path = NULL, *made = NULL;
     batten_corners_report report;
-    CHECK_OK(batten_curve_polyline(3, 4, p, &path));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 4, p}, &path));
     CHECK_OK(batten_curve_fillet(path, 1, &r, 1e-9, &report, &made));
     CHECK_INT(report.corners, 2);
     CHECK_NEAR(length_of(made), 9 - 2 * (2 - PI / 2) * r, 1e-11);
     batten_curve_unref(made);
-    CHECK_OK(batten_curve_chamfer(path, 0.3, 0.4, 1e-9, &report, &made));
+    CHECK_OK(batten_curve_chamfer(path, (double[2]){0.3, 0.4}, 1e-9, &report, &made));
     CHECK_INT(report.cut, 2);
     CHECK_NEAR(length_of(made), 9 - 2 * (0.7 - 0.5), 1e-11);
     CHECK_INT(batten_curve_degree(made), 1);
     CHECK_INT(batten_curve_point_count(made), 6);
     batten_curve_unref(made);
-    CHECK_STATUS(batten_curve_chamfer(path, 1.6, 1.6, 1e-9, NULL, &made), BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_curve_chamfer(path, (double[2]){1.6, 1.6}, 1e-9, NULL, &made),
+                 BATTEN_NOT_FOUND);
     CHECK_MESSAGE("corners 1 and 2 want the same part");
-    CHECK_STATUS(batten_curve_chamfer(path, 2.5, 0.1, 1e-9, NULL, &made), BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_curve_chamfer(path, (double[2]){2.5, 0.1}, 1e-9, NULL, &made),
+                 BATTEN_NOT_FOUND);
     CHECK_MESSAGE("corner 1 at (2, 0, 0)");
     batten_curve_unref(path);
 }
@@ -251,16 +253,17 @@ TEST(a_chamfer_of_two_curves_goes_by_arc_length)
     CHECK_OK(batten_curve_transform(arc, &map, &far));
     CHECK_OK(batten_curve_line(2, p, p + 2, &line));
     double u[2];
-    CHECK_OK(batten_curves_chamfer(line, far, 0.5, 1, 1e-12, u, &cut));
+    CHECK_OK(batten_curves_chamfer(line, far, (double[2]){0.5, 1}, 1e-12, u, &cut));
     const double *q = batten_curve_points(cut);
     CHECK_NEAR(q[0], -0.5, 1e-12);
     CHECK_NEAR(q[2], 2 * cos(0.5) - 2, 1e-11);
     CHECK_NEAR(q[3], 2 * sin(0.5), 1e-11);
     CHECK_NEAR(u[0], 0.5, 1e-12);
     batten_curve_unref(cut);
-    CHECK_STATUS(batten_curves_chamfer(line, arc, 0.5, 1, 1e-12, u, &cut),
+    CHECK_STATUS(batten_curves_chamfer(line, arc, (double[2]){0.5, 1}, 1e-12, u, &cut),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_STATUS(batten_curves_chamfer(line, far, 1.5, 1, 1e-12, u, &cut), BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_curves_chamfer(line, far, (double[2]){1.5, 1}, 1e-12, u, &cut),
+                 BATTEN_NOT_FOUND);
     batten_curve_unref(line);
     batten_curve_unref(far);
     batten_curve_unref(arc);
@@ -283,7 +286,8 @@ TEST(N1_N6_radii_and_curves_that_make_no_fillet_are_refused)
     for (int i = 0; i < COUNT(bad); i++) {
         CHECK_STATUS(batten_curves_fillet(a, b, bad[i], 1e-9, NULL, &out), BATTEN_BAD_ARGUMENT);
         CHECK_STATUS(batten_curves_fillet(a, b, 1, bad[i], NULL, &out), BATTEN_BAD_ARGUMENT);
-        CHECK_STATUS(batten_curve_chamfer(a, 1, bad[i], 1, NULL, &out), BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_chamfer(a, (double[2]){1, bad[i]}, 1, NULL, &out),
+                     BATTEN_BAD_ARGUMENT);
         CHECK_STATUS(batten_curve_fillet(a, 1, &r, bad[i], NULL, &out), BATTEN_BAD_ARGUMENT);
     }
     batten_curve_unref(function);

@@ -13,8 +13,8 @@ static void random_curve(test_random *random, int dimension, bool rational, batt
             points[i * dimension + k] = (k == 0 ? i : 0) + test_random_in(random, -0.4, 0.4);
         weights[i] = test_random_in(random, 0.5, 2);
     }
-    CHECK_OK(batten_curve_create(dimension, degree, count, points, rational ? weights : NULL,
-                                 degree == 3 ? knots : more, out));
+    CHECK_OK(batten_curve_create((batten_points){dimension, count, points}, degree,
+                                 rational ? weights : NULL, degree == 3 ? knots : more, out));
 }
 
 TEST(curves_join_as_asked_whichever_moves)
@@ -32,8 +32,9 @@ TEST(curves_join_as_asked_whichever_moves)
         const int mover = test_random_int(&random, 0, 2);
         batten_curve *made[2] = {NULL, NULL};
         double moved = -1;
-        CHECK_OK(batten_curves_match(a, b, (batten_match_kind)kind, order,
-                                     (batten_match_mover)mover, &moved, &made[0], &made[1]));
+        CHECK_OK(batten_curves_match(
+            a, b, (batten_match){(batten_match_kind)kind, order, (batten_match_mover)mover},
+            &moved, &made[0], &made[1]));
         batten_continuity c;
         CHECK_OK(batten_curves_continuity(made[0], BATTEN_CURVE_END, made[1],
                                           BATTEN_CURVE_START, NULL, &c));
@@ -66,8 +67,9 @@ TEST(least_moves_of_both_curves_meet_halfway)
     double moved;
     CHECK_OK(batten_curve_line(2, p, p + 2, &a));
     CHECK_OK(batten_curve_line(2, p + 4, p + 6, &b));
-    CHECK_OK(batten_curves_match(a, b, BATTEN_MATCH_PARAMETRIC, 0, BATTEN_MATCH_MOVES_BOTH,
-                                 &moved, &c, &d));
+    CHECK_OK(batten_curves_match(
+        a, b, (batten_match){BATTEN_MATCH_PARAMETRIC, 0, BATTEN_MATCH_MOVES_BOTH}, &moved, &c,
+        &d));
     CHECK_NEAR(moved, 0.5, 1e-15);
     CHECK_NEAR(batten_curve_points(c)[3], 0.5, 1e-15);
     CHECK_NEAR(batten_curve_points(d)[1], 0.5, 1e-15);
@@ -84,17 +86,25 @@ TEST(what_cannot_join_is_refused)
     CHECK_OK(batten_curve_line(3, p, p + 3, &line));
     CHECK_OK(batten_curve_line(2, p, p + 3, &plane));
     CHECK_OK(batten_curve_line(3, p, p, &point));
-    CHECK_STATUS(batten_curves_match(line, plane, BATTEN_MATCH_GEOMETRIC, 0,
-                                     BATTEN_MATCH_MOVES_BOTH, NULL, &a, &b),
-                 BATTEN_NOT_COMPATIBLE);
-    CHECK_STATUS(batten_curves_match(line, line, BATTEN_MATCH_GEOMETRIC, 2,
-                                     BATTEN_MATCH_MOVES_BOTH, NULL, &a, &b),
-                 BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_curves_match(line, line, BATTEN_MATCH_GEOMETRIC, 3,
-                                     BATTEN_MATCH_MOVES_BOTH, NULL, &a, &b),
-                 BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curves_match(line, point, BATTEN_MATCH_GEOMETRIC, 1,
-                                     BATTEN_MATCH_MOVES_SECOND, NULL, &a, &b),
+    CHECK_STATUS(
+        batten_curves_match(line, plane,
+                            (batten_match){BATTEN_MATCH_GEOMETRIC, 0, BATTEN_MATCH_MOVES_BOTH},
+                            NULL, &a, &b),
+        BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(
+        batten_curves_match(line, line,
+                            (batten_match){BATTEN_MATCH_GEOMETRIC, 2, BATTEN_MATCH_MOVES_BOTH},
+                            NULL, &a, &b),
+        BATTEN_BAD_DEGREE);
+    CHECK_STATUS(
+        batten_curves_match(line, line,
+                            (batten_match){BATTEN_MATCH_GEOMETRIC, 3, BATTEN_MATCH_MOVES_BOTH},
+                            NULL, &a, &b),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curves_match(
+                     line, point,
+                     (batten_match){BATTEN_MATCH_GEOMETRIC, 1, BATTEN_MATCH_MOVES_SECOND}, NULL,
+                     &a, &b),
                  BATTEN_SINGULAR_HERE);
     CHECK(a == NULL && b == NULL);
     batten_curve_unref(point);

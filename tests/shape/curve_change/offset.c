@@ -19,7 +19,8 @@ static batten_curve_offset_options options_of(double tolerance, batten_loops loo
 static void bezier(int dimension, int degree, const double *points, batten_curve **out)
 {
     const double breaks[2] = {0, 1};
-    CHECK_OK(batten_curve_from_bezier(dimension, degree, 1, points, NULL, breaks, out));
+    CHECK_OK(batten_curve_from_bezier(dimension, (batten_pieces){degree, 1, breaks}, points,
+                                      NULL, out));
 }
 
 /* The largest | |Q - C| - d | at 400 points of each curve. */
@@ -35,7 +36,9 @@ static double distance_error(const batten_curve *curve, const batten_curves *mad
             CHECK_OK(batten_curve_evaluate(made->at[i],
                                            domain.a + (domain.b - domain.a) * (k / 400.0), 0,
                                            points + k * dimension));
-        CHECK_OK(batten_curve_deviation(curve, 401, points, NULL, NULL, far, &all));
+        CHECK_OK(batten_curve_deviation(
+            curve, (batten_points){batten_curve_dimension(curve), 401, points}, NULL, NULL, far,
+            &all));
         for (int k = 0; k <= 400; k++)
             worst = fmax(worst, fabs(far[k] - fabs(d)));
     }
@@ -133,7 +136,9 @@ TEST(the_offset_of_a_parabola_has_its_cusps_and_its_corner)
     CHECK(distance_error(curve, &made, 1) <= 3e-7);
     batten_deviation far;
     const double corner[2] = {0, 1.25};
-    CHECK_OK(batten_curve_deviation(made.at[0], 1, corner, NULL, NULL, NULL, &far));
+    CHECK_OK(batten_curve_deviation(
+        made.at[0], (batten_points){batten_curve_dimension(made.at[0]), 1, corner}, NULL, NULL,
+        NULL, &far));
     CHECK_NEAR(far.max, 0, 1e-7);
     batten_curves_release(&made);
     batten_curve_unref(curve);
@@ -144,7 +149,7 @@ TEST(the_offset_of_an_ellipse_is_shorter_by_two_pi_d)
     batten_curve *ellipse = NULL;
     double whole, length;
     CHECK_OK(batten_curve_ellipse(3, 2, 0, 2 * PI, &ellipse));
-    CHECK_OK(batten_curve_length(ellipse, 1e-12, &whole, NULL));
+    CHECK_OK(batten_curve_length(ellipse, 1e-12, NULL, &whole));
     const double distances[] = {0.5, 1.2, -1, -7};
     for (int i = 0; i < COUNT(distances); i++) {
         const batten_curve_offset_options o =
@@ -153,7 +158,7 @@ TEST(the_offset_of_an_ellipse_is_shorter_by_two_pi_d)
         CHECK_OK(batten_curve_offset(ellipse, distances[i], &o, NULL, &made));
         CHECK_INT(made.count, 1);
         CHECK(batten_curve_is_closed(made.at[0], 1e-9));
-        CHECK_OK(batten_curve_length(made.at[0], 1e-10, &length, NULL));
+        CHECK_OK(batten_curve_length(made.at[0], 1e-10, NULL, &length));
         CHECK_NEAR(length, whole - 2 * PI * distances[i], 1e-7);
         CHECK(distance_error(ellipse, &made, distances[i]) <= 1e-9);
         batten_curves_release(&made);
@@ -176,7 +181,7 @@ TEST(offset_there_and_back_is_the_curve)
             options_of(tolerance, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         batten_curve *curve = NULL;
         batten_curves there = {0, NULL}, back = {0, NULL};
-        CHECK_OK(batten_curve_create(2, 3, 6, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create((batten_points){2, 6, points}, 3, NULL, knots, &curve));
         const double d = n % 3 ? 0.05 : -0.05;
         CHECK_OK(batten_curve_offset(curve, d, &o, NULL, &there));
         CHECK_INT(there.count, 1);
@@ -194,7 +199,7 @@ TEST(offset_there_and_back_is_the_curve)
 static void square(batten_curve **out)
 {
     const double points[10] = {0, 0, 4, 0, 4, 4, 0, 4, 0, 0};
-    CHECK_OK(batten_curve_polyline(2, 5, points, out));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 5, points}, out));
 }
 
 TEST(the_corners_of_a_square_are_round_mitred_or_square)
@@ -220,7 +225,7 @@ TEST(the_corners_of_a_square_are_round_mitred_or_square)
         CHECK_OK(batten_curve_offset(curve, cases[i].distance, &o, NULL, &made));
         CHECK_INT(made.count, 1);
         CHECK(batten_curve_is_closed(made.at[0], 1e-12));
-        CHECK_OK(batten_curve_length(made.at[0], 1e-12, &length, NULL));
+        CHECK_OK(batten_curve_length(made.at[0], 1e-12, NULL, &length));
         CHECK_NEAR(length, cases[i].length, 1e-10);
         batten_curves_release(&made);
     }
@@ -232,7 +237,7 @@ TEST(a_sharp_mitre_beyond_its_limit_becomes_square)
     /* 20 degrees between the sides: the mitre would be 5.76 times the distance. */
     const double a = PI / 9, points[6] = {-3, 0, 0, 0, -3 * cos(a), -3 * sin(a)};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_polyline(2, 3, points, &curve));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 3, points}, &curve));
     const double limits[] = {4, 6};
     const double expected[] = {1, 1 / sin(a / 2)};
     for (int i = 0; i < 2; i++) {
@@ -263,7 +268,7 @@ TEST(an_offset_falls_apart_where_the_curve_is_narrow)
     batten_curve *curve = NULL;
     batten_curves made = {0, NULL};
     double length;
-    CHECK_OK(batten_curve_polyline(2, 13, p, &curve));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 13, p}, &curve));
     const batten_curve_offset_options o =
         options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_MITRE);
     CHECK_OK(batten_curve_offset(curve, 0.4, &o, NULL, &made));
@@ -275,7 +280,7 @@ TEST(an_offset_falls_apart_where_the_curve_is_narrow)
     CHECK_INT(made.count, 2);
     for (int i = 0; i < 2; i++) {
         CHECK(batten_curve_is_closed(made.at[i], 1e-9));
-        CHECK_OK(batten_curve_length(made.at[i], 1e-10, &length, NULL));
+        CHECK_OK(batten_curve_length(made.at[i], 1e-10, NULL, &length));
         /* A square of side 2.5 without the middle unit of one side, and there two arcs about
          * the corners of the neck, which meet half a unit off each. */
         CHECK_NEAR(length, 9 + 2 * 0.75 * asin(0.5 / 0.75), 1e-5);
@@ -292,7 +297,7 @@ TEST(an_offset_keeps_its_distance_from_the_end_of_the_curve_and_from_its_other_s
     const double p[8] = {0, 0, 6, 0, 6, 3, 2, 0.5};
     batten_curve *curve = NULL;
     batten_curves made = {0, NULL};
-    CHECK_OK(batten_curve_polyline(2, 4, p, &curve));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 4, p}, &curve));
     const batten_curve_offset_options o =
         options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     for (int side = -1; side <= 1; side += 2) {
@@ -312,7 +317,7 @@ TEST(in_space_the_offset_goes_across_the_normal)
     batten_curve *curve = NULL, *tipped = NULL;
     batten_curves made = {0, NULL};
     batten_curve_offset_report report;
-    CHECK_OK(batten_curve_from_bezier(3, 2, 1, p, w, breaks, &curve));
+    CHECK_OK(batten_curve_from_bezier(3, (batten_pieces){2, 1, breaks}, p, w, &curve));
     CHECK_OK(batten_curve_offset(curve, -2, NULL, &report, &made));
     CHECK_INT(made.count, 1);
     CHECK(report.error == 0);
@@ -354,7 +359,8 @@ TEST(a_spline_with_loops_in_its_offset_keeps_its_distance)
             points[2 * i] = r * cos(PI * i / 6);
             points[2 * i + 1] = r * sin(PI * i / 6);
         }
-        CHECK_OK(batten_curve_create_periodic(2, 3, 12, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create_periodic((batten_points){2, 12, points}, 3, NULL, knots,
+                                              &curve));
         const batten_curve_offset_options o =
             options_of(1e-5, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         const double distances[] = {0.3, 0.7, 1, -0.5, -1.5};
@@ -396,7 +402,8 @@ TEST(the_sides_of_a_loop_narrower_than_the_error_of_the_pieces_are_joined)
             points[2 * i] = rows[row].radii[i] * cos(PI * i / 6);
             points[2 * i + 1] = rows[row].radii[i] * sin(PI * i / 6);
         }
-        CHECK_OK(batten_curve_create_periodic(2, 3, 12, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create_periodic((batten_points){2, 12, points}, 3, NULL, knots,
+                                              &curve));
         const batten_curve_offset_options o =
             options_of(1e-5, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         CHECK_OK(batten_curve_offset(curve, rows[row].distance, &o, NULL, &made));
@@ -428,7 +435,8 @@ TEST(what_comes_near_another_part_of_the_curve_is_removed)
             batten_curves made = {0, NULL};
             const batten_curve_offset_options o =
                 options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
-            CHECK_OK(batten_curve_polyline(2, rows[row].count, rows[row].points, &curve));
+            CHECK_OK(batten_curve_polyline(
+                (batten_points){2, rows[row].count, rows[row].points}, &curve));
             CHECK_OK(batten_curve_offset(curve, 0.1 * side, &o, NULL, &made));
             CHECK(made.count > 0);
             for (int i = 0; i < made.count; i++) {
@@ -439,7 +447,9 @@ TEST(what_comes_near_another_part_of_the_curve_is_removed)
                     CHECK_OK(batten_curve_evaluate(
                         made.at[i], domain.a + (domain.b - domain.a) * (k / 2000.0), 0,
                         points + 2 * k));
-                CHECK_OK(batten_curve_deviation(curve, 2001, points, NULL, NULL, far, &all));
+                CHECK_OK(batten_curve_deviation(
+                    curve, (batten_points){batten_curve_dimension(curve), 2001, points}, NULL,
+                    NULL, far, &all));
                 for (int k = 0; k <= 2000; k++)
                     CHECK_NEAR(far[k], 0.1, 1e-5);
             }

@@ -8,7 +8,7 @@
 static double length_of(const batten_curve *curve)
 {
     double length = 0;
-    CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+    CHECK_OK(batten_curve_length(curve, 1e-12, NULL, &length));
     return length;
 }
 
@@ -51,7 +51,7 @@ TEST(a_plane_that_only_touches_cuts_nothing)
     batten_curves_release(&parts);
     /* A run in the plane belongs to the parts beside it. */
     const double points[] = {0, 1, 0, 1, 0, 0, 2, 0, 0, 3, 1, 0, 4, -1, 0, 5, 1, 0};
-    CHECK_OK(batten_curve_polyline(3, 6, points, &path));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 6, points}, &path));
     CHECK_OK(batten_curve_trim_plane(path, (batten_vec3){0, 1, 0}, 0, 1e-9, &parts));
     CHECK_INT(parts.count, 2);
     CHECK_NEAR(length_of(parts.at[0]), sqrt(2) + 1 + sqrt(2) + sqrt(1.25), 1e-13);
@@ -70,7 +70,7 @@ TEST(parts_of_both_sides_of_any_plane_make_the_whole)
         batten_curve *curve = NULL;
         for (int i = 0; i < 24; i++)
             points[i] = test_random_in(&random, -1, 1);
-        CHECK_OK(batten_curve_create(3, 3, 8, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create((batten_points){3, 8, points}, 3, NULL, knots, &curve));
         const batten_vec3 normal = {test_random_in(&random, -1, 1),
                                     test_random_in(&random, -1, 1),
                                     test_random_in(&random, -1, 1)};
@@ -101,7 +101,7 @@ TEST(a_part_over_the_seam_needs_a_closed_curve)
 {
     const double points[] = {0, 0, 2, 0, 1, 2}, more[] = {0, 1, 2, 3};
     batten_curve *ring = NULL, *circle = NULL, *line = NULL, *part = NULL;
-    CHECK_OK(batten_curve_create_periodic(2, 2, 3, points, NULL, more, &ring));
+    CHECK_OK(batten_curve_create_periodic((batten_points){2, 3, points}, 2, NULL, more, &ring));
     CHECK_OK(batten_curve_circle(1, BATTEN_CIRCLE_SQUARE_9, &circle));
     CHECK_OK(batten_curve_line(2, points, points + 2, &line));
     CHECK_OK(batten_curve_trim(ring, 2, 1, 0, &part));

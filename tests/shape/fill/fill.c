@@ -103,7 +103,8 @@ static void lean(hole *h)
         }
         batten_curve_unref(h->slopes[i]);
         h->slopes[i] = NULL;
-        CHECK_OK(batten_curve_from_bezier(3, 2, 1, leaning[0], NULL, ends, &h->slopes[i]));
+        CHECK_OK(batten_curve_from_bezier(3, (batten_pieces){2, 1, ends}, leaning[0], NULL,
+                                          &h->slopes[i]));
         h->ribbons[i].slope = h->slopes[i];
     }
 }
@@ -149,8 +150,9 @@ TEST(two_sides_and_sides_with_corners_are_divided)
     static const double closing[3][3] = {{2, 1, 0}, {1, 2, 1}, {0, 0, 0}};
     memset(&h, 0, sizeof h);
     h.count = 2;
-    CHECK_OK(batten_curve_create(3, 1, 4, bent[0], NULL, knots, &h.curves[0]));
-    CHECK_OK(batten_curve_from_bezier(3, 2, 1, closing[0], NULL, ends, &h.curves[1]));
+    CHECK_OK(batten_curve_create((batten_points){3, 4, bent[0]}, 1, NULL, knots, &h.curves[0]));
+    CHECK_OK(batten_curve_from_bezier(3, (batten_pieces){2, 1, ends}, closing[0], NULL,
+                                      &h.curves[1]));
     for (int i = 0; i < 2; i++)
         h.ribbons[i].curve = h.curves[i];
     CHECK_OK(batten_surface_fill(2, h.ribbons, NULL, &h.report, h.patches));
@@ -231,7 +233,8 @@ TEST(G5_a_ribbon_without_a_plane_is_refused)
     static const double along[2][3] = {{1, 0, 0}, {2, 0, 0}};
     batten_curve_unref(h.slopes[0]);
     h.slopes[0] = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, along[0], NULL, knots, &h.slopes[0]));
+    CHECK_OK(
+        batten_curve_create((batten_points){3, 2, along[0]}, 1, NULL, knots, &h.slopes[0]));
     h.ribbons[0].slope = h.slopes[0];
     CHECK_STATUS(batten_surface_fill(3, h.ribbons, NULL, NULL, h.patches),
                  BATTEN_SINGULAR_HERE);
@@ -276,7 +279,8 @@ static void add_curved_sides(int n, hole *h, batten_curve **curvatures)
             batten_curve **to = m == 0   ? &h->curves[i]
                                 : m == 1 ? &h->slopes[i]
                                          : &curvatures[i];
-            CHECK_OK(batten_curve_from_bezier(3, 3, 1, points[0], NULL, ends, to));
+            CHECK_OK(
+                batten_curve_from_bezier(3, (batten_pieces){3, 1, ends}, points[0], NULL, to));
         }
         h->ribbons[i] = (batten_ribbon){h->curves[i], h->slopes[i], curvatures[i]};
         h->count = i + 1;
@@ -346,7 +350,8 @@ static batten_curve *quarter_circle(int i)
         points[2][c] = corners[i + 1][c];
         points[1][c] = corners[i][c] + corners[i + 1][c];
     }
-    CHECK_OK(batten_curve_from_bezier(3, 2, 1, points[0], weights, ends, &curve));
+    CHECK_OK(
+        batten_curve_from_bezier(3, (batten_pieces){2, 1, ends}, points[0], weights, &curve));
     return curve;
 }
 
@@ -359,7 +364,8 @@ TEST(G5_a_round_hole_is_filled_though_its_corners_have_no_normal)
         for (int i = 0; i < 4; i++) {
             h.curves[i] = quarter_circle(i);
             if (dome)
-                CHECK_OK(batten_curve_create(3, 1, 2, up[0], NULL, knots, &h.slopes[i]));
+                CHECK_OK(batten_curve_create((batten_points){3, 2, up[0]}, 1, NULL, knots,
+                                             &h.slopes[i]));
             h.ribbons[i] = (batten_ribbon){h.curves[i], h.slopes[i], NULL};
         }
         CHECK_OK(batten_surface_fill(4, h.ribbons, NULL, &h.report, h.patches));

@@ -28,7 +28,8 @@ static void add_twisted_strips(hole *h, batten_curve *bends[SIDES])
                 slope[e][c] = side[e][c] - out[i][e][c];
             }
         hole_add(h, 1, side[0], 1, slope[0]);
-        CHECK_OK(batten_curve_from_bezier(3, 1, 1, none[0], NULL, ends, &bends[i]));
+        CHECK_OK(
+            batten_curve_from_bezier(3, (batten_pieces){1, 1, ends}, none[0], NULL, &bends[i]));
         h->ribbons[i].curvature = bends[i];
     }
 }

@@ -22,10 +22,11 @@ static inline void hole_add(hole *h, int p, const double *points, int slope_degr
 {
     const int i = h->count++;
     const double ends[2] = {0, 1};
-    CHECK_OK(batten_curve_from_bezier(3, p, 1, points, NULL, ends, &h->curves[i]));
+    CHECK_OK(
+        batten_curve_from_bezier(3, (batten_pieces){p, 1, ends}, points, NULL, &h->curves[i]));
     if (slope)
-        CHECK_OK(
-            batten_curve_from_bezier(3, slope_degree, 1, slope, NULL, ends, &h->slopes[i]));
+        CHECK_OK(batten_curve_from_bezier(3, (batten_pieces){slope_degree, 1, ends}, slope,
+                                          NULL, &h->slopes[i]));
     h->ribbons[i] = (batten_ribbon){h->curves[i], h->slopes[i], NULL};
 }
 

@@ -94,7 +94,7 @@ TEST(a_formula_becomes_a_spline_within_the_tolerance)
     CHECK_OK(batten_surface_fill(5, h.ribbons, &options, NULL, h.patches));
     batten_surface *spline = NULL;
     double error = 1;
-    CHECK_OK(batten_surface_to_nurbs(h.patches[0], 1e-5, &spline, &error));
+    CHECK_OK(batten_surface_to_nurbs(h.patches[0], 1e-5, &error, &spline));
     CHECK(error <= 1e-5);
     batten_surface_unref(spline);
     hole_free(&h);

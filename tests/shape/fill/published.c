@@ -18,8 +18,8 @@ static void read_loop(const char *path, hole *h)
         CHECK(fscanf(file, "%d", &point_count) == 1 && point_count <= 32);
         for (int k = 0; k < 3 * point_count; k++)
             CHECK(fscanf(file, "%lf", &points[0][0] + k) == 1);
-        CHECK_OK(
-            batten_curve_create(3, degree, point_count, points[0], NULL, knots, &h->curves[i]));
+        CHECK_OK(batten_curve_create((batten_points){3, point_count, points[0]}, degree, NULL,
+                                     knots, &h->curves[i]));
         h->ribbons[i].curve = h->curves[i];
         h->count = i + 1;
     }
@@ -41,7 +41,8 @@ static void add_slopes(hole *h)
             slope[0][c] = -before[1][c];
             slope[1][c] = behind[1][c];
         }
-        CHECK_OK(batten_curve_create(3, 1, 2, slope[0], NULL, knots, &h->slopes[i]));
+        CHECK_OK(batten_curve_create((batten_points){3, 2, slope[0]}, 1, NULL, knots,
+                                     &h->slopes[i]));
         h->ribbons[i].slope = h->slopes[i];
     }
 }
@@ -139,8 +140,10 @@ TEST(rational_sides_are_met_within_the_tolerance)
         points[0][axes[i][0]] = points[1][axes[i][0]] = 1;
         points[1][axes[i][1]] = points[2][axes[i][1]] = 1;
         slope[0][axes[(i + 1) % 3][1]] = slope[1][axes[(i + 1) % 3][1]] = 1;
-        CHECK_OK(batten_curve_from_bezier(3, 2, 1, points[0], weights, ends, &h.curves[i]));
-        CHECK_OK(batten_curve_create(3, 1, 2, slope[0], NULL, knots, &h.slopes[i]));
+        CHECK_OK(batten_curve_from_bezier(3, (batten_pieces){2, 1, ends}, points[0], weights,
+                                          &h.curves[i]));
+        CHECK_OK(
+            batten_curve_create((batten_points){3, 2, slope[0]}, 1, NULL, knots, &h.slopes[i]));
         h.ribbons[i] = (batten_ribbon){h.curves[i], h.slopes[i], NULL};
     }
     CHECK_OK(batten_surface_fill(3, h.ribbons, &options, &h.report, h.patches));

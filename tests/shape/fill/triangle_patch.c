@@ -85,7 +85,7 @@ TEST(curves_in_space_are_met_and_tangent_planes_are_those_of_the_ribbons)
                 CHECK_OK(batten_curve_evaluate(data.slopes[e], t, 0, T));
                 for (int c = 0; c < 3; c++)
                     CHECK_NEAR(p[c], C[c], 1e-13);
-                CHECK_OK(batten_surface_normal(surface, u, v, &n, NULL));
+                CHECK_OK(batten_surface_normal(surface, u, v, NULL, &n));
                 CHECK_NEAR((n.x * T[0] + n.y * T[1] + n.z * T[2]) / bat_norm(3, T), 0, 1e-10);
             }
         batten_surface_unref(surface);
@@ -230,7 +230,7 @@ TEST(G5_everything_is_finite_on_the_closed_triangle)
                         CHECK_NEAR(near[c], d[c], 1e-7);
                 }
             batten_vec3 n = {0, 0, 0};
-            CHECK_OK(batten_surface_normal(surface, 1, 0, &n, NULL));
+            CHECK_OK(batten_surface_normal(surface, 1, 0, NULL, &n));
             batten_surface_unref(surface);
             frame_free(&data);
         }

@@ -21,7 +21,7 @@ TEST(a_ribbon_of_one_side_alone_is_enough)
             double T[3];
             batten_vec3 n = {0, 0, 0};
             CHECK_OK(batten_curve_evaluate(data.slopes[1], k / 8.0, 0, T));
-            CHECK_OK(batten_surface_normal(surface, 1 - k / 8.0, 1, &n, NULL));
+            CHECK_OK(batten_surface_normal(surface, 1 - k / 8.0, 1, NULL, &n));
             CHECK_NEAR(n.x * T[0] + n.y * T[1] + n.z * T[2], 0, 1e-10);
         }
         batten_surface_unref(surface);
@@ -38,7 +38,7 @@ TEST(a_nurbs_surface_near_it_keeps_to_its_tolerance)
         double error = 0;
         space_frame(&random, &data);
         CHECK_OK(batten_triangle_patch(data.ribbons, methods[m], 1e-9, 1e-6, &surface));
-        CHECK_OK(batten_surface_to_nurbs(surface, 1e-3, &nurbs, &error));
+        CHECK_OK(batten_surface_to_nurbs(surface, 1e-3, &error, &nurbs));
         CHECK(error > 0 && error <= 1e-3);
         for (int i = 0; i <= 20; i++)
             for (int j = 0; j <= 20; j++) {
@@ -96,11 +96,11 @@ TEST(G1_a_curve_without_length_or_twice_the_same_is_refused)
     static const double side[6] = {0, 0, 0, 0, 1, 0}, other[6] = {0, 1, 0, 1, 1, 0};
     batten_curve *curves[5] = {NULL};
     batten_surface *none = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, point, NULL, knots, &curves[0]));
-    CHECK_OK(batten_curve_create(3, 1, 2, line, NULL, knots, &curves[1]));
-    CHECK_OK(batten_curve_create(3, 1, 3, kink, NULL, kink_knots, &curves[2]));
-    CHECK_OK(batten_curve_create(3, 1, 2, side, NULL, knots, &curves[3]));
-    CHECK_OK(batten_curve_create(3, 1, 2, other, NULL, knots, &curves[4]));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, point}, 1, NULL, knots, &curves[0]));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, line}, 1, NULL, knots, &curves[1]));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, kink}, 1, NULL, kink_knots, &curves[2]));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, side}, 1, NULL, knots, &curves[3]));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, other}, 1, NULL, knots, &curves[4]));
     const batten_ribbon dot[3] = {
         {curves[1], NULL, NULL}, {curves[0], NULL, NULL}, {curves[1], NULL, NULL}};
     CHECK_STATUS(batten_triangle_patch(dot, 0, 1e-6, 1e-6, &none), BATTEN_COINCIDENT);

@@ -59,12 +59,14 @@ TEST(a_formula_answers_what_any_surface_is_asked)
     CHECK_STATUS(batten_surface_evaluate(surface, 1.3, 0.5, 0, at), BATTEN_OUT_OF_DOMAIN);
 
     const double u[2] = {0, 1}, v[3] = {0, 1, 2}, uv[4] = {0.2, 0.1, 0.2, 2.1};
-    CHECK_OK(batten_surface_evaluate_grid(surface, 2, u, 3, v, 0, NULL, grid));
+    CHECK_OK(
+        batten_surface_evaluate_grid(surface, (batten_uv_grid){2, 3, u, v}, 0, NULL, grid));
     CHECK_NEAR(grid[3 * 4 + 2], sin(3) / 2, 1e-15);
     CHECK_STATUS(batten_surface_evaluate_many(surface, 2, uv, 0, NULL, grid),
                  BATTEN_OUT_OF_DOMAIN);
     CHECK_MESSAGE("v[1] = 2.1");
-    CHECK_OK(batten_surface_normal_grid(surface, 2, u, 3, v, NULL, grid, normals));
+    CHECK_OK(
+        batten_surface_normal_grid(surface, (batten_uv_grid){2, 3, u, v}, NULL, grid, normals));
     CHECK_NEAR(normals[2], 1 / sqrt(10), 1e-14); /* zu = 3, zv = 0 at (0, 0) */
 
     const batten_affine map = batten_affine_rotation(
@@ -102,7 +104,7 @@ TEST(the_spline_near_a_formula_keeps_its_tolerance)
     for (double tolerance = 1e-3; tolerance > 1e-13; tolerance *= 1e-3) {
         batten_surface *nurbs = NULL;
         double error = -1;
-        CHECK_OK(batten_surface_to_nurbs(surface, tolerance, &nurbs, &error));
+        CHECK_OK(batten_surface_to_nurbs(surface, tolerance, &error, &nurbs));
         CHECK(error >= 0 && error <= tolerance);
         CHECK(farthest(surface, nurbs, 1, 2) <= error + 1e-15);
         const int count = batten_surface_point_count(nurbs, BATTEN_U) *
@@ -112,9 +114,9 @@ TEST(the_spline_near_a_formula_keeps_its_tolerance)
         batten_surface_unref(nurbs);
     }
     batten_surface *nurbs = NULL;
-    CHECK_STATUS(batten_surface_to_nurbs(surface, 1e-18, &nurbs, NULL),
+    CHECK_STATUS(batten_surface_to_nurbs(surface, 1e-18, NULL, &nurbs),
                  BATTEN_TOLERANCE_NOT_MET);
-    CHECK_STATUS(batten_surface_to_nurbs(surface, -1, &nurbs, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_to_nurbs(surface, -1, NULL, &nurbs), BATTEN_BAD_ARGUMENT);
     batten_surface_unref(surface);
 }
 
@@ -170,7 +172,7 @@ TEST(a_formula_with_a_pole_has_its_normal_there)
     CHECK_OK(bat_formula_create(&formula, &one, 3, &axis, &axis, 1, &surface));
     batten_vec3 normal;
     bool is_limit = false;
-    CHECK_OK(batten_surface_normal(surface, 0, 0.5, &normal, &is_limit));
+    CHECK_OK(batten_surface_normal(surface, 0, 0.5, &is_limit, &normal));
     CHECK(is_limit);
     CHECK_NEAR(normal.z, 1, 1e-12);
     batten_surface_unref(surface);
@@ -212,13 +214,13 @@ TEST(a_mirrored_formula_keeps_its_outside_outside)
                                (c == 1 ? -1 : 1) * (k % 2 ? -1 : 1) *
                                    a[3 * BATTEN_SURFACE_DERIVATIVE(k, l) + c],
                                1e-12);
-        CHECK_OK(batten_surface_normal(surface, u, v, &n, NULL));
-        CHECK_OK(batten_surface_normal(image, 1 - u, v, &m, NULL));
+        CHECK_OK(batten_surface_normal(surface, u, v, NULL, &n));
+        CHECK_OK(batten_surface_normal(image, 1 - u, v, NULL, &m));
         CHECK_NEAR(m.x, n.x, 1e-12);
         CHECK_NEAR(m.y, -n.y, 1e-12);
         CHECK_NEAR(m.z, n.z, 1e-12);
     }
-    CHECK_OK(batten_surface_to_nurbs(image, 1e-6, &nurbs, &error));
+    CHECK_OK(batten_surface_to_nurbs(image, 1e-6, &error, &nurbs));
     CHECK(farthest(image, nurbs, 1, 2) <= 1e-6);
     CHECK_OK(batten_surface_transform_sides(image, &mirror, &again));
     CHECK(farthest(again, surface, 1, 2) <= 1e-14);

@@ -63,8 +63,8 @@ TEST(bicubics_are_reproduced_by_both_families)
         options.ends = kinds[c % 2];
         batten_surface *surface = NULL;
         batten_surface_interpolate_report report;
-        CHECK_OK(batten_surface_interpolate(1, 7, 6, points, &options, NULL, NULL, NULL,
-                                            &report, &surface));
+        CHECK_OK(batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, &report, &surface));
         CHECK(report.error < 1e-13 * 150 && report.spread_u == 0);
         check_bicubic(surface);
         batten_surface_unref(surface);
@@ -90,16 +90,16 @@ TEST(true_derivatives_on_the_rim_are_met_twists_included)
     options.dv = dv;
     options.twists = twists;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_interpolate(1, 7, 6, points, &options, NULL, NULL, NULL, NULL,
-                                        &surface));
+    CHECK_OK(batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &surface));
     CHECK_INT(batten_surface_point_count(surface, BATTEN_U), 9);
     CHECK_INT(batten_surface_point_count(surface, BATTEN_V), 8);
     check_bicubic(surface);
     batten_surface_unref(surface);
     /* Other twists are met too, and change nothing but the inside. */
     twists[1] += 7;
-    CHECK_OK(batten_surface_interpolate(1, 7, 6, points, &options, NULL, NULL, NULL, NULL,
-                                        &surface));
+    CHECK_OK(batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &surface));
     CHECK_NEAR(derivative(surface, us[0], vs[5], 1, 1), twists[1], 1e-9);
     CHECK_NEAR(derivative(surface, us[3], vs[5], 0, 1), dv[7 + 3], 1e-11);
     CHECK_NEAR(derivative(surface, us[6], vs[2], 1, 0), du[6 + 2], 1e-10);
@@ -110,8 +110,8 @@ TEST(true_derivatives_on_the_rim_are_met_twists_included)
         options.twists = NULL;
         options.du = c == 1 ? NULL : du;
         options.dv = c == 2 ? NULL : dv;
-        CHECK_OK(batten_surface_interpolate(1, 7, 6, points, &options, NULL, NULL, NULL, NULL,
-                                            &surface));
+        CHECK_OK(batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &surface));
         if (options.du)
             CHECK_NEAR(derivative(surface, us[6], vs[2], 1, 0), du[6 + 2], 1e-10);
         if (options.dv)
@@ -165,8 +165,9 @@ TEST(every_degree_family_and_period_passes_its_points)
             options.degree_v = 1 + c / 5 % 5;
         }
         batten_surface *surface = NULL;
-        CHECK_OK(batten_surface_interpolate(3, count_u, count_v, points, &options, NULL, u, v,
-                                            NULL, &surface));
+        CHECK_OK(batten_surface_interpolate((batten_grid){3, count_u, count_v, points},
+                                            &options, NULL, (batten_uv_out){u, v}, NULL,
+                                            &surface));
         check_passes(surface, count_u, count_v, points, u, v);
         CHECK(batten_surface_is_periodic(surface, BATTEN_U) == options.closed_u);
         batten_surface_unref(surface);
@@ -189,12 +190,12 @@ TEST(exchanging_u_and_v_exchanges_the_surface)
         if (c % 3 == 2)
             options.du = du, options.dv = dv;
         batten_surface *a = NULL, *b = NULL;
-        CHECK_OK(
-            batten_surface_interpolate(3, 6, 5, points, &options, NULL, NULL, NULL, NULL, &a));
+        CHECK_OK(batten_surface_interpolate((batten_grid){3, 6, 5, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &a));
         if (c % 3 == 2)
             options.du = dv, options.dv = du;
-        CHECK_OK(
-            batten_surface_interpolate(3, 5, 6, swapped, &options, NULL, NULL, NULL, NULL, &b));
+        CHECK_OK(batten_surface_interpolate((batten_grid){3, 5, 6, swapped}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &b));
         for (int i = 0; i <= 10; i++)
             for (int j = 0; j <= 10; j++) {
                 double p[3], q[3];
@@ -235,8 +236,8 @@ TEST(clamped_surfaces_converge_with_the_fourth_power_natural_ones_with_the_secon
             if (!natural)
                 options.du = du, options.dv = dv, options.twists = twists;
             batten_surface *surface = NULL;
-            CHECK_OK(batten_surface_interpolate(1, n, n, points, &options, NULL, NULL, NULL,
-                                                NULL, &surface));
+            CHECK_OK(batten_surface_interpolate((batten_grid){1, n, n, points}, &options, NULL,
+                                                (batten_uv_out){NULL, NULL}, NULL, &surface));
             error[natural][s] = 0;
             for (int i = 0; i <= 64; i++)
                 for (int j = 0; j <= 64; j++) {
@@ -264,14 +265,14 @@ TEST(a_torus_from_a_closed_grid_has_no_seam)
     batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     options.closed_u = options.closed_v = true;
     batten_surface *torus = NULL;
-    CHECK_OK(batten_surface_interpolate(3, 16, 16, points, &options, NULL, NULL, NULL, NULL,
-                                        &torus));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, 16, 16, points}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &torus));
     for (int i = 0; i < 8; i++) {
         double low[18], high[18];
-        CHECK_OK(batten_surface_evaluate_side(torus, 0, i / 8.0, BATTEN_FROM_RIGHT,
-                                              BATTEN_FROM_RIGHT, 2, low));
-        CHECK_OK(batten_surface_evaluate_side(torus, 1, i / 8.0, BATTEN_FROM_LEFT,
-                                              BATTEN_FROM_RIGHT, 2, high));
+        CHECK_OK(batten_surface_evaluate_side(
+            torus, 0, i / 8.0, (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT}, 2, low));
+        CHECK_OK(batten_surface_evaluate_side(
+            torus, 1, i / 8.0, (batten_sides){BATTEN_FROM_LEFT, BATTEN_FROM_RIGHT}, 2, high));
         for (int k = 0; k < 18; k++)
             CHECK_NEAR(low[k], high[k], 1e-9);
         double out[3];
@@ -292,7 +293,8 @@ TEST(G5_a_collapsed_rim_stays_one_point_and_its_row_is_left_out_of_the_average)
             memcpy(points + (i * 6 + j) * 3, p, sizeof p);
         }
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_interpolate(3, 5, 6, points, NULL, NULL, u, v, NULL, &surface));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, 5, 6, points}, NULL, NULL,
+                                        (batten_uv_out){u, v}, NULL, &surface));
     for (int j = 1; j < 6; j++)
         CHECK_NEAR(v[j] - v[j - 1], 0.2, 1e-14);
     const double *P = batten_surface_points(surface);
@@ -313,16 +315,16 @@ TEST(rows_with_other_spacings_are_reported)
         }
     batten_surface *surface = NULL;
     batten_surface_interpolate_report report;
-    CHECK_OK(
-        batten_surface_interpolate(3, 4, 5, points, NULL, NULL, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, 4, 5, points}, NULL, NULL,
+                                        (batten_uv_out){NULL, NULL}, &report, &surface));
     CHECK(report.spread_v > 0.5);
     batten_surface_unref(surface);
     /* Both spacings of the average are (0 + 0) / 2 for a grid of squares. */
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 5; j++)
             points[(i * 5 + j) * 3 + 1] = j;
-    CHECK_OK(
-        batten_surface_interpolate(3, 4, 5, points, NULL, NULL, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, 4, 5, points}, NULL, NULL,
+                                        (batten_uv_out){NULL, NULL}, &report, &surface));
     CHECK_NEAR(report.spread_u, 0, 1e-14);
     CHECK_NEAR(report.spread_v, 0, 1e-14);
     batten_surface_unref(surface);
@@ -343,8 +345,10 @@ TEST(affine_maps_commute_and_planes_stay_planes)
     batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     options.parameters = BATTEN_FOLEY;
     batten_surface *a = NULL, *b = NULL;
-    CHECK_OK(batten_surface_interpolate(3, 6, 5, points, &options, NULL, NULL, NULL, NULL, &a));
-    CHECK_OK(batten_surface_interpolate(3, 6, 5, image, &options, NULL, NULL, NULL, NULL, &b));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, 6, 5, points}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &a));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, 6, 5, image}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &b));
     const double *P = batten_surface_points(a), *Q = batten_surface_points(b);
     for (int i = 0; i < 30; i++) {
         CHECK_NEAR(P[3 * i + 2], 2 * P[3 * i] - P[3 * i + 1], 1e-12 * 20);
@@ -361,18 +365,18 @@ TEST(G1_grid_lines_that_coincide_are_named)
     fill(&random, 6, 5, points);
     memcpy(points + 3 * 15, points + 2 * 15, 15 * sizeof *points);
     batten_surface *surface = NULL;
-    CHECK_STATUS(
-        batten_surface_interpolate(3, 6, 5, points, NULL, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 6, 5, points}, NULL, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("u grid lines 2 and 3 coincide");
-    CHECK_STATUS(
-        batten_surface_interpolate(3, 6, 5, once, NULL, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 6, 5, once}, NULL, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("all u grid lines coincide");
     points[0] = -1.7e308, points[15] = 1.7e308;
-    CHECK_STATUS(
-        batten_surface_interpolate(3, 6, 5, points, NULL, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 6, 5, points}, NULL, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_OVERFLOW);
     CHECK(surface == NULL);
 }
 
@@ -382,22 +386,22 @@ TEST(N1_grids_that_are_not_finite_are_refused)
            v[2] = {0, INFINITY};
     const double u[2] = {0, 1};
     batten_surface *surface = NULL;
-    CHECK_STATUS(
-        batten_surface_interpolate(3, 2, 2, points, NULL, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 2, 2, points}, NULL, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_NOT_FINITE);
     CHECK_MESSAGE("coordinate 2 of point 3 is nan");
     points[11] = 0;
     batten_surface_interpolate_options options = given(u, v);
-    CHECK_STATUS(
-        batten_surface_interpolate(3, 2, 2, points, &options, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 2, 2, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_NOT_FINITE);
     options = batten_surface_interpolate_defaults();
     options.knots_at_data = true;
     options.du = du;
     du[4] = NAN;
-    CHECK_STATUS(
-        batten_surface_interpolate(3, 2, 2, points, &options, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 2, 2, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_NOT_FINITE);
     CHECK_MESSAGE("number 4 of `du`");
     CHECK(surface == NULL);
 }
@@ -435,8 +439,9 @@ TEST(grids_that_make_no_sense_are_refused)
                                        : c == 10        ? BATTEN_TOO_FEW_POINTS
                                        : c == 11        ? BATTEN_TOO_LARGE
                                                         : BATTEN_BAD_ARGUMENT;
-        CHECK_STATUS(batten_surface_interpolate(3, count_u, count_v, points, &options, NULL,
-                                                NULL, NULL, NULL, &surface),
+        CHECK_STATUS(batten_surface_interpolate((batten_grid){3, count_u, count_v, points},
+                                                &options, NULL, (batten_uv_out){NULL, NULL},
+                                                NULL, &surface),
                      expected);
     }
     CHECK(surface == NULL);
@@ -459,16 +464,16 @@ TEST(I8_a_grid_can_be_cancelled_and_has_a_budget)
         batten_job job = BATTEN_JOB;
         job.is_cancelled = stop_at;
         job.user = &questions;
-        CHECK_STATUS(
-            (questions = at, batten_surface_interpolate(1, 7, 6, points, &options, &job, NULL,
-                                                        NULL, NULL, &surface)),
-            BATTEN_CANCELLED);
+        CHECK_STATUS((questions = at,
+                      batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options, &job,
+                                                 (batten_uv_out){NULL, NULL}, NULL, &surface)),
+                     BATTEN_CANCELLED);
     }
     batten_job job = BATTEN_JOB;
     job.work_limit = 100;
-    CHECK_STATUS(
-        batten_surface_interpolate(1, 7, 6, points, &options, &job, NULL, NULL, NULL, &surface),
-        BATTEN_INCOMPLETE);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options, &job,
+                                            (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_INCOMPLETE);
     CHECK_MESSAGE("grid: stopped at 70 %");
     CHECK(surface == NULL);
 }

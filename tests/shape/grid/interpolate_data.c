@@ -80,8 +80,8 @@ TEST(biquintics_are_reproduced_with_two_derivatives_at_the_rims)
         options.du = r.du;
         options.dv = r.dv;
         options.twists = r.twists;
-        CHECK_OK(batten_surface_interpolate(1, NU, NV, r.points, &options, NULL, NULL, NULL,
-                                            NULL, &s));
+        CHECK_OK(batten_surface_interpolate((batten_grid){1, NU, NV, r.points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s));
         CHECK_INT(batten_surface_point_count(s, BATTEN_U), NU + 4);
         CHECK_INT(batten_surface_point_count(s, BATTEN_V), NV + 4);
         check_product(s);
@@ -100,8 +100,8 @@ TEST(averaged_knots_take_derivatives_of_any_subset)
         options.degree_v = 2;
         options.du = c != 1 ? r.du : NULL;
         options.dv = c != 0 ? r.dv : NULL;
-        CHECK_OK(batten_surface_interpolate(1, NU, NV, r.points, &options, NULL, NULL, NULL,
-                                            NULL, &s));
+        CHECK_OK(batten_surface_interpolate((batten_grid){1, NU, NV, r.points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s));
         double out[BATTEN_SURFACE_DERIVATIVES(1)];
         CHECK_OK(batten_surface_evaluate(s, us[NU - 1], vs[3], 1, out));
         if (options.du)
@@ -140,8 +140,8 @@ TEST(rational_surfaces_are_reproduced_from_points_and_weights)
     options.degree_u = 3; /* u w is cubic */
     options.degree_v = 2;
     options.weights = weights;
-    CHECK_OK(
-        batten_surface_interpolate(3, NU, NV, points, &options, NULL, NULL, NULL, NULL, &s));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, NU, NV, points}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &s));
     CHECK(batten_surface_is_rational(s));
     for (int k = 0; k <= 20; k++) {
         double p[3], xw[4];
@@ -165,20 +165,20 @@ TEST(K8_weights_that_swing_too_much_are_refused_by_name)
     batten_surface_interpolate_options options = given();
     batten_surface *s = NULL;
     options.weights = weights;
-    CHECK_STATUS(
-        batten_surface_interpolate(3, NU, NV, points, &options, NULL, NULL, NULL, NULL, &s),
-        BATTEN_BAD_WEIGHT);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, NU, NV, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_BAD_WEIGHT);
     CHECK_MESSAGE("the weight of control point (");
     weights[9] = 0;
-    CHECK_STATUS(
-        batten_surface_interpolate(3, NU, NV, points, &options, NULL, NULL, NULL, NULL, &s),
-        BATTEN_BAD_WEIGHT);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, NU, NV, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_BAD_WEIGHT);
     CHECK_MESSAGE("the weight of point 9 is 0");
     weights[9] = 1;
     options.du = points;
-    CHECK_STATUS(
-        batten_surface_interpolate(3, NU, NV, points, &options, NULL, NULL, NULL, NULL, &s),
-        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, NU, NV, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_BAD_ARGUMENT);
     CHECK(s == NULL);
 }
 
@@ -205,8 +205,8 @@ TEST(a_plane_with_gaps_stays_plane)
         batten_surface *s = NULL;
         batten_surface_interpolate_report report;
         options.gaps = gaps;
-        CHECK_OK(batten_surface_interpolate(3, NU, NV, points, &options, NULL, NULL, NULL,
-                                            &report, &s));
+        CHECK_OK(batten_surface_interpolate((batten_grid){3, NU, NV, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, &report, &s));
         CHECK_INT(report.filled, 16);
         for (int i = 0; i <= 20; i++) {
             const batten_interval u = batten_surface_domain(s, BATTEN_U),
@@ -236,8 +236,8 @@ TEST(points_that_are_there_are_met_and_gaps_come_near)
     batten_surface_interpolate_options options = given();
     batten_surface *s = NULL;
     options.gaps = gaps;
-    CHECK_OK(
-        batten_surface_interpolate(1, NU, NV, points, &options, NULL, NULL, NULL, NULL, &s));
+    CHECK_OK(batten_surface_interpolate((batten_grid){1, NU, NV, points}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &s));
     for (int i = 0; i < NU * NV; i++)
         CHECK_NEAR(value(s, us[i / NV], vs[i % NV]), wave(us[i / NV], vs[i % NV]),
                    gaps[i] ? 0.02 : 1e-13);
@@ -260,7 +260,8 @@ TEST(a_torus_with_gaps_closes_smoothly)
     batten_surface *s = NULL;
     options.closed_u = options.closed_v = true;
     options.gaps = gaps;
-    CHECK_OK(batten_surface_interpolate(3, N, N, points, &options, NULL, NULL, NULL, NULL, &s));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, N, N, points}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &s));
     double left[18], right[18], worst = 0;
     CHECK_OK(batten_surface_evaluate(s, 0, 0.3, 2, left));
     CHECK_OK(batten_surface_evaluate(s, 1, 0.3, 2, right));
@@ -285,9 +286,9 @@ TEST(G9_gaps_that_nothing_determines_are_refused)
         gaps[i] = i > 1;
     points[4] = 1;
     options.gaps = gaps;
-    CHECK_STATUS(
-        batten_surface_interpolate(3, NU, NV, points, &options, NULL, NULL, NULL, NULL, &s),
-        BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_surface_interpolate((batten_grid){3, NU, NV, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_SINGULAR_SYSTEM);
     CHECK_MESSAGE("do not determine the 54 gaps");
     CHECK(s == NULL);
 }

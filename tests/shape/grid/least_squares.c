@@ -60,8 +60,8 @@ TEST(as_many_control_points_as_data_interpolate)
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         options.hold_rims = hold;
-        CHECK_OK(
-            batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+        CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, &report, &s));
         CHECK(report.error < 1e-12);
         batten_surface_unref(s);
     }
@@ -81,7 +81,8 @@ TEST(bicubics_are_reproduced_with_few_control_points)
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     double u[NU], v[NV];
-    CHECK_OK(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, u, v, &report, &s));
+    CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                     (batten_uv_out){u, v}, &report, &s));
     CHECK(report.error < 1e-12 * 150 && report.points_u == 5 && report.points_v == 6);
     CHECK(u[3] == us[3] && v[4] == vs[4]);
     CHECK_NEAR(value(s, 3.3, 7.7), bicubic(3.3, 7.7), 1e-11);
@@ -122,7 +123,8 @@ TEST(residuals_are_square_to_the_basis)
     options.weights_u = wu;
     options.weights_v = wv;
     batten_surface *s = NULL;
-    CHECK_OK(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s));
+    CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                     (batten_uv_out){NULL, NULL}, NULL, &s));
     for (int i = 0; i < 6; i++)
         for (int j = 0; j < 5; j++)
             CHECK_NEAR(gradient(s, wu, wv, i, j), 0, 1e-12);
@@ -134,15 +136,15 @@ TEST(a_held_rim_depends_on_its_own_data_alone_and_meets_the_corners)
     batten_surface_fit_grid_options options = begin();
     batten_surface *first = NULL, *second = NULL;
     fill(wave);
-    CHECK_OK(
-        batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &first));
+    CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                     (batten_uv_out){NULL, NULL}, NULL, &first));
     CHECK(value(first, us[0], vs[0]) == data[0]);
     CHECK(value(first, us[NU - 1], vs[0]) == data[(NU - 1) * NV]);
     for (int i = 0; i < NU - 1; i++)
         for (int j = 0; j < NV; j++)
             data[i * NV + j] += i + j % 3;
-    CHECK_OK(
-        batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &second));
+    CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                     (batten_uv_out){NULL, NULL}, NULL, &second));
     for (int k = 0; k <= 20; k++) {
         const double v = vs[0] + (vs[NV - 1] - vs[0]) * k / 20;
         CHECK_NEAR(value(first, us[NU - 1], v), value(second, us[NU - 1], v), 1e-13);
@@ -165,8 +167,8 @@ TEST(a_knot_more_never_makes_squares_more)
         batten_surface_fit_report report;
         options.points_u = n;
         options.points_v = NV;
-        CHECK_OK(
-            batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+        CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, &report, &s));
         CHECK(report.rms <= last);
         last = report.rms;
         batten_surface_unref(s);
@@ -188,15 +190,15 @@ TEST(few_control_points_keep_within_a_tolerance)
         batten_surface_fit_report report;
         fill(wave);
         options.tolerance = tolerances[c];
-        CHECK_OK(
-            batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+        CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, &report, &s));
         CHECK(report.error <= tolerances[c] && report.points_u * report.points_v > last);
         last = report.points_u * report.points_v;
         batten_surface_unref(s);
         fill(ridge); /* a line across needs no more */
         if (c == 1) {
-            CHECK_OK(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL,
-                                             &report, &s));
+            CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                             (batten_uv_out){NULL, NULL}, &report, &s));
             CHECK_INT(report.points_v, 4);
             batten_surface_unref(s);
         }
@@ -204,7 +206,8 @@ TEST(few_control_points_keep_within_a_tolerance)
     batten_surface_fit_grid_options options = begin();
     batten_surface *s = NULL;
     options.tolerance = NAN;
-    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, NULL, &s),
                  BATTEN_BAD_ARGUMENT);
     CHECK(s == NULL);
 }
@@ -226,16 +229,16 @@ TEST(without_penalty_smoothing_is_least_squares)
     options.points_u = 7;
     options.points_v = 6;
     options.by = BATTEN_SMOOTH_BY_LAMBDA;
-    CHECK_OK(
-        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, &report, &s));
     CHECK_NEAR(report.freedom, 42, 1e-9);
     for (int i = 0; i < 7; i++)
         for (int j = 0; j < 6; j++)
             CHECK_NEAR(gradient(s, one, one, i, j), 0, 1e-11);
     batten_surface_unref(s);
     options.points_u = options.points_v = 0;
-    CHECK_OK(
-        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, &report, &s));
     CHECK(report.error < 1e-11 && report.points_u == NU && report.points_v == NV);
     batten_surface_unref(s);
 }
@@ -271,8 +274,8 @@ TEST(an_infinite_penalty_leaves_the_polynomial)
         options.points_u = options.points_v = 8;
         options.by = BATTEN_SMOOTH_BY_LAMBDA;
         options.amount = HUGE_VAL;
-        CHECK_OK(batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL,
-                                            &report, &s));
+        CHECK_OK(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, &report, &s));
         CHECK_NEAR(report.freedom, options.order * options.order, 1e-9);
         check_polynomial(s, options.order);
         CHECK(report.rms < 0.06 && report.rms > 0.01);
@@ -291,8 +294,8 @@ TEST(the_rms_that_is_asked_for_is_met)
             data[i * NV + j] += noise(i, j);
     options.by = BATTEN_SMOOTH_BY_RMS;
     options.amount = 0.03;
-    CHECK_OK(
-        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, &report, &s));
     CHECK_NEAR(report.rms, 0.03, 1e-8);
     CHECK(report.error >= report.most && report.most >= report.rms);
     batten_surface_unref(s);
@@ -312,7 +315,8 @@ TEST(validation_finds_the_surface_below_the_noise)
     options.given_u = options.given_v = at;
     batten_surface *s = NULL;
     batten_surface_fit_report report;
-    CHECK_OK(batten_surface_smooth_grid(1, N, N, z, &options, NULL, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_smooth_grid((batten_grid){1, N, N, z}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, &report, &s));
     for (int i = 0; i < N * N; i++) {
         const double w = wave(at[i / N], at[i % N]);
         truth += pow(value(s, at[i / N], at[i % N]) - w, 2);
@@ -344,8 +348,9 @@ TEST(grids_that_close_are_fitted_and_smoothed)
         batten_surface_fit_report report;
         options.by = BATTEN_SMOOTH_BY_LAMBDA;
         options.amount = 1e-9;
-        CHECK_OK((c ? batten_surface_smooth_grid : batten_surface_fit_grid)(
-            3, N, N, p, &options, NULL, NULL, NULL, &report, &s));
+        CHECK_OK((c ? batten_surface_smooth_grid
+                    : batten_surface_fit_grid)((batten_grid){3, N, N, p}, &options, NULL,
+                                               (batten_uv_out){NULL, NULL}, &report, &s));
         CHECK(batten_surface_is_periodic(s, BATTEN_U) &&
               batten_surface_is_periodic(s, BATTEN_V));
         CHECK(report.error < 0.01);
@@ -365,7 +370,8 @@ TEST(G5_a_rim_that_is_one_point_stays_one)
         }
     batten_surface *s = NULL;
     batten_surface_fit_report report;
-    CHECK_OK(batten_surface_fit_grid(3, U, V, p, NULL, NULL, NULL, NULL, &report, &s));
+    CHECK_OK(batten_surface_fit_grid((batten_grid){3, U, V, p}, NULL, NULL,
+                                     (batten_uv_out){NULL, NULL}, &report, &s));
     for (int j = 0; j < report.points_v; j++)
         for (int k = 0; k < 3; k++)
             CHECK(batten_surface_points(s)[3 * j + k] == p[k]);
@@ -387,7 +393,8 @@ TEST(dierckx_grid_is_smoothed_below_its_noise)
     options.parameters = BATTEN_GIVEN;
     options.given_u = options.given_v = at;
     batten_surface *s = NULL;
-    CHECK_OK(batten_surface_smooth_grid(1, 11, 11, z, &options, NULL, NULL, NULL, NULL, &s));
+    CHECK_OK(batten_surface_smooth_grid((batten_grid){1, 11, 11, z}, &options, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &s));
     /* The data are exp(-x^2 - y^2) and noise. */
     for (int i = 0; i < 121; i++) {
         const double x = at[i / 11], y = at[i % 11], f = exp(-x * x - y * y);
@@ -406,46 +413,51 @@ TEST(N1_bad_grids_and_options_are_refused)
     batten_surface *s = NULL;
     fill(wave);
     options.points_u = NU + 1;
-    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, NULL, &s),
                  BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("14 control points along u, and the grid has 13 lines");
     options.points_u = 3;
-    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, NULL, &s),
                  BATTEN_BAD_ARGUMENT);
     options = begin();
     options.degree_v = 0;
-    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, NULL, &s),
                  BATTEN_BAD_DEGREE);
     CHECK_MESSAGE("along v is 0");
     options = begin();
     data[17] = NAN;
-    CHECK_STATUS(
-        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
-        BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_NOT_FINITE);
     fill(wave);
     us[4] = us[3];
-    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, NULL, &s),
                  BATTEN_NOT_INCREASING);
     options = begin();
     options.order = 5;
-    CHECK_STATUS(
-        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
-        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_BAD_ARGUMENT);
     options = begin();
     options.points_u = 401;
-    CHECK_STATUS(
-        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
-        BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_TOO_LARGE);
     options = begin();
     options.by = BATTEN_SMOOTH_BY_RMS;
     options.amount = -1;
-    CHECK_STATUS(
-        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
-        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_BAD_ARGUMENT);
     options = begin();
     double weights[NU] = {1, 1, -1};
     options.weights_u = weights;
-    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+    CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, NULL, &s),
                  BATTEN_BAD_WEIGHT);
     CHECK(s == NULL);
 }
@@ -461,13 +473,13 @@ TEST(N2_sizes_far_from_one_change_nothing_of_a_grid)
         for (int k = 0; k < NU * NV; k++)
             data[k] *= sizes[c];
         options.points_u = options.points_v = 6;
-        CHECK_OK(
-            batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+        CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, &report, &s));
         CHECK(report.error < 1e-12 * 150 * sizes[c]);
         batten_surface_unref(s);
         options.by = BATTEN_SMOOTH_BY_LAMBDA;
-        CHECK_OK(batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL,
-                                            &report, &s));
+        CHECK_OK(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, &report, &s));
         CHECK(report.error < 1e-10 * 150 * sizes[c]);
         batten_surface_unref(s);
     }
@@ -485,7 +497,7 @@ TEST(N2_distances_whose_squares_are_no_numbers_are_refused)
     batten_surface_fit_grid_options o = batten_surface_fit_grid_defaults();
     o.points_u = o.points_v = 2;
     o.degree_u = o.degree_v = 1;
-    const batten_status status =
-        batten_surface_fit_grid(3, 4, 4, points, &o, NULL, NULL, NULL, NULL, &surface);
+    const batten_status status = batten_surface_fit_grid(
+        (batten_grid){3, 4, 4, points}, &o, NULL, (batten_uv_out){NULL, NULL}, NULL, &surface);
     CHECK(status != BATTEN_OK && !surface);
 }

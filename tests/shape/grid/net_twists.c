@@ -61,7 +61,8 @@ static double error_of(batten_twists method, scalar f, const double *u, int rim)
             su[i * M + j] = f(u[i], across[j], 1, 0);
             sv[i * M + j] = f(u[i], across[j], 0, 1);
         }
-    CHECK_OK(batten_net_twists(method, 1, N, u, M, across, points, su, sv, NULL, twists, NULL));
+    CHECK_OK(batten_net_twists(method, &(batten_net){1, N, M, u, across, points, su, sv}, NULL,
+                               NULL, twists));
     for (int i = rim; i < N - rim; i++)
         for (int j = rim; j < M - rim; j++)
             worst = fmax(worst, fabs(twists[i * M + j] - f(u[i], across[j], 1, 1)));
@@ -107,8 +108,9 @@ TEST(adinis_twists_are_better_on_even_nets)
             su[i * M + j] = even_only(even[i], v[j], 1, 0);
             sv[i * M + j] = even_only(even[i], v[j], 0, 1);
         }
-    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ADINI, 1, N, even, M, v, points, su, sv, NULL,
-                               twists, NULL));
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ADINI,
+                               &(batten_net){1, N, M, even, v, points, su, sv}, NULL, NULL,
+                               twists));
     for (int i = 1; i + 1 < N; i++)
         for (int j = 1; j + 1 < M; j++)
             CHECK_NEAR(twists[i * M + j], even_only(even[i], v[j], 1, 1), 1e-12);
@@ -125,8 +127,9 @@ TEST(twists_of_least_energy_leave_a_saddle_of_square_cells)
             su[i * M + j] = difference_of_squares(even[i], v[j], 1, 0);
             sv[i * M + j] = difference_of_squares(even[i], v[j], 0, 1);
         }
-    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ENERGY, 1, N, even, M, v, points, su, sv, NULL,
-                               twists, NULL));
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ENERGY,
+                               &(batten_net){1, N, M, even, v, points, su, sv}, NULL, NULL,
+                               twists));
     for (int n = 0; n < N * M; n++)
         CHECK_NEAR(twists[n], 0, 1e-13);
 }
@@ -145,8 +148,9 @@ TEST(energy_twists_solve_the_equations_of_one_cell)
     const double at[] = {0, 1}, points[] = {0, 0.3, -0.2, 1}, su[] = {0.1, 0, 0.4, -1};
     const double sv[] = {1, 0.5, -0.3, 0.2};
     double twists[4], other[4];
-    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ENERGY, 1, 2, at, 2, at, points, su, sv, NULL,
-                               twists, NULL));
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ENERGY,
+                               &(batten_net){1, 2, 2, at, at, points, su, sv}, NULL, NULL,
+                               twists));
     double least = INFINITY, nearby = INFINITY;
     for (int c = -1; c < 8; c++) {
         double values[2][2][4], sum = 0;
@@ -156,7 +160,8 @@ TEST(energy_twists_solve_the_equations_of_one_cell)
             memcpy(values[i / 2][i % 2], node, sizeof node);
         }
         batten_surface *surface = NULL;
-        CHECK_OK(batten_surface_from_hermite(1, 2, at, 2, at, &values[0][0][0], &surface));
+        CHECK_OK(batten_surface_from_hermite(
+            (batten_uv){at, at}, (batten_grid){1, 2, 2, &values[0][0][0]}, &surface));
         /* Simpson's rule is far from exact, but Gauss with 4 points is, up to degree 7. */
         static const double x[] = {0.06943184420297371, 0.3300094782075719, 0.6699905217924281,
                                    0.9305681557970263};
@@ -197,8 +202,9 @@ TEST(selesnicks_twists_are_exact_with_the_true_curvature)
             gaussian[n] = -1 / (w * w);
         }
     const batten_twist_shape shape = {suu, svv, gaussian};
-    CHECK_OK(batten_net_twists(BATTEN_TWISTS_SELESNICK, 3, N, uneven, M, across, points, su, sv,
-                               &shape, twists, &clamped));
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_SELESNICK,
+                               &(batten_net){3, N, M, uneven, across, points, su, sv}, &shape,
+                               &clamped, twists));
     CHECK_INT(clamped, 0);
     for (int n = 0; n < N * M; n++) {
         CHECK_NEAR(twists[3 * n], 0, 1e-14);
@@ -207,11 +213,13 @@ TEST(selesnicks_twists_are_exact_with_the_true_curvature)
     }
     for (int n = 0; n < N * M; n++)
         gaussian[n] = 5;
-    CHECK_OK(batten_net_twists(BATTEN_TWISTS_SELESNICK, 3, N, uneven, M, across, points, su, sv,
-                               &shape, twists, &clamped));
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_SELESNICK,
+                               &(batten_net){3, N, M, uneven, across, points, su, sv}, &shape,
+                               &clamped, twists));
     CHECK_INT(clamped, N * M);
-    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_SELESNICK, 3, N, uneven, M, across, points, su,
-                                   sv, NULL, twists, NULL),
+    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_SELESNICK,
+                                   &(batten_net){3, N, M, uneven, across, points, su, sv}, NULL,
+                                   NULL, twists),
                  BATTEN_BAD_ARGUMENT);
 }
 
@@ -226,10 +234,14 @@ TEST(every_method_is_the_same_with_u_and_v_exchanged)
                 turned[k == 0 ? 0 : 3 - k][j * N + i] = values[k][i * M + j];
             }
     for (int method = BATTEN_TWISTS_ZERO; method <= BATTEN_TWISTS_ENERGY; method++) {
-        CHECK_OK(batten_net_twists((batten_twists)method, 1, N, uneven, M, across, values[0],
-                                   values[1], values[2], NULL, twists, NULL));
-        CHECK_OK(batten_net_twists((batten_twists)method, 1, M, across, N, uneven, turned[0],
-                                   turned[1], turned[2], NULL, back, NULL));
+        CHECK_OK(batten_net_twists(
+            (batten_twists)method,
+            &(batten_net){1, N, M, uneven, across, values[0], values[1], values[2]}, NULL, NULL,
+            twists));
+        CHECK_OK(batten_net_twists(
+            (batten_twists)method,
+            &(batten_net){1, M, N, across, uneven, turned[0], turned[1], turned[2]}, NULL, NULL,
+            back));
         for (int i = 0; i < N; i++)
             for (int j = 0; j < M; j++)
                 CHECK_NEAR(back[j * N + i], twists[i * M + j], 1e-12);
@@ -239,19 +251,24 @@ TEST(every_method_is_the_same_with_u_and_v_exchanged)
 TEST(nets_that_cannot_be_are_refused)
 {
     double values[N * M] = {0}, twists[N * M], wrong[N] = {0, 1, 1, 2, 3};
-    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI, 1, N, wrong, M, across, values, values,
-                                   values, NULL, twists, NULL),
-                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(
+        batten_net_twists(BATTEN_TWISTS_ADINI,
+                          &(batten_net){1, N, M, wrong, across, values, values, values}, NULL,
+                          NULL, twists),
+        BATTEN_NOT_INCREASING);
     CHECK_MESSAGE("parameter 2 in u is 1, after 1");
-    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI, 1, 1, even, M, across, values, values,
-                                   values, NULL, twists, NULL),
+    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI,
+                                   &(batten_net){1, 1, M, even, across, values, values, values},
+                                   NULL, NULL, twists),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_net_twists((batten_twists)9, 1, N, even, M, across, values, values,
-                                   values, NULL, twists, NULL),
+    CHECK_STATUS(batten_net_twists((batten_twists)9,
+                                   &(batten_net){1, N, M, even, across, values, values, values},
+                                   NULL, NULL, twists),
                  BATTEN_BAD_ARGUMENT);
     values[6] = NAN;
-    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI, 1, N, even, M, across, values, values,
-                                   values, NULL, twists, NULL),
+    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI,
+                                   &(batten_net){1, N, M, even, across, values, values, values},
+                                   NULL, NULL, twists),
                  BATTEN_NOT_FINITE);
     CHECK_MESSAGE("the point at (1, 2)");
 }

@@ -42,8 +42,8 @@ static batten_surface *natural_bicubic(const double *points)
     o.given_v = stations_v;
     o.knots_at_data = true;
     o.ends = BATTEN_END_NATURAL;
-    CHECK_OK(
-        batten_surface_interpolate(3, NU, NV, points, &o, NULL, NULL, NULL, NULL, &surface));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, NU, NV, points}, &o, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &surface));
     return surface;
 }
 
@@ -54,7 +54,7 @@ static batten_surface *nu_surface(const double *points, double nu)
     o.u = stations_u;
     o.v = stations_v;
     o.nu_u = o.nu_v = nu;
-    CHECK_OK(batten_surface_nu(3, NU, NV, points, &o, NULL, &surface));
+    CHECK_OK(batten_surface_nu((batten_grid){3, NU, NV, points}, &o, NULL, &surface));
     return surface;
 }
 
@@ -65,7 +65,7 @@ static batten_surface *tension_surface(const double *points, double tension)
     o.u = stations_u;
     o.v = stations_v;
     o.tension_u = o.tension_v = tension;
-    CHECK_OK(batten_surface_tension(3, NU, NV, points, &o, &surface));
+    CHECK_OK(batten_surface_tension((batten_grid){3, NU, NV, points}, &o, &surface));
     return surface;
 }
 
@@ -143,10 +143,12 @@ TEST(a_tension_surface_passes_its_points_and_is_c2)
                 CHECK_NEAR(left[k], points[(i * NV + j) * 3 + k], 1e-14);
         }
     for (int j = 0; j <= 12; j++) {
-        CHECK_OK(batten_surface_evaluate_side(surface, stations_u[2], j / 12.0,
-                                              BATTEN_FROM_LEFT, BATTEN_FROM_RIGHT, 2, left));
-        CHECK_OK(batten_surface_evaluate_side(surface, stations_u[2], j / 12.0,
-                                              BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT, 2, right));
+        CHECK_OK(batten_surface_evaluate_side(
+            surface, stations_u[2], j / 12.0,
+            (batten_sides){BATTEN_FROM_LEFT, BATTEN_FROM_RIGHT}, 2, left));
+        CHECK_OK(batten_surface_evaluate_side(
+            surface, stations_u[2], j / 12.0,
+            (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT}, 2, right));
         for (int k = 0; k < 18; k++)
             CHECK_NEAR(left[k], right[k], 1e-9);
     }
@@ -176,7 +178,7 @@ TEST(a_surface_in_tension_comes_out_as_nurbs_within_a_tolerance)
     double points[NU * NV * 3], error = 0;
     hills(points);
     batten_surface *surface = tension_surface(points, 6), *nurbs = NULL;
-    CHECK_OK(batten_surface_to_nurbs(surface, 1e-6, &nurbs, &error));
+    CHECK_OK(batten_surface_to_nurbs(surface, 1e-6, &error, &nurbs));
     CHECK(error > 0 && error <= 1e-6);
     CHECK(apart(surface, nurbs, 0) <= error);
     batten_surface_unref(surface);
@@ -201,12 +203,12 @@ TEST(the_other_direction_first_gives_the_same_surface)
     o.u = stations_u;
     o.v = stations_v;
     o.nus_u = nus;
-    CHECK_OK(batten_surface_nu(3, NU, NV, points, &o, NULL, &one));
+    CHECK_OK(batten_surface_nu((batten_grid){3, NU, NV, points}, &o, NULL, &one));
     o.u = stations_v;
     o.v = stations_u;
     o.nus_u = NULL;
     o.nus_v = nus;
-    CHECK_OK(batten_surface_nu(3, NV, NU, turned, &o, NULL, &other));
+    CHECK_OK(batten_surface_nu((batten_grid){3, NV, NU, turned}, &o, NULL, &other));
     CHECK_OK(batten_surface_swap(other, &back));
     CHECK(apart(one, back, 1) < 1e-12);
     batten_surface_unref(one);
@@ -226,8 +228,9 @@ TEST(catmull_rom_is_the_matrix_form_on_an_inner_cell)
         G[i] = sin(1.7 * i) + 0.1 * i;
     batten_curve_catmull_rom_options o = batten_curve_catmull_rom_defaults();
     batten_surface *surface = NULL;
-    CHECK_OK(
-        batten_surface_catmull_rom(1, 4, 4, G, steps, steps, &o, &o, NULL, &off, &surface));
+    CHECK_OK(batten_surface_catmull_rom(
+        (batten_grid){1, 4, 4, G}, (batten_uv){steps, steps},
+        (const batten_curve_catmull_rom_options *const[2]){&o, &o}, NULL, &off, &surface));
     CHECK(off < 1e-14);
     for (int a = 0; a <= 4; a++)
         for (int b = 0; b <= 4; b++) {
@@ -262,20 +265,23 @@ TEST(closed_grids_close_smoothly)
     batten_curve_catmull_rom_options local = batten_curve_catmull_rom_defaults();
     batten_surface *surfaces[3] = {NULL};
     nu.closed_u = nu.closed_v = tension.closed_u = tension.closed_v = local.closed = true;
-    CHECK_OK(batten_surface_nu(3, 12, 8, points, &nu, NULL, &surfaces[0]));
-    CHECK_OK(batten_surface_tension(3, 12, 8, points, &tension, &surfaces[1]));
-    CHECK_OK(batten_surface_catmull_rom(3, 12, 8, points, NULL, NULL, &local, &local, NULL,
-                                        NULL, &surfaces[2]));
+    CHECK_OK(batten_surface_nu((batten_grid){3, 12, 8, points}, &nu, NULL, &surfaces[0]));
+    CHECK_OK(batten_surface_tension((batten_grid){3, 12, 8, points}, &tension, &surfaces[1]));
+    CHECK_OK(batten_surface_catmull_rom(
+        (batten_grid){3, 12, 8, points}, (batten_uv){NULL, NULL},
+        (const batten_curve_catmull_rom_options *const[2]){&local, &local}, NULL, NULL,
+        &surfaces[2]));
     for (int s = 0; s < 3; s++) {
         for (int k = 0; k < 2; k++) {
             double first[9], last[9];
             const batten_interval d = batten_surface_domain(surfaces[s], (batten_direction)k);
             CHECK(batten_surface_is_closed(surfaces[s], (batten_direction)k, 1e-12));
-            CHECK_OK(batten_surface_evaluate_side(surfaces[s], k ? 0.2 : d.a, k ? d.a : 0.2,
-                                                  BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT, 1,
-                                                  first));
-            CHECK_OK(batten_surface_evaluate_side(surfaces[s], k ? 0.2 : d.b, k ? d.b : 0.2,
-                                                  BATTEN_FROM_LEFT, BATTEN_FROM_LEFT, 1, last));
+            CHECK_OK(batten_surface_evaluate_side(
+                surfaces[s], k ? 0.2 : d.a, k ? d.a : 0.2,
+                (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT}, 1, first));
+            CHECK_OK(batten_surface_evaluate_side(
+                surfaces[s], k ? 0.2 : d.b, k ? d.b : 0.2,
+                (batten_sides){BATTEN_FROM_LEFT, BATTEN_FROM_LEFT}, 1, last));
             for (int x = 0; x < 9; x++)
                 CHECK_NEAR(first[x], last[x], 1e-11);
         }
@@ -292,7 +298,7 @@ static batten_status own_knots(void *user, int dimension, int count, const doubl
 {
     (void)user;
     (void)parameters;
-    return batten_curve_interpolate(dimension, count, points, NULL, NULL, out);
+    return batten_curve_interpolate((batten_points){dimension, count, points}, NULL, NULL, out);
 }
 
 TEST(a_method_that_is_not_linear_is_refused)
@@ -301,8 +307,10 @@ TEST(a_method_that_is_not_linear_is_refused)
     hills(points);
     const batten_line_method method = {own_knots, NULL, false};
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_tensor(3, NU, NV, points, stations_u, stations_v, &method,
-                                       &method, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_tensor((batten_grid){3, NU, NV, points},
+                                       (batten_uv){stations_u, stations_v},
+                                       (const batten_line_method *const[2]){&method, &method},
+                                       NULL, NULL, &surface),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("along u, line 1");
     CHECK_MESSAGE("other knots");
@@ -314,22 +322,27 @@ TEST(bad_grids_are_refused_by_name) /* G5 G6 K7 */
     batten_surface *surface = NULL;
     hills(points);
     points[20] = NAN;
-    CHECK_STATUS(batten_surface_nu(3, NU, NV, points, NULL, NULL, &surface), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_nu((batten_grid){3, NU, NV, points}, NULL, NULL, &surface),
+                 BATTEN_NOT_FINITE);
     CHECK_MESSAGE("6");
     hills(points);
     memcpy(points + 3 * NV, points, 3 * NV * sizeof *points);
-    CHECK_STATUS(batten_surface_tension(3, NU, NV, points, NULL, &surface), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_surface_tension((batten_grid){3, NU, NV, points}, NULL, &surface),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("u grid lines");
-    CHECK_STATUS(batten_surface_nu(3, 1, NV, points, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_nu((batten_grid){3, 1, NV, points}, NULL, NULL, &surface),
                  BATTEN_TOO_FEW_POINTS);
     hills(points);
     const double falling[NU] = {0, 0.2, 0.1, 0.8, 1};
-    CHECK_STATUS(batten_surface_catmull_rom(3, NU, NV, points, falling, stations_v, NULL, NULL,
-                                            NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_catmull_rom(
+                     (batten_grid){3, NU, NV, points}, (batten_uv){falling, stations_v},
+                     (const batten_curve_catmull_rom_options *const[2]){NULL, NULL}, NULL, NULL,
+                     &surface),
                  BATTEN_NOT_INCREASING);
     batten_surface_tension_options o = batten_surface_tension_defaults();
     o.tension_v = -1;
-    CHECK_STATUS(batten_surface_tension(3, NU, NV, points, &o, &surface), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_tension((batten_grid){3, NU, NV, points}, &o, &surface),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("along v, line 0: the tension of span 0 is -1");
 }
 
@@ -341,10 +354,12 @@ TEST(a_pole_stays_a_pole)
     for (int j = 1; j < NV; j++)
         memcpy(points + 3 * j, points, 3 * sizeof *points);
     batten_surface *surfaces[3] = {NULL};
-    CHECK_OK(batten_surface_nu(3, NU, NV, points, NULL, NULL, &surfaces[0]));
-    CHECK_OK(batten_surface_tension(3, NU, NV, points, NULL, &surfaces[1]));
-    CHECK_OK(batten_surface_catmull_rom(3, NU, NV, points, NULL, NULL, NULL, NULL, NULL, NULL,
-                                        &surfaces[2]));
+    CHECK_OK(batten_surface_nu((batten_grid){3, NU, NV, points}, NULL, NULL, &surfaces[0]));
+    CHECK_OK(batten_surface_tension((batten_grid){3, NU, NV, points}, NULL, &surfaces[1]));
+    CHECK_OK(batten_surface_catmull_rom(
+        (batten_grid){3, NU, NV, points}, (batten_uv){NULL, NULL},
+        (const batten_curve_catmull_rom_options *const[2]){NULL, NULL}, NULL, NULL,
+        &surfaces[2]));
     for (int s = 0; s < 3; s++) {
         for (int j = 0; j <= 10; j++) {
             CHECK_OK(batten_surface_evaluate(surfaces[s], 0, j / 10.0, 0, at));
@@ -363,8 +378,8 @@ TEST(a_free_uniform_surface_is_coons_matrix_form)
     batten_surface *surface = NULL;
     for (int i = 0; i < 16; i++)
         V[i] = cos(2.3 * i);
-    CHECK_OK(batten_surface_uniform(1, 4, 4, V, 3, 3, BATTEN_POLYGON_FREE, BATTEN_POLYGON_FREE,
-                                    &surface));
+    CHECK_OK(batten_surface_uniform((batten_grid){1, 4, 4, V}, 3, 3, BATTEN_POLYGON_FREE,
+                                    BATTEN_POLYGON_FREE, &surface));
     const batten_interval u = batten_surface_domain(surface, BATTEN_U),
                           v = batten_surface_domain(surface, BATTEN_V);
     for (int a = 0; a <= 4; a++)
@@ -382,7 +397,7 @@ TEST(a_free_uniform_surface_is_coons_matrix_form)
             CHECK_NEAR(at, expected, 1e-14);
         }
     batten_surface_unref(surface);
-    CHECK_STATUS(batten_surface_uniform(1, 4, 3, V, 3, 3, BATTEN_POLYGON_CLAMPED,
+    CHECK_STATUS(batten_surface_uniform((batten_grid){1, 4, 3, V}, 3, 3, BATTEN_POLYGON_CLAMPED,
                                         BATTEN_POLYGON_CLAMPED, &surface),
                  BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("along v, line 0");
@@ -392,8 +407,8 @@ TEST(parameters_of_a_grid_do_not_depend_on_what_stood_there)
 {
     const double points[18] = {0, 0, 0, 0, 1, 0, 0, 2, 0, 1, 0, 0, 1, 1, 0, 1, 2, 0};
     double u[2] = {7, 7}, v[3] = {7, 7, 7}, spread[2] = {9, 9};
-    CHECK_OK(
-        batten_grid_parametrize(3, 2, 3, points, BATTEN_CHORD, false, false, u, v, spread));
+    CHECK_OK(batten_grid_parametrize((batten_grid){3, 2, 3, points}, BATTEN_CHORD, false, false,
+                                     spread, (batten_uv_out){u, v}));
     CHECK_NEAR(u[0], 0, 0);
     CHECK_NEAR(u[1], 1, 0);
     CHECK_NEAR(v[1], 0.5, 1e-15);
@@ -404,8 +419,8 @@ TEST(parameters_of_a_grid_do_not_depend_on_what_stood_there)
     memcpy(pinched, points, sizeof pinched);
     memcpy(pinched + 3, pinched, 3 * sizeof *pinched);
     memcpy(pinched + 12, pinched + 9, 3 * sizeof *pinched);
-    CHECK_STATUS(
-        batten_grid_parametrize(3, 2, 3, pinched, BATTEN_CHORD, false, false, u, v, NULL),
-        BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_grid_parametrize((batten_grid){3, 2, 3, pinched}, BATTEN_CHORD, false,
+                                         false, NULL, (batten_uv_out){u, v}),
+                 BATTEN_COINCIDENT);
     CHECK_NEAR(v[0], 5, 0);
 }

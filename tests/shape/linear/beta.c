@@ -6,7 +6,7 @@ static batten_curve *spline(int d, int n, const double *points, batten_beta_use 
                             double b2, bool closed)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_beta(d, n, points, use, b1, b2, closed, &curve));
+    CHECK_OK(batten_curve_beta((batten_points){d, n, points}, use, b1, b2, closed, &curve));
     return curve;
 }
 
@@ -20,7 +20,7 @@ TEST(a_beta_spline_without_bias_and_tension_is_the_b_spline)
     for (int i = 0; i < 6; i++)
         memcpy(turned + 2 * ((i + 1) % 6), cage + 2 * i, 2 * sizeof *cage);
     const double knots[] = {0, 1, 2, 3, 4, 5, 6};
-    CHECK_OK(batten_curve_create_periodic(2, 3, 6, turned, NULL, knots, &b));
+    CHECK_OK(batten_curve_create_periodic((batten_points){2, 6, turned}, 3, NULL, knots, &b));
     for (int i = 0; i < 60; i++) {
         double p[6], q[6];
         CHECK_OK(batten_curve_evaluate(beta, i / 10.0, 2, p));
@@ -119,10 +119,12 @@ TEST(g2_two_points_of_a_beta_spline_are_a_line)
         batten_curve_unref(line);
     }
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_beta(2, 1, cage, BATTEN_BETA_NEAR, 1, 0, false, &none),
-                 BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_beta(2, 2, cage, BATTEN_BETA_NEAR, 1, 0, true, &none),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_curve_beta((batten_points){2, 1, cage}, BATTEN_BETA_NEAR, 1, 0, false, &none),
+        BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_curve_beta((batten_points){2, 2, cage}, BATTEN_BETA_NEAR, 1, 0, true, &none),
+        BATTEN_TOO_FEW_POINTS);
     batten_curve_unref(spline(2, 3, cage, BATTEN_BETA_THROUGH, 1, 0, true));
     CHECK(none == NULL);
 }
@@ -143,16 +145,17 @@ TEST(n1_beta_splines_refuse_what_is_not_finite)
 {
     const double bad[] = {0, 0, NAN, 1};
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_beta(2, 2, bad, BATTEN_BETA_NEAR, 1, 0, false, &none),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_beta((batten_points){2, 2, bad}, BATTEN_BETA_NEAR, 1, 0, false, &none),
+        BATTEN_NOT_FINITE);
     const double values[] = {0, -1, NAN, INFINITY, 1e-200, 1e200};
     for (int i = 0; i < COUNT(values); i++)
-        CHECK_STATUS(
-            batten_curve_beta(2, 6, cage, BATTEN_BETA_NEAR, values[i], 0, false, &none),
-            BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_beta((batten_points){2, 6, cage}, BATTEN_BETA_NEAR, values[i],
+                                       0, false, &none),
+                     BATTEN_BAD_ARGUMENT);
     for (int i = 1; i < 4; i++)
-        CHECK_STATUS(
-            batten_curve_beta(2, 6, cage, BATTEN_BETA_NEAR, 1, values[i], false, &none),
-            BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_beta((batten_points){2, 6, cage}, BATTEN_BETA_NEAR, 1,
+                                       values[i], false, &none),
+                     BATTEN_BAD_ARGUMENT);
     CHECK(none == NULL);
 }

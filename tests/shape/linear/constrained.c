@@ -7,7 +7,8 @@ static batten_curve *find(int d, int count, const double *points,
                           batten_curve_constrained_report *report)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_constrained(d, count, points, options, parameters, report, &curve));
+    CHECK_OK(batten_curve_constrained((batten_points){d, count, points}, options, parameters,
+                                      report, &curve));
     return curve;
 }
 
@@ -57,7 +58,7 @@ TEST(without_constraints_a_cubic_with_knots_at_the_points_is_the_natural_spline)
     natural.knots_at_data = true;
     natural.start.kind = natural.end.kind = BATTEN_END_NATURAL;
     batten_curve *expected = NULL;
-    CHECK_OK(batten_curve_interpolate(1, 7, step, &natural, NULL, &expected));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, 7, step}, &natural, NULL, &expected));
     for (options.pieces = 1; options.pieces <= 4; options.pieces++) {
         batten_curve_constrained_report report;
         batten_curve *curve = find(1, 7, step, &options, NULL, &report);
@@ -305,26 +306,30 @@ TEST(g9_constraints_that_contradict_each_other_are_named)
                                          {BATTEN_CONSTRAINT_VALUE, 2, 4, {-1}, -0.5, 0}};
     batten_curve_constrained_options options = of_step(2, ceiling);
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_constrained(1, 7, step, &options, NULL, NULL, &curve),
-                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(
+        batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
+        BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("constraint 1 (value, from point 2 to 4)");
     /* Too few control points for the points. */
     options = of_step(0, NULL);
     options.pieces = 0;
     options.degree = 3;
-    CHECK_STATUS(batten_curve_constrained(1, 7, step, &options, NULL, NULL, &curve),
-                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(
+        batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
+        BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("cannot pass point 4");
     const batten_constraint twice[] = {{BATTEN_CONSTRAINT_DIRECTION, 2, 0, {1}, 0, 0},
                                        {BATTEN_CONSTRAINT_DIRECTION, 2, 0, {2}, 0, 0}};
     options = of_step(2, twice);
-    CHECK_STATUS(batten_curve_constrained(1, 7, step, &options, NULL, NULL, &curve),
-                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(
+        batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
+        BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("constraint 1 (direction, from point 2");
     options = of_step(0, NULL);
     options.order = 3;
-    CHECK_STATUS(batten_curve_constrained(1, 2, step + 2, &options, NULL, NULL, &curve),
-                 BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(
+        batten_curve_constrained((batten_points){1, 2, step + 2}, &options, NULL, NULL, &curve),
+        BATTEN_SINGULAR_SYSTEM);
     CHECK(!curve);
 }
 
@@ -332,11 +337,12 @@ TEST(n1_g1_s1_constrained_curves_refuse_what_they_cannot_use)
 {
     batten_curve *curve = NULL;
     const double same[] = {0, 0, 1, 1, 1, 1}, bad[] = {0, NAN, 1, 1};
-    CHECK_STATUS(batten_curve_constrained(2, 3, same, NULL, NULL, NULL, &curve),
-                 BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_curve_constrained(2, 2, bad, NULL, NULL, NULL, &curve),
+    CHECK_STATUS(
+        batten_curve_constrained((batten_points){2, 3, same}, NULL, NULL, NULL, &curve),
+        BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_constrained((batten_points){2, 2, bad}, NULL, NULL, NULL, &curve),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_constrained(2, 1, bad, NULL, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_constrained((batten_points){2, 1, bad}, NULL, NULL, NULL, &curve),
                  BATTEN_TOO_FEW_POINTS);
     const batten_constraint wrong[] = {{BATTEN_CONSTRAINT_VALUE, 3, 2, {1}, 0, 0},
                                        {BATTEN_CONSTRAINT_SLOPE, 0, 7, {1}, 0, 0},
@@ -344,27 +350,31 @@ TEST(n1_g1_s1_constrained_curves_refuse_what_they_cannot_use)
                                        {(batten_constraint_kind)9, 0, 0, {1}, 0, 0}};
     for (int i = 0; i < COUNT(wrong); i++) {
         const batten_curve_constrained_options options = of_step(1, &wrong[i]);
-        CHECK_STATUS(batten_curve_constrained(1, 7, step, &options, NULL, NULL, &curve),
-                     BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(
+            batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
+            BATTEN_BAD_ARGUMENT);
         CHECK_MESSAGE("constraint 0");
     }
     batten_curve_constrained_options options = of_step(0, NULL);
     options.degree = 26;
-    CHECK_STATUS(batten_curve_constrained(1, 7, step, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options.degree = 5;
     options.pieces = 64;
     double many[3 * 20];
     for (int i = 0; i < 60; i++)
         many[i] = i;
     options.parameters = BATTEN_CHORD;
-    CHECK_STATUS(batten_curve_constrained(3, 20, many, &options, NULL, NULL, &curve),
-                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(
+        batten_curve_constrained((batten_points){3, 20, many}, &options, NULL, NULL, &curve),
+        BATTEN_TOO_LARGE);
     const double weights[] = {1, 0, 1, 1, 1, 1, 1};
     options = of_step(0, NULL);
     options.weights = weights;
-    CHECK_STATUS(batten_curve_constrained(1, 7, step, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("weight 1");
     CHECK(!curve);
 }

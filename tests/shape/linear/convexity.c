@@ -13,7 +13,7 @@ static batten_curve *spline_of(int count, const double *x, const double *y,
     options.given = x;
     options.start = *start;
     options.end = *end;
-    CHECK_OK(batten_curve_interpolate(1, count, y, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, count, y}, &options, NULL, &curve));
     return curve;
 }
 

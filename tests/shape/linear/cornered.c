@@ -31,7 +31,7 @@ TEST(straight_runs_are_straight_and_touched)
         double t[8], at[2], turn, jump;
         batten_curve *made = NULL;
         o.transition = (batten_transition)kind;
-        CHECK_OK(batten_curve_cornered(2, 8, key, &o, t, &made));
+        CHECK_OK(batten_curve_cornered((batten_points){2, 8, key}, &o, t, &made));
         for (int i = 0; i < 8; i++) {
             CHECK_OK(batten_curve_evaluate(made, t[i], 0, at));
             CHECK_NEAR(hypot(at[0] - key[2 * i], at[1] - key[2 * i + 1]), 0, 1e-14);
@@ -65,7 +65,7 @@ TEST(corners_turn_and_nothing_else)
     batten_curve *made = NULL;
     o.corner_count = 2;
     o.corners = corners;
-    CHECK_OK(batten_curve_cornered(2, 8, key, &o, t, &made));
+    CHECK_OK(batten_curve_cornered((batten_points){2, 8, key}, &o, t, &made));
     for (int i = 1; i < 7; i++) {
         turn_at(made, t[i], &turn, &jump);
         if (i == 2 || i == 5)
@@ -85,8 +85,8 @@ TEST(lines_that_meet_make_a_polyline)
     batten_curve *made = NULL;
     o.line_count = 4;
     o.lines = all;
-    CHECK_OK(batten_curve_cornered(2, 5, square, &o, NULL, &made));
-    CHECK_OK(batten_curve_length(made, 1e-12, &length, NULL));
+    CHECK_OK(batten_curve_cornered((batten_points){2, 5, square}, &o, NULL, &made));
+    CHECK_OK(batten_curve_length(made, 1e-12, NULL, &length));
     CHECK_NEAR(length, 4, 1e-13);
     batten_curve_unref(made);
 }
@@ -102,7 +102,7 @@ TEST(a_single_span_between_lines_meets_both)
         o.line_count = 2;
         o.lines = lines;
         o.transition = (batten_transition)kind;
-        CHECK_OK(batten_curve_cornered(2, 4, bend, &o, t, &made));
+        CHECK_OK(batten_curve_cornered((batten_points){2, 4, bend}, &o, t, &made));
         for (int i = 1; i <= 2; i++) {
             turn_at(made, t[i], &turn, &jump);
             CHECK_NEAR(turn, 0, 1e-13);
@@ -126,9 +126,9 @@ TEST(g10_reversed_points_give_the_reversed_cornered_curve)
         for (int i = 0; i < 8; i++)
             for (int k = 0; k < 2; k++)
                 back[2 * i + k] = key[2 * (7 - i) + k];
-        CHECK_OK(batten_curve_cornered(2, 8, key, &o, t, &a));
+        CHECK_OK(batten_curve_cornered((batten_points){2, 8, key}, &o, t, &a));
         o.corners = &corner_back;
-        CHECK_OK(batten_curve_cornered(2, 8, back, &o, NULL, &b));
+        CHECK_OK(batten_curve_cornered((batten_points){2, 8, back}, &o, NULL, &b));
         for (int i = 0; i <= 40; i++) {
             CHECK_OK(batten_curve_evaluate(a, t[7] * i / 40, 0, p));
             CHECK_OK(batten_curve_evaluate(b, t[7] * (40 - i) / 40, 0, q));
@@ -146,24 +146,29 @@ TEST(n4_corners_outside_the_points_are_refused)
     batten_curve *made = NULL;
     o.corner_count = 2;
     o.corners = corners;
-    CHECK_STATUS(batten_curve_cornered(2, 8, key, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_cornered((batten_points){2, 8, key}, &o, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("corner 1");
     o = batten_curve_cornered_defaults();
     o.line_count = 1;
     o.lines = &far;
-    CHECK_STATUS(batten_curve_cornered(2, 8, key, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_cornered((batten_points){2, 8, key}, &o, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("line 0");
     o = batten_curve_cornered_defaults();
     o.ends = BATTEN_END_CLAMPED;
-    CHECK_STATUS(batten_curve_cornered(2, 8, key, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_cornered(2, 1, key, NULL, NULL, &made), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_cornered((batten_points){2, 8, key}, &o, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_cornered((batten_points){2, 1, key}, NULL, NULL, &made),
+                 BATTEN_TOO_FEW_POINTS);
 }
 
 TEST(g1_coincident_points_are_named_by_cornered_splines)
 {
     const double points[6] = {0, 0, 1, 1, 1, 1};
     batten_curve *made = NULL;
-    CHECK_STATUS(batten_curve_cornered(2, 3, points, NULL, NULL, &made), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_cornered((batten_points){2, 3, points}, NULL, NULL, &made),
+                 BATTEN_COINCIDENT);
 }
 
 TEST(a_free_end_behind_a_flat_transition_is_natural_when_asked)
@@ -178,7 +183,7 @@ TEST(a_free_end_behind_a_flat_transition_is_natural_when_asked)
         o.line_count = 1;
         o.transition = BATTEN_TRANSITION_CURVATURE;
         o.ends = natural ? BATTEN_END_NATURAL : BATTEN_END_NOT_A_KNOT;
-        CHECK_OK(batten_curve_cornered(2, 5, points, &o, t, &curve));
+        CHECK_OK(batten_curve_cornered((batten_points){2, 5, points}, &o, t, &curve));
         CHECK_OK(batten_curve_evaluate(curve, t[4], 2, c));
         CHECK_OK(batten_curve_evaluate_side(curve, t[1], BATTEN_FROM_RIGHT, 2, start));
         CHECK_NEAR(hypot(start[4], start[5]), 0, 1e-12);

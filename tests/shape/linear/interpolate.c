@@ -58,7 +58,8 @@ TEST(a_spline_passes_its_points_and_is_smooth_between_whatever_its_ends)
         options.end = (batten_end){(batten_end_kind)((c / 10 + c) % 10), {0.3, 0.1, 0.2}};
         fill(&random, count * d, points);
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_interpolate(d, count, points, &options, u, &curve));
+        CHECK_OK(
+            batten_curve_interpolate((batten_points){d, count, points}, &options, u, &curve));
         check_passes(curve, d, count, points, u);
         for (int i = 1; i < count - 1; i++) {
             CHECK_OK(batten_curve_evaluate_side(curve, u[i], BATTEN_FROM_LEFT, 2, left));
@@ -85,7 +86,7 @@ TEST(cubics_are_reproduced_by_every_end_that_knows_them)
         options.start = (batten_end){kinds[c / 4], {cubic(0, order_a)}};
         options.end = (batten_end){kinds[c % 4], {cubic(4, order_b)}};
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_interpolate(1, 6, y, &options, u, &curve));
+        CHECK_OK(batten_curve_interpolate((batten_points){1, 6, y}, &options, u, &curve));
         for (int i = 0; i <= 40; i++)
             CHECK_NEAR(value_of(curve, i / 10.0, 0), cubic(i / 10.0, 0), 1e-13 * 33);
         CHECK_NEAR(value_of(curve, 0, 1), 0, 1e-12);
@@ -107,7 +108,8 @@ TEST(parabolas_are_reproduced_by_parabolic_and_bessel_ends)
         options.start.kind = kinds[c % 3];
         options.end.kind = kinds[c / 3 % 3];
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_interpolate(1, count, y, &options, NULL, &curve));
+        CHECK_OK(
+            batten_curve_interpolate((batten_points){1, count, y}, &options, NULL, &curve));
         CHECK_INT(batten_curve_degree(curve), count == 2 ? 1 : 3);
         for (int i = 0; i <= 20 && count > 2; i++) {
             const double at = t[count - 1] * i / 20;
@@ -141,10 +143,10 @@ TEST(the_natural_spline_has_the_least_energy)
         batten_curve_interpolate_options options = given(t);
         options.start.kind = options.end.kind = BATTEN_END_NATURAL;
         batten_curve *natural = NULL, *other = NULL;
-        CHECK_OK(batten_curve_interpolate(1, 6, y, &options, NULL, &natural));
+        CHECK_OK(batten_curve_interpolate((batten_points){1, 6, y}, &options, NULL, &natural));
         options.start = (batten_end){BATTEN_END_CLAMPED, {test_random_in(&random, -5, 5)}};
         options.end = (batten_end){BATTEN_END_SECOND, {test_random_in(&random, -5, 5)}};
-        CHECK_OK(batten_curve_interpolate(1, 6, y, &options, NULL, &other));
+        CHECK_OK(batten_curve_interpolate((batten_points){1, 6, y}, &options, NULL, &other));
         CHECK(energy(natural) <= energy(other) * (1 + 1e-12));
         CHECK_NEAR(value_of(natural, 0, 2), 0, 1e-11);
         CHECK_NEAR(value_of(natural, 6, 2), 0, 1e-11);
@@ -160,7 +162,7 @@ TEST(the_forces_on_a_natural_spline_are_in_equilibrium)
     batten_curve_interpolate_options options = given(t);
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(1, 5, y, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, 5, y}, &options, NULL, &curve));
     double force = 0, moment = 0, work = 0, before = 0;
     for (int i = 0; i < 5; i++) {
         double out[4] = {0, 0, 0, 0};
@@ -191,7 +193,7 @@ TEST(clamped_splines_keep_the_bounds_of_hall_and_meyer)
     options.start = (batten_end){BATTEN_END_CLAMPED, {3}};
     options.end = (batten_end){BATTEN_END_CLAMPED, {3 * cos(3)}};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(1, 21, y, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, 21, y}, &options, NULL, &curve));
     for (int i = 0; i <= 1000; i++) {
         const double x = i / 1000.0;
         CHECK_NEAR(value_of(curve, x, 0), sin(3 * x), bound[0]);
@@ -209,7 +211,7 @@ TEST(a_bump_dies_out_by_root_three_minus_two_for_each_interval)
         t[i] = i;
     batten_curve_interpolate_options options = given(t);
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(1, 41, y, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, 41, y}, &options, NULL, &curve));
     for (int i = 22; i < 30; i++)
         CHECK_NEAR(value_of(curve, i + 1, 1) / value_of(curve, i, 1), sqrt(3) - 2, 1e-7);
     batten_curve_unref(curve);
@@ -223,7 +225,7 @@ TEST(fair_ends_find_the_slopes_of_a_sine)
     batten_curve_interpolate_options options = given(t);
     options.start.kind = options.end.kind = BATTEN_END_FAIR;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(1, 21, y, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, 21, y}, &options, NULL, &curve));
     CHECK_NEAR(value_of(curve, 0, 1), 3.00015, 5e-6);
     CHECK_NEAR(value_of(curve, 1, 1), -2.97031, 5e-6);
     batten_curve_unref(curve);
@@ -254,7 +256,7 @@ TEST(fair_ends_make_the_jumps_least)
         if (c % 2)
             options.start = (batten_end){BATTEN_END_CLAMPED, {1}};
         batten_curve *fair = NULL;
-        CHECK_OK(batten_curve_interpolate(1, count, y, &options, NULL, &fair));
+        CHECK_OK(batten_curve_interpolate((batten_points){1, count, y}, &options, NULL, &fair));
         const double least = jumps(fair, count, t), a = value_of(fair, 0, 1),
                      b = value_of(fair, t[count - 1], 1);
         for (int s = 0; s < 4; s++) {
@@ -264,7 +266,8 @@ TEST(fair_ends_make_the_jumps_least)
                                                : s < 2 ? 0.01
                                                        : -0.01)}};
             options.end = (batten_end){BATTEN_END_CLAMPED, {b + (s % 2 ? 0.01 : -0.01)}};
-            CHECK_OK(batten_curve_interpolate(1, count, y, &options, NULL, &other));
+            CHECK_OK(
+                batten_curve_interpolate((batten_points){1, count, y}, &options, NULL, &other));
             CHECK(least <= jumps(other, count, t) + 1e-12);
             batten_curve_unref(other);
         }
@@ -306,7 +309,8 @@ TEST(closed_splines_approach_the_circle_with_the_fourth_power)
         options.closed = true;
         circle_points(2, 0, 4 * acos(0), count, true, points);
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_interpolate(2, count, points, &options, NULL, &curve));
+        CHECK_OK(batten_curve_interpolate((batten_points){2, count, points}, &options, NULL,
+                                          &curve));
         error[s] = radius_error(curve, 2);
         batten_curve_unref(curve);
     }
@@ -333,7 +337,8 @@ TEST(ends_of_circles_and_of_given_curvature_know_the_circle)
             if (kind == 2)
                 options.start = (batten_end){BATTEN_END_DIRECTION, {0, 7}};
             batten_curve *curve = NULL;
-            CHECK_OK(batten_curve_interpolate(2, count, points, &options, NULL, &curve));
+            CHECK_OK(batten_curve_interpolate((batten_points){2, count, points}, &options, NULL,
+                                              &curve));
             error[s] = radius_error(curve, 5);
             double out[6];
             CHECK_OK(batten_curve_evaluate(curve, 0, 2, out));
@@ -358,7 +363,7 @@ TEST(curvature_ends_give_the_curvature_across_the_tangent)
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.start = (batten_end){BATTEN_END_CURVATURE, {wanted[0], wanted[1], wanted[2]}};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(3, 4, points, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, 4, points}, &options, NULL, &curve));
     double out[9];
     CHECK_OK(batten_curve_evaluate(curve, 0, 2, out));
     const double *T = out + 3, *S = out + 6;
@@ -369,7 +374,7 @@ TEST(curvature_ends_give_the_curvature_across_the_tangent)
     batten_curve_unref(curve);
     options.start = (batten_end){BATTEN_END_CURVATURE, {0, 0, 1e308}};
     batten_curve *wild = NULL;
-    CHECK_STATUS(batten_curve_interpolate(3, 4, points, &options, NULL, &wild),
+    CHECK_STATUS(batten_curve_interpolate((batten_points){3, 4, points}, &options, NULL, &wild),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK(wild == NULL);
 }
@@ -389,8 +394,10 @@ TEST(periodic_curves_of_every_degree_close_smoothly_from_any_start)
         options.degree = degree;
         options.closed = true;
         batten_curve *curve = NULL, *other = NULL;
-        CHECK_OK(batten_curve_interpolate(d, count, points, &options, u, &curve));
-        CHECK_OK(batten_curve_interpolate(d, count, turned, &options, v, &other));
+        CHECK_OK(
+            batten_curve_interpolate((batten_points){d, count, points}, &options, u, &curve));
+        CHECK_OK(
+            batten_curve_interpolate((batten_points){d, count, turned}, &options, v, &other));
         CHECK(batten_curve_is_periodic(curve) && batten_curve_degree(curve) == degree);
         check_passes(curve, d, count, points, u);
         const batten_interval domain = batten_curve_domain(curve);
@@ -427,7 +434,8 @@ TEST(averaged_knots_reproduce_polynomials_of_their_degree)
         options.knots_at_data = false;
         options.degree = degree;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_interpolate(1, count, y, &options, NULL, &curve));
+        CHECK_OK(
+            batten_curve_interpolate((batten_points){1, count, y}, &options, NULL, &curve));
         CHECK_INT(batten_curve_degree(curve), degree);
         CHECK_INT(batten_curve_point_count(curve), count);
         for (int i = 0; i <= 50; i++) {
@@ -462,7 +470,8 @@ TEST(derivatives_at_any_data_points_are_met)
         options.derivatives = wanted;
         options.derivative_count = wanted_count;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_interpolate(3, count, points, &options, u, &curve));
+        CHECK_OK(
+            batten_curve_interpolate((batten_points){3, count, points}, &options, u, &curve));
         CHECK_INT(batten_curve_point_count(curve), count + wanted_count);
         check_passes(curve, 3, count, points, u);
         for (int i = 0; i < wanted_count; i++) {
@@ -490,7 +499,7 @@ TEST(odd_degrees_stand_on_knots_at_the_data)
         options.derivatives = ends;
         options.derivative_count = given_count;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_interpolate(1, 12, y, &options, NULL, &curve));
+        CHECK_OK(batten_curve_interpolate((batten_points){1, 12, y}, &options, NULL, &curve));
         CHECK_INT(batten_curve_spans(curve, NULL), 12 - 4 + given_count);
         for (int i = 0; i <= 50; i++)
             CHECK_NEAR(value_of(curve, T * i / 50, 0), pow(T * i / 50, 5) - T * i / 50, 1e-12);
@@ -510,12 +519,13 @@ TEST(G2_few_points_give_a_line_a_parabola_and_lower_degrees)
                 double u[5];
                 batten_curve *curve = NULL;
                 if (!averaged && degree % 2 == 0) {
-                    CHECK_STATUS(
-                        batten_curve_interpolate(2, count, points, &options, u, &curve),
-                        BATTEN_BAD_DEGREE);
+                    CHECK_STATUS(batten_curve_interpolate((batten_points){2, count, points},
+                                                          &options, u, &curve),
+                                 BATTEN_BAD_DEGREE);
                     continue;
                 }
-                CHECK_OK(batten_curve_interpolate(2, count, points, &options, u, &curve));
+                CHECK_OK(batten_curve_interpolate((batten_points){2, count, points}, &options,
+                                                  u, &curve));
                 CHECK_INT(batten_curve_degree(curve), degree < count ? degree : count - 1);
                 check_passes(curve, 2, count, points, u);
                 batten_curve_unref(curve);
@@ -523,14 +533,14 @@ TEST(G2_few_points_give_a_line_a_parabola_and_lower_degrees)
     batten_curve *line = NULL, *hermite = NULL;
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
-    CHECK_OK(batten_curve_interpolate(2, 2, points, &options, NULL, &line));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, 2, points}, &options, NULL, &line));
     CHECK_INT(batten_curve_degree(line), 1);
     options.start = options.end = (batten_end){BATTEN_END_CLAMPED, {1, 0}};
-    CHECK_OK(batten_curve_interpolate(2, 2, points, &options, NULL, &hermite));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, 2, points}, &options, NULL, &hermite));
     CHECK_INT(batten_curve_degree(hermite), 3);
     batten_curve_unref(line);
     batten_curve_unref(hermite);
-    CHECK_STATUS(batten_curve_interpolate(2, 1, points, NULL, NULL, &line),
+    CHECK_STATUS(batten_curve_interpolate((batten_points){2, 1, points}, NULL, NULL, &line),
                  BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("there is 1 point, and at least 2");
 }
@@ -539,7 +549,8 @@ TEST(G1_coincident_points_are_named)
 {
     const double points[] = {0, 0, 1, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_interpolate(2, 3, points, NULL, NULL, &curve), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_interpolate((batten_points){2, 3, points}, NULL, NULL, &curve),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2");
     CHECK(curve == NULL);
 }
@@ -555,7 +566,7 @@ TEST(G9_schoenberg_and_whitney_speak_with_numbers)
     options.derivatives = wanted;
     options.derivative_count = 2;
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_interpolate(1, 6, y, &options, NULL, &curve),
+    CHECK_STATUS(batten_curve_interpolate((batten_points){1, 6, y}, &options, NULL, &curve),
                  BATTEN_SINGULAR_SYSTEM);
     CHECK(curve == NULL);
 }
@@ -577,11 +588,12 @@ TEST(G10_reversed_points_give_the_reversed_curve)
         options.end.kind = kinds[c / 6 % 6];
         options.parameters = (batten_parametrization)(c % 5);
         batten_curve *curve = NULL, *other = NULL;
-        CHECK_OK(batten_curve_interpolate(2, 8, points, &options, u, &curve));
+        CHECK_OK(batten_curve_interpolate((batten_points){2, 8, points}, &options, u, &curve));
         const batten_end kept = options.start;
         options.start = options.end;
         options.end = kept;
-        CHECK_OK(batten_curve_interpolate(2, 8, backward, &options, v, &other));
+        CHECK_OK(
+            batten_curve_interpolate((batten_points){2, 8, backward}, &options, v, &other));
         for (int i = 0; i <= 20; i++) {
             double a[2], b[2];
             CHECK_OK(batten_curve_evaluate(curve, u[7] * i / 20, 0, a));
@@ -598,21 +610,25 @@ TEST(N1_what_is_not_finite_is_refused)
 {
     const double points[] = {0, 0, 1, 1, 2, 0}, bad[] = {0, 0, INFINITY, 1}, t[] = {0, NAN, 1};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_interpolate(2, 2, bad, NULL, NULL, &curve), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_interpolate((batten_points){2, 2, bad}, NULL, NULL, &curve),
+                 BATTEN_NOT_FINITE);
     CHECK_MESSAGE("coordinate 0 of point 1 is inf");
     batten_curve_interpolate_options options = given(t);
-    CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 3, points}, &options, NULL, &curve),
+        BATTEN_NOT_FINITE);
     options = batten_curve_interpolate_defaults();
     options.end = (batten_end){BATTEN_END_CLAMPED, {0, NAN}};
-    CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 3, points}, &options, NULL, &curve),
+        BATTEN_NOT_FINITE);
     const batten_derivative derivative = {0, 1, {NAN}};
     options = batten_curve_interpolate_defaults();
     options.derivatives = &derivative;
     options.derivative_count = 1;
-    CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 3, points}, &options, NULL, &curve),
+        BATTEN_NOT_FINITE);
 }
 
 TEST(N2_size_does_not_matter_and_what_overflows_is_refused)
@@ -621,14 +637,14 @@ TEST(N2_size_does_not_matter_and_what_overflows_is_refused)
     const double scales[] = {1e-9, 1e9, 1e-300, 1e300};
     double expected[2], out[2], u[5];
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(2, 5, unit, NULL, u, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, 5, unit}, NULL, u, &curve));
     CHECK_OK(batten_curve_evaluate(curve, u[4] * 0.3, 0, expected));
     batten_curve_unref(curve);
     for (int s = 0; s < COUNT(scales); s++) {
         double points[10];
         for (int i = 0; i < 10; i++)
             points[i] = unit[i] * scales[s];
-        CHECK_OK(batten_curve_interpolate(2, 5, points, NULL, u, &curve));
+        CHECK_OK(batten_curve_interpolate((batten_points){2, 5, points}, NULL, u, &curve));
         CHECK_OK(batten_curve_evaluate(curve, u[4] * 0.3, 0, out));
         CHECK_NEAR(out[0] / scales[s], expected[0], 1e-13);
         CHECK_NEAR(out[1] / scales[s], expected[1], 1e-13);
@@ -638,7 +654,8 @@ TEST(N2_size_does_not_matter_and_what_overflows_is_refused)
                  t[] = {0, 1, 2, 3, 4};
     batten_curve_interpolate_options options = given(t);
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_interpolate(1, 5, huge, &options, NULL, &none), BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_curve_interpolate((batten_points){1, 5, huge}, &options, NULL, &none),
+                 BATTEN_OVERFLOW);
     CHECK(none == NULL);
 }
 
@@ -649,53 +666,63 @@ TEST(requests_that_make_no_sense_are_refused)
                                        {1, 1, {0}}, {0, 1, {0}},  {0, 1, {0}}};
     batten_curve *curve = NULL;
     batten_curve_interpolate_options options = given(t);
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_NOT_INCREASING);
     CHECK_MESSAGE("parameter 2 is 1, not above the one before, 2");
     options = given(NULL);
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options = batten_curve_interpolate_defaults();
     const int degrees[] = {-1, 0, 26};
     for (int i = 0; i < 3; i++) {
         options.degree = degrees[i];
-        CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                     BATTEN_BAD_DEGREE);
+        CHECK_STATUS(
+            batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+            BATTEN_BAD_DEGREE);
     }
     for (int i = 0; i < 5; i++) {
         options = batten_curve_interpolate_defaults();
         options.derivatives = wrong + i;
         options.derivative_count = 1;
-        CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                     BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(
+            batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+            BATTEN_BAD_ARGUMENT);
     }
     options.knots_at_data = false;
     options.derivatives = wrong + 5;
     options.derivative_count = 2;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("derivative 1 at point 0 is given twice");
     options.knots_at_data = true;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the start has 2 conditions, and degree 3 takes 1");
     options.closed = true;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options.derivative_count = -1;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options = batten_curve_interpolate_defaults();
     options.degree = 5;
     options.start.kind = BATTEN_END_FAIR;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options = batten_curve_interpolate_defaults();
     options.start.kind = BATTEN_END_DIRECTION;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options.start.kind = BATTEN_END_CURVATURE;
-    CHECK_STATUS(batten_curve_interpolate(1, 4, t, &options, NULL, &curve),
+    CHECK_STATUS(batten_curve_interpolate((batten_points){1, 4, t}, &options, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK(curve == NULL);
 }
@@ -706,12 +733,12 @@ TEST(circle_ends_fall_back_where_there_is_no_circle)
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.start.kind = options.end.kind = BATTEN_END_CIRCLE;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(2, 4, points, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve));
     batten_curve_unref(curve);
     options.parameters = BATTEN_UNIFORM;
-    CHECK_OK(batten_curve_interpolate(2, 4, twice, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, 4, twice}, &options, NULL, &curve));
     batten_curve_unref(curve);
-    CHECK_OK(batten_curve_interpolate(2, 2, points, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, 2, points}, &options, NULL, &curve));
     CHECK_INT(batten_curve_degree(curve), 1);
     batten_curve_unref(curve);
 }
@@ -724,7 +751,7 @@ TEST(curvatures_that_rounding_keeps_from_the_last_digits_are_reached)
     options.start = (batten_end){BATTEN_END_CURVATURE, {wanted[0][0], wanted[0][1]}};
     options.end = (batten_end){BATTEN_END_CURVATURE, {wanted[1][0], wanted[1][1]}};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(2, 3, points, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, 3, points}, &options, NULL, &curve));
     const batten_interval domain = batten_curve_domain(curve);
     for (int e = 0; e < 2; e++) {
         double at[3][2];

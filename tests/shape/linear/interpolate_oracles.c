@@ -34,7 +34,7 @@ static batten_curve *random_spline(test_random *random, int kind, nodes *out)
     options.start = (batten_end){(batten_end_kind)kind, {0.7}};
     options.end = (batten_end){(batten_end_kind)kind, {-0.3}};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(1, N, out->y, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, N, out->y}, &options, NULL, &curve));
     for (int i = 0; i < N; i++) {
         double at[4];
         derivatives(curve, out->t[i], i ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, at);
@@ -178,7 +178,8 @@ TEST(bumps_between_the_points_add_their_energy_to_that_of_natural_and_clamped_sp
             options.start = (batten_end){BATTEN_END_CLAMPED, {s.m[0]}};
             options.end = (batten_end){BATTEN_END_CLAMPED, {s.m[N - 1]}};
         }
-        CHECK_OK(batten_curve_interpolate(1, 2 * N - 1, y, &options, NULL, &other));
+        CHECK_OK(
+            batten_curve_interpolate((batten_points){1, 2 * N - 1, y}, &options, NULL, &other));
         const double least = energy(NULL, best), more = energy(NULL, other);
         CHECK(least <= more);
         CHECK_NEAR((least + energy(best, other)) / more, 1, 1e-11);
@@ -202,7 +203,8 @@ static void errors_of_sine(int spans, const batten_curve_interpolate_options *ho
     options.parameters = BATTEN_GIVEN;
     options.given = t;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(1, spans + 1, y, &options, NULL, &curve));
+    CHECK_OK(
+        batten_curve_interpolate((batten_points){1, spans + 1, y}, &options, NULL, &curve));
     out[0] = out[1] = out[2] = 0;
     for (int i = 0; i <= 24 * spans; i++) {
         const double x = 2.0 * i / (24 * spans);
@@ -262,7 +264,8 @@ static double spiral_error(batten_parametrization kind, int spans)
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = kind;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(2, spans + 1, points, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, spans + 1, points}, &options, NULL,
+                                      &curve));
     const batten_interval domain = batten_curve_domain(curve);
     for (int i = 0; i <= 4000; i++) {
         double at[2];
@@ -301,7 +304,7 @@ TEST(a_periodic_sine_through_16_points_has_no_seam)
     batten_curve_interpolate_options options = given(t);
     options.closed = true;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(1, 16, y, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, 16, y}, &options, NULL, &curve));
     const batten_interval domain = batten_curve_domain(curve);
     derivatives(curve, domain.b, BATTEN_FROM_LEFT, left);
     derivatives(curve, domain.a, BATTEN_FROM_RIGHT, right);
@@ -327,8 +330,8 @@ static double map_error(batten_parametrization kind, const double *a, const doub
     options.parameters = kind;
     options.given = t;
     batten_curve *before = NULL, *after = NULL;
-    CHECK_OK(batten_curve_interpolate(2, N, points, &options, u, &before));
-    CHECK_OK(batten_curve_interpolate(2, N, image, &options, NULL, &after));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, N, points}, &options, u, &before));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, N, image}, &options, NULL, &after));
     const batten_interval from = batten_curve_domain(before), to = batten_curve_domain(after);
     for (int i = 0; i <= 200; i++) {
         double p[2], q[2];

@@ -25,7 +25,7 @@ static batten_curve *spline_of(int degree, bool knots_at_data, batten_end_kind e
     options.parameters = BATTEN_GIVEN;
     options.given = x;
     options.start.kind = options.end.kind = ends;
-    CHECK_OK(batten_curve_interpolate(1, count, y, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, count, y}, &options, NULL, &curve));
     return curve;
 }
 
@@ -163,7 +163,8 @@ TEST(gsls_periodic_cubic_spline_is_reproduced)
     options.given = one.x;
     options.closed = true;
     CHECK_NEAR(one.y[0], one.y[one.count - 1], 1e-15);
-    CHECK_OK(batten_curve_interpolate(1, one.count - 1, one.y, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, one.count - 1, one.y}, &options, NULL,
+                                      &curve));
     gsl_check(&one, curve, 1e-13);
 }
 
@@ -174,7 +175,8 @@ TEST(gsls_linear_and_polynomial_interpolants_are_reproduced)
     batten_curve_catmull_rom_options polygon = batten_curve_catmull_rom_defaults();
     batten_curve *curve = NULL;
     polygon.blend = 1, polygon.local = 0, polygon.given = one.x;
-    CHECK_OK(batten_curve_catmull_rom(1, one.count, one.y, &polygon, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_catmull_rom((batten_points){1, one.count, one.y}, &polygon, NULL,
+                                      NULL, &curve));
     gsl_check(&one, curve, 1e-15);
     gsl_check(&one, spline_of(1, false, BATTEN_END_NATURAL, one.count, one.x, one.y), 1e-15);
     gsl_read("polynomial", &one);
@@ -195,7 +197,9 @@ static void check_feet(const char *expected, int order, const batten_curve *curv
         char key[96];
         double wanted[3], foot[3];
         batten_deviation found;
-        CHECK_OK(batten_curve_deviation(curve, 1, points[i], NULL, NULL, NULL, &found));
+        CHECK_OK(batten_curve_deviation(
+            curve, (batten_points){batten_curve_dimension(curve), 1, points[i]}, NULL, NULL,
+            NULL, &found));
         CHECK_OK(batten_curve_evaluate(curve, found.at[0], 0, foot));
         snprintf(key, sizeof key,
                  "interpolation test k=%d projection test for point %d solution", order, i);
@@ -228,7 +232,8 @@ TEST(pysplines_interpolants_of_a_helix_are_reproduced)
         options.knots_at_data = order == 4;
         options.parameters = BATTEN_GIVEN;
         options.given = t;
-        CHECK_OK(batten_curve_interpolate(3, 100, points[0], &options, NULL, &curve));
+        CHECK_OK(batten_curve_interpolate((batten_points){3, 100, points[0]}, &options, NULL,
+                                          &curve));
         for (int i = 0; i < COUNT(places); i++)
             for (int k = 0; k < 3; k++) {
                 char key[96];
@@ -260,7 +265,8 @@ TEST(a_tool_path_of_four_points_is_monotone_where_it_is_promised)
         batten_curve *curve = NULL;
         double least = 0;
         CHECK_OK(batten_slopes(count, x, y, (batten_slope_rule)r, slopes));
-        CHECK_OK(batten_curve_from_tangents(1, count, y, x, slopes, NULL, false, &curve));
+        CHECK_OK(batten_curve_from_tangents((batten_points){1, count, y}, x, slopes, NULL,
+                                            false, &curve));
         for (int i = 0; i <= 500; i++)
             least = fmin(least, value(curve, x[0] + (x[3] - x[0]) * i / 500, 1));
         const bool promised = r == BATTEN_SLOPE_FRITSCH_CARLSON ||

@@ -6,7 +6,7 @@ static batten_curve *through(int d, int n, const double *points,
                              const batten_curve_weighted_options *o)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_weighted(d, n, points, o, NULL, &curve));
+    CHECK_OK(batten_curve_weighted((batten_points){d, n, points}, o, NULL, &curve));
     return curve;
 }
 
@@ -45,7 +45,7 @@ TEST(a_weighted_spline_obeys_its_law_at_every_point)
         o.start = (batten_end){kind(c), {1, 2, 3}};
         o.end = (batten_end){kind(c / 5), {-1, 2, 0}};
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_weighted(d, n, points, &o, parameters, &curve));
+        CHECK_OK(batten_curve_weighted((batten_points){d, n, points}, &o, parameters, &curve));
         const int spans = n - !o.closed;
         const double mean = (x[spans] - x[0]) / spans;
         for (int i = 0; i < n; i++) {
@@ -105,7 +105,7 @@ TEST(closed_weighted_splines_are_periodic_however_tight)
         o.nu = nus[c];
         double u[4], p[2], q[2];
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_weighted(2, 4, points, &o, u, &curve));
+        CHECK_OK(batten_curve_weighted((batten_points){2, 4, points}, &o, u, &curve));
         CHECK(batten_curve_is_periodic(curve));
         const batten_interval domain = batten_curve_domain(curve);
         for (int i = 0; i < 4; i++) {
@@ -131,7 +131,7 @@ TEST(without_nu_and_weights_it_is_the_cubic_spline)
         cubic.start = o.start = (batten_end){kind(c), {1, 2}};
         cubic.end = o.end = (batten_end){kind(c / 2), {0, 1}};
         batten_curve *a = through(2, 6, points, &o), *b = NULL;
-        CHECK_OK(batten_curve_interpolate(2, 6, points, &cubic, NULL, &b));
+        CHECK_OK(batten_curve_interpolate((batten_points){2, 6, points}, &cubic, NULL, &b));
         const double end = batten_curve_domain(a).b;
         for (int i = 0; i <= 60; i++) {
             double p[2], q[2];
@@ -202,7 +202,7 @@ TEST(a_nu_spline_has_continuous_curvature)
     o.nus = nus;
     double parameters[6];
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_weighted(2, 6, points, &o, parameters, &curve));
+    CHECK_OK(batten_curve_weighted((batten_points){2, 6, points}, &o, parameters, &curve));
     for (int i = 1; i < 5; i++) {
         double p[6], q[6];
         side(curve, parameters[i], BATTEN_FROM_LEFT, p);
@@ -220,7 +220,7 @@ TEST(a_large_nu_makes_a_corner_and_large_ones_the_polygon)
     double parameters[4], p[4];
     o.nus = one;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_weighted(2, 4, points, &o, parameters, &curve));
+    CHECK_OK(batten_curve_weighted((batten_points){2, 4, points}, &o, parameters, &curve));
     CHECK_OK(batten_curve_evaluate(curve, parameters[1], 1, p));
     CHECK_NEAR(hypot(p[2], p[3]), 0, 1e-8);
     batten_curve_unref(curve);
@@ -248,14 +248,16 @@ TEST(negative_nu_are_taken_while_there_is_a_least)
     batten_curve *curve = through(1, 3, y, &o), *none = NULL;
     batten_curve_unref(curve);
     o.nu = -6.01;
-    CHECK_STATUS(batten_curve_weighted(1, 3, y, &o, NULL, &none), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_weighted((batten_points){1, 3, y}, &o, NULL, &none),
+                 BATTEN_SINGULAR_SYSTEM);
     CHECK_MESSAGE("negative nu");
     /* Closed: the eigenvalues are 6 and 3 twice, with nu / 2 more. */
     o.closed = true;
     o.nu = -5.99;
     batten_curve_unref(through(1, 3, y, &o));
     o.nu = -6.01;
-    CHECK_STATUS(batten_curve_weighted(1, 3, y, &o, NULL, &none), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_weighted((batten_points){1, 3, y}, &o, NULL, &none),
+                 BATTEN_SINGULAR_SYSTEM);
     CHECK(none == NULL);
 }
 
@@ -325,9 +327,11 @@ TEST(g2_few_points_give_the_least_weighted_spline)
         batten_curve_unref(line);
     }
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_weighted(2, 1, points, &o, NULL, &none), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_weighted((batten_points){2, 1, points}, &o, NULL, &none),
+                 BATTEN_TOO_FEW_POINTS);
     o.closed = true;
-    CHECK_STATUS(batten_curve_weighted(2, 2, points, &o, NULL, &none), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_weighted((batten_points){2, 2, points}, &o, NULL, &none),
+                 BATTEN_TOO_FEW_POINTS);
     batten_curve_unref(through(2, 3, points, &o));
 }
 
@@ -335,7 +339,8 @@ TEST(g1_coincident_points_are_named_by_weighted_splines)
 {
     const double points[] = {0, 0, 1, 2, 1, 2};
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_weighted(2, 3, points, NULL, NULL, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_weighted((batten_points){2, 3, points}, NULL, NULL, &none),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("1");
 }
 
@@ -345,17 +350,21 @@ TEST(n1_weighted_splines_refuse_what_is_not_finite)
                  nus[] = {0, NAN, 1}, weights[] = {1, 0};
     batten_curve *none = NULL;
     batten_curve_weighted_options o = batten_curve_weighted_defaults();
-    CHECK_STATUS(batten_curve_weighted(2, 3, bad, &o, NULL, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_weighted((batten_points){2, 3, bad}, &o, NULL, &none),
+                 BATTEN_NOT_FINITE);
     o.nus = nus;
-    CHECK_STATUS(batten_curve_weighted(2, 3, points, &o, NULL, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_weighted((batten_points){2, 3, points}, &o, NULL, &none),
+                 BATTEN_NOT_FINITE);
     CHECK_MESSAGE("point 1");
     o.nus = NULL;
     o.weights = weights;
-    CHECK_STATUS(batten_curve_weighted(2, 3, points, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_weighted((batten_points){2, 3, points}, &o, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("span 1");
     o.weights = NULL;
     o.end.kind = BATTEN_END_FAIR;
-    CHECK_STATUS(batten_curve_weighted(2, 3, points, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_weighted((batten_points){2, 3, points}, &o, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("end");
     CHECK(none == NULL);
 }

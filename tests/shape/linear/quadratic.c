@@ -6,7 +6,7 @@ static batten_curve *through(int d, int n, const double *points,
                              const batten_curve_quadratic_options *o)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_quadratic(d, n, points, o, NULL, &curve));
+    CHECK_OK(batten_curve_quadratic((batten_points){d, n, points}, o, NULL, &curve));
     return curve;
 }
 
@@ -44,7 +44,7 @@ TEST(quadratic_splines_pass_their_points_with_one_tangent)
             points[i] = test_random_in(&random, -2, 2);
         const batten_curve_quadratic_options o = kind(c % 3, t);
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_quadratic(d, N, points, &o, parameters, &curve));
+        CHECK_OK(batten_curve_quadratic((batten_points){d, N, points}, &o, parameters, &curve));
         CHECK_INT(batten_curve_degree(curve), 2);
         CHECK(memcmp(parameters, t, sizeof t) == 0);
         for (int i = 0; i < N; i++) {
@@ -135,7 +135,7 @@ TEST(the_uniform_quadratic_spline_is_the_system_1_6_1)
     o.kind = BATTEN_QUADRATIC_MIDPOINTS;
     double parameters[6], s[5];
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_quadratic(1, 6, points, &o, parameters, &curve));
+    CHECK_OK(batten_curve_quadratic((batten_points){1, 6, points}, &o, parameters, &curve));
     CHECK_NEAR(parameters[1], 0.5, 0);
     CHECK_NEAR(parameters[5], 4, 0);
     for (int i = 0; i < 5; i++)
@@ -226,10 +226,10 @@ TEST(g2_few_points_give_the_least_quadratic_spline)
     for (int which = 0; which < 3; which++) {
         o.kind = (batten_quadratic_kind)which;
         double p[4];
-        CHECK_STATUS(batten_curve_quadratic(2, 1, points, &o, NULL, &none),
+        CHECK_STATUS(batten_curve_quadratic((batten_points){2, 1, points}, &o, NULL, &none),
                      BATTEN_TOO_FEW_POINTS);
         if (which == BATTEN_QUADRATIC_MIDPOINTS) {
-            CHECK_STATUS(batten_curve_quadratic(2, 2, points, &o, NULL, &none),
+            CHECK_STATUS(batten_curve_quadratic((batten_points){2, 2, points}, &o, NULL, &none),
                          BATTEN_TOO_FEW_POINTS);
         } else {
             batten_curve *line = through(2, 2, points, &o);
@@ -254,9 +254,11 @@ TEST(g1_coincident_points_are_named_by_quadratic_splines)
     const double points[] = {0, 0, 1, 2, 1, 2, 3, 3};
     batten_curve_quadratic_options o = batten_curve_quadratic_defaults();
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_quadratic(2, 4, points, &o, NULL, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_quadratic((batten_points){2, 4, points}, &o, NULL, &none),
+                 BATTEN_COINCIDENT);
     o.kind = BATTEN_QUADRATIC_SEQUENTIAL;
-    CHECK_STATUS(batten_curve_quadratic(2, 4, points, &o, NULL, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_quadratic((batten_points){2, 4, points}, &o, NULL, &none),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("1");
     CHECK(none == NULL);
 }
@@ -267,17 +269,21 @@ TEST(n1_quadratic_splines_refuse_what_is_not_finite)
     batten_curve *none = NULL;
     for (int which = 0; which < 3; which++) {
         batten_curve_quadratic_options o = kind(which, t);
-        CHECK_STATUS(batten_curve_quadratic(1, 4, points, &o, NULL, &none), BATTEN_NOT_FINITE);
+        CHECK_STATUS(batten_curve_quadratic((batten_points){1, 4, points}, &o, NULL, &none),
+                     BATTEN_NOT_FINITE);
         o.parameters = BATTEN_UNIFORM;
-        CHECK_STATUS(batten_curve_quadratic(1, 4, bad, &o, NULL, &none), BATTEN_NOT_FINITE);
+        CHECK_STATUS(batten_curve_quadratic((batten_points){1, 4, bad}, &o, NULL, &none),
+                     BATTEN_NOT_FINITE);
     }
     batten_curve_quadratic_options o = kind(BATTEN_QUADRATIC_SEQUENTIAL, t);
     o.parameters = BATTEN_UNIFORM;
     o.slope = BATTEN_QUADRATIC_AT_END;
     o.vector[0] = INFINITY;
-    CHECK_STATUS(batten_curve_quadratic(1, 4, points, &o, NULL, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_quadratic((batten_points){1, 4, points}, &o, NULL, &none),
+                 BATTEN_NOT_FINITE);
     o.kind = (batten_quadratic_kind)7;
-    CHECK_STATUS(batten_curve_quadratic(1, 4, points, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_quadratic((batten_points){1, 4, points}, &o, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
     CHECK(none == NULL);
 }
 
@@ -286,10 +292,12 @@ TEST(g9_parameters_that_are_no_mid_points_are_refused)
     const double y[] = {0, 1, 2, 3}, early[] = {0, 1, 1.5, 3}, late[] = {0, 1, 3, 5};
     batten_curve_quadratic_options o = kind(BATTEN_QUADRATIC_MIDPOINTS, early);
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_quadratic(1, 4, y, &o, NULL, &none), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_curve_quadratic((batten_points){1, 4, y}, &o, NULL, &none),
+                 BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("knot 2 would be 1");
     o.given = late;
-    CHECK_STATUS(batten_curve_quadratic(1, 4, y, &o, NULL, &none), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_curve_quadratic((batten_points){1, 4, y}, &o, NULL, &none),
+                 BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("the knots end at 4, not 5");
     CHECK(none == NULL);
 }

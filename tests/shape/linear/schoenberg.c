@@ -42,7 +42,8 @@ TEST(schoenbergs_spline_keeps_lines_and_ends)
             const batten_curve_schoenberg_options options = given(t, degree);
             batten_curve_schoenberg_report report;
             batten_curve *curve = NULL;
-            CHECK_OK(batten_curve_schoenberg(1, n, y, &options, NULL, &report, &curve));
+            CHECK_OK(batten_curve_schoenberg((batten_points){1, n, y}, &options, NULL, &report,
+                                             &curve));
             CHECK(report.error < 1e-13);
             CHECK_INT(batten_curve_degree(curve), degree < n ? degree : n - 1);
             CHECK_BITS(at(curve, t[0]), y[0]);
@@ -76,7 +77,8 @@ TEST(schoenbergs_spline_crosses_no_line_more_often_than_the_polyline)
         options.degree = 1 + c % 6;
         options.bernstein = c % 7 == 0;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_schoenberg(2, n, q, &options, NULL, NULL, &curve));
+        CHECK_OK(
+            batten_curve_schoenberg((batten_points){2, n, q}, &options, NULL, NULL, &curve));
         const batten_interval domain = batten_curve_domain(curve);
         for (int l = 0; l < 20; l++) {
             const double a = test_random_in(&random, -1, 1), b = test_random_in(&random, -1, 1),
@@ -113,8 +115,8 @@ TEST(bernsteins_polynomials_of_an_exponential_are_known)
             knots[i] = i > n;
         batten_curve_schoenberg_report report;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_function_schoenberg(1, n, n + 1, knots, exponential, &rate, &report,
-                                            &curve));
+        CHECK_OK(batten_function_schoenberg(1, &(batten_axis){n, n + 1, knots, false},
+                                            exponential, &rate, &report, &curve));
         double most = 0;
         for (int i = 0; i <= 8; i++) {
             const double x = i / 8.0, known = pow(1 + expm1(rate / n) * x, n);
@@ -137,8 +139,8 @@ TEST(schoenbergs_spline_of_a_convex_function_is_convex)
         }
         batten_curve *curve = NULL;
         batten_curve_schoenberg_report report;
-        CHECK_OK(batten_function_schoenberg(1, degree, n, knots, exponential, &rate, &report,
-                                            &curve));
+        CHECK_OK(batten_function_schoenberg(1, &(batten_axis){degree, n, knots, false},
+                                            exponential, &rate, &report, &curve));
         CHECK(report.error > 0 && report.error < 0.1);
         for (int i = 0; i <= 500; i++) {
             double p[3];
@@ -161,7 +163,8 @@ TEST(the_uniform_cubic_quasi_interpolant_has_the_known_weights)
     }
     const batten_curve_schoenberg_options options = given(t, 3);
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_quasi_interpolate(1, 20, y, &options, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_quasi_interpolate((batten_points){1, 20, y}, &options, NULL, NULL,
+                                            &curve));
     const double *c = batten_curve_points(curve);
     CHECK_INT(batten_curve_point_count(curve), 22);
     for (int i = 2; i < 18; i++) /* control point i + 1 stands over datum i */
@@ -185,7 +188,8 @@ TEST(quasi_interpolants_reproduce_polynomials_of_their_degree)
             }
             const batten_curve_schoenberg_options options = given(t, degree);
             batten_curve *curve = NULL;
-            CHECK_OK(batten_curve_quasi_interpolate(1, n, y, &options, NULL, NULL, &curve));
+            CHECK_OK(batten_curve_quasi_interpolate((batten_points){1, n, y}, &options, NULL,
+                                                    NULL, &curve));
             for (int i = 0; i <= 50; i++) {
                 const double u = t[0] + (t[n - 1] - t[0]) * i / 50, x = (u - middle) / half;
                 CHECK_NEAR(at(curve, u), 1 - x + pow(x, degree), 1e-9);
@@ -207,7 +211,8 @@ TEST(quasi_interpolants_have_full_order)
             }
             const batten_curve_schoenberg_options options = given(t, degree);
             batten_curve *curve = NULL;
-            CHECK_OK(batten_curve_quasi_interpolate(1, n, y, &options, NULL, NULL, &curve));
+            CHECK_OK(batten_curve_quasi_interpolate((batten_points){1, n, y}, &options, NULL,
+                                                    NULL, &curve));
             error[k] = 0;
             for (int i = 0; i <= 1000; i++)
                 error[k] = fmax(error[k], fabs(at(curve, 0.003 * i) - sin(0.006 * i)));
@@ -227,9 +232,11 @@ TEST(a_datum_bears_on_few_control_points)
             y[i] = test_random_in(&random, -1, 1);
         const batten_curve_schoenberg_options options = given(t, degree);
         batten_curve *before = NULL, *after = NULL;
-        CHECK_OK(batten_curve_quasi_interpolate(1, MANY, y, &options, NULL, NULL, &before));
+        CHECK_OK(batten_curve_quasi_interpolate((batten_points){1, MANY, y}, &options, NULL,
+                                                NULL, &before));
         y[20] += 1;
-        CHECK_OK(batten_curve_quasi_interpolate(1, MANY, y, &options, NULL, NULL, &after));
+        CHECK_OK(batten_curve_quasi_interpolate((batten_points){1, MANY, y}, &options, NULL,
+                                                NULL, &after));
         for (int i = 0; i < batten_curve_point_count(before); i++)
             if (i < 19 || i > 20 + degree)
                 CHECK_BITS(batten_curve_points(after)[i], batten_curve_points(before)[i]);
@@ -258,7 +265,7 @@ TEST(closed_operators_go_on_over_the_seam)
                 batten_curve_schoenberg_report report;
                 batten_curve *curve = NULL;
                 CHECK_OK((how == 0 ? batten_curve_schoenberg : batten_curve_quasi_interpolate)(
-                    2, n, q, &options, NULL, &report, &curve));
+                    (batten_points){2, n, q}, &options, NULL, &report, &curve));
                 CHECK(batten_curve_is_periodic(curve));
                 /* A regular polygon gives control points on a circle. */
                 const double *c = batten_curve_points(curve);
@@ -287,12 +294,12 @@ TEST(G10_reversed_points_give_the_reversed_operators)
             const batten_curve_schoenberg_options one = given(t, degree),
                                                   other = given(back, degree);
             batten_curve *a = NULL, *b = NULL;
-            batten_status (*const make)(int, int, const double *,
-                                        const batten_curve_schoenberg_options *, double *,
-                                        batten_curve_schoenberg_report *, batten_curve **) =
+            batten_status (*const make)(batten_points, const batten_curve_schoenberg_options *,
+                                        double *, batten_curve_schoenberg_report *,
+                                        batten_curve **) =
                 how == 0 ? batten_curve_schoenberg : batten_curve_quasi_interpolate;
-            CHECK_OK(make(2, 12, q, &one, NULL, NULL, &a));
-            CHECK_OK(make(2, 12, p, &other, NULL, NULL, &b));
+            CHECK_OK(make((batten_points){2, 12, q}, &one, NULL, NULL, &a));
+            CHECK_OK(make((batten_points){2, 12, p}, &other, NULL, NULL, &b));
             const int n = batten_curve_point_count(a);
             for (int i = 0; i < n; i++)
                 for (int k = 0; k < 2; k++)
@@ -322,9 +329,9 @@ TEST(splines_on_the_knots_are_reproduced_by_de_boor_and_fix)
         batten_curve *curve = test_curve(&random, &wish), *same = NULL;
         const int d = batten_curve_dimension(curve), n = batten_curve_point_count(curve);
         batten_curve_schoenberg_report report;
-        CHECK_OK(batten_function_de_boor_fix(d, batten_curve_degree(curve), n,
-                                             batten_curve_knots(curve), of_curve, curve,
-                                             &report, &same));
+        CHECK_OK(batten_function_de_boor_fix(
+            d, &(batten_axis){batten_curve_degree(curve), n, batten_curve_knots(curve), false},
+            of_curve, curve, &report, &same));
         const double size = test_curve_size(curve);
         CHECK(report.error < 1e-9 * size);
         for (int i = 0; i < n * d; i++)
@@ -348,8 +355,9 @@ TEST(de_boor_and_fix_meet_an_exponential_with_full_order)
                            spans;
             batten_curve_schoenberg_report report;
             batten_curve *curve = NULL;
-            CHECK_OK(batten_function_de_boor_fix(1, degree, spans + degree, knots, exponential,
-                                                 &rate, &report, &curve));
+            CHECK_OK(batten_function_de_boor_fix(
+                1, &(batten_axis){degree, spans + degree, knots, false}, exponential, &rate,
+                &report, &curve));
             error[k] = report.error;
             batten_curve_unref(curve);
         }
@@ -376,23 +384,29 @@ TEST(K9_degrees_and_knots_of_operators_are_checked)
     batten_curve_schoenberg_options options = batten_curve_schoenberg_defaults();
     for (int k = 0; k < 2; k++) {
         options.degree = k * 26;
-        CHECK_STATUS(batten_curve_schoenberg(1, 6, y, &options, NULL, NULL, &curve),
-                     BATTEN_BAD_DEGREE);
-        options.degree = k * 10;
-        CHECK_STATUS(batten_curve_quasi_interpolate(1, 6, y, &options, NULL, NULL, &curve),
-                     BATTEN_BAD_DEGREE);
         CHECK_STATUS(
-            batten_function_schoenberg(1, k * 26, 30, knots, exponential, &rate, NULL, &curve),
+            batten_curve_schoenberg((batten_points){1, 6, y}, &options, NULL, NULL, &curve),
             BATTEN_BAD_DEGREE);
+        options.degree = k * 10;
+        CHECK_STATUS(batten_curve_quasi_interpolate((batten_points){1, 6, y}, &options, NULL,
+                                                    NULL, &curve),
+                     BATTEN_BAD_DEGREE);
+        CHECK_STATUS(batten_function_schoenberg(1, &(batten_axis){k * 26, 30, knots, false},
+                                                exponential, &rate, NULL, &curve),
+                     BATTEN_BAD_DEGREE);
     }
-    CHECK_STATUS(batten_function_schoenberg(1, 3, 3, knots, exponential, &rate, NULL, &curve),
+    CHECK_STATUS(batten_function_schoenberg(1, &(batten_axis){3, 3, knots, false}, exponential,
+                                            &rate, NULL, &curve),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_function_schoenberg(1, 3, 4, falling, exponential, &rate, NULL, &curve),
+    CHECK_STATUS(batten_function_schoenberg(1, &(batten_axis){3, 4, falling, false},
+                                            exponential, &rate, NULL, &curve),
                  BATTEN_BAD_KNOTS);
-    CHECK_STATUS(batten_function_de_boor_fix(1, 3, 4, knots, fails, NULL, NULL, &curve),
+    CHECK_STATUS(batten_function_de_boor_fix(1, &(batten_axis){3, 4, knots, false}, fails, NULL,
+                                             NULL, &curve),
                  BATTEN_NOT_FINITE);
     CHECK_MESSAGE("the function is nan at");
-    CHECK_STATUS(batten_function_de_boor_fix(4, 3, 4, knots, fails, NULL, NULL, &curve),
+    CHECK_STATUS(batten_function_de_boor_fix(4, &(batten_axis){3, 4, knots, false}, fails, NULL,
+                                             NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK(curve == NULL);
 }
@@ -403,22 +417,29 @@ TEST(G1_data_of_operators_are_checked)
     const double bad[4] = {0, NAN, 1, 2};
     batten_curve *curve = NULL;
     batten_curve_schoenberg_options options = batten_curve_schoenberg_defaults();
-    CHECK_STATUS(batten_curve_schoenberg(2, 5, q, &options, NULL, NULL, &curve),
-                 BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_curve_schoenberg(2, 1, q, &options, NULL, NULL, &curve),
-                 BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_quasi_interpolate(2, 2, bad, &options, NULL, NULL, &curve),
+    CHECK_STATUS(
+        batten_curve_schoenberg((batten_points){2, 5, q}, &options, NULL, NULL, &curve),
+        BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_curve_schoenberg((batten_points){2, 1, q}, &options, NULL, NULL, &curve),
+        BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_quasi_interpolate((batten_points){2, 2, bad}, &options, NULL,
+                                                NULL, &curve),
                  BATTEN_NOT_FINITE);
     options.closed = true;
-    CHECK_STATUS(batten_curve_quasi_interpolate(2, 2, q, &options, NULL, NULL, &curve),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_curve_quasi_interpolate((batten_points){2, 2, q}, &options, NULL, NULL, &curve),
+        BATTEN_TOO_FEW_POINTS);
     options.bernstein = true;
-    CHECK_STATUS(batten_curve_schoenberg(2, 2, q, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_quasi_interpolate(2, 2, q, &options, NULL, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_schoenberg((batten_points){2, 2, q}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_quasi_interpolate((batten_points){2, 2, q}, &options, NULL, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
     options = given(t, 3);
-    CHECK_STATUS(batten_curve_quasi_interpolate(2, 5, q, &options, NULL, NULL, &curve),
-                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(
+        batten_curve_quasi_interpolate((batten_points){2, 5, q}, &options, NULL, NULL, &curve),
+        BATTEN_NOT_INCREASING);
     CHECK(curve == NULL);
 }

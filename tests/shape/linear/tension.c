@@ -9,7 +9,7 @@ static batten_chain *through(int d, int n, const double *points,
                              const batten_chain_tension_options *o)
 {
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_tension(d, n, points, o, NULL, &chain));
+    CHECK_OK(batten_chain_tension((batten_points){d, n, points}, o, NULL, &chain));
     return chain;
 }
 
@@ -75,7 +75,7 @@ TEST(a_spline_in_tension_goes_smoothly_through_its_points)
         o.start = (batten_end){kinds[c % 6], {1, -0.5, 2}};
         o.end = (batten_end){kinds[c / 6 % 6], {-1, 3, 0.25}};
         batten_chain *chain = NULL;
-        CHECK_OK(batten_chain_tension(d, n, points, &o, parameters, &chain));
+        CHECK_OK(batten_chain_tension((batten_points){d, n, points}, &o, parameters, &chain));
         CHECK(memcmp(parameters, x, (size_t)n * sizeof *x) == 0);
         for (int i = 0; i < n; i++) {
             double p[3];
@@ -114,7 +114,8 @@ TEST(the_ends_of_a_spline_in_tension_are_as_asked)
     CHECK_NEAR(last->bend[0][1], last->bend[1][1], 1e-14);
     batten_chain_unref(chain);
     o.start.kind = BATTEN_END_NOT_A_KNOT;
-    CHECK_STATUS(batten_chain_tension(2, 4, points, &o, NULL, &chain), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 4, points}, &o, NULL, &chain),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("start");
 }
 
@@ -136,7 +137,7 @@ TEST(without_tension_it_is_the_cubic_spline)
         o.end = cubic.end = (batten_end){kinds[c / 2 % 6], {0.25, 1}};
         batten_chain *chain = through(2, 9, points, &o);
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_interpolate(2, 9, points, &cubic, NULL, &curve));
+        CHECK_OK(batten_curve_interpolate((batten_points){2, 9, points}, &cubic, NULL, &curve));
         const batten_interval domain = batten_chain_domain(chain);
         for (int i = 0; i <= 100; i++) {
             double p[6], q[6];
@@ -241,9 +242,11 @@ TEST(g2_few_points_give_the_least_spline_in_tension)
         batten_chain_unref(line);
     }
     batten_chain *none = NULL;
-    CHECK_STATUS(batten_chain_tension(2, 1, points, &o, NULL, &none), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 1, points}, &o, NULL, &none),
+                 BATTEN_TOO_FEW_POINTS);
     o.closed = true;
-    CHECK_STATUS(batten_chain_tension(2, 2, points, &o, NULL, &none), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 2, points}, &o, NULL, &none),
+                 BATTEN_TOO_FEW_POINTS);
     batten_chain *three = through(2, 3, points, &o);
     check_smooth(three, 1e-13);
     batten_chain_unref(three);
@@ -253,7 +256,8 @@ TEST(g1_coincident_points_are_named_by_splines_in_tension)
 {
     const double points[] = {0, 0, 1, 2, 1, 2, 4, 4};
     batten_chain *none = NULL;
-    CHECK_STATUS(batten_chain_tension(2, 4, points, NULL, NULL, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 4, points}, NULL, NULL, &none),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("1");
     CHECK_MESSAGE("2");
     CHECK(none == NULL);
@@ -265,27 +269,35 @@ TEST(n1_splines_in_tension_refuse_what_is_not_finite)
                  tensions[] = {1, -1};
     batten_chain *none = NULL;
     batten_chain_tension_options o = batten_chain_tension_defaults();
-    CHECK_STATUS(batten_chain_tension(2, 3, points, &o, NULL, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 3, points}, &o, NULL, &none),
+                 BATTEN_NOT_FINITE);
     o.tension = NAN;
-    CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 3, good}, &o, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
     o.tensions = tensions;
-    CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 3, good}, &o, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("span 1");
     o = batten_chain_tension_defaults();
     o.slack = 0;
-    CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 3, good}, &o, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
     o = batten_chain_tension_defaults();
     o.start = (batten_end){BATTEN_END_CLAMPED, {1, INFINITY}};
-    CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 3, good}, &o, NULL, &none),
+                 BATTEN_NOT_FINITE);
     o = batten_chain_tension_defaults();
     o.parameters = BATTEN_GIVEN;
-    CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 3, good}, &o, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
     o.given = x;
-    CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 3, good}, &o, NULL, &none),
+                 BATTEN_NOT_INCREASING);
     o = batten_chain_tension_defaults();
     o.tension = 1e308;
     const double far[] = {0, 0, 1, 0, 3000, 0};
-    CHECK_STATUS(batten_chain_tension(2, 3, far, &o, NULL, &none), BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_chain_tension((batten_points){2, 3, far}, &o, NULL, &none),
+                 BATTEN_OVERFLOW);
     CHECK(none == NULL);
 }
 

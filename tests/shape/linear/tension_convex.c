@@ -62,7 +62,7 @@ static batten_chain *spline_of(const data *s)
     o.given = s->x;
     o.tensions = tensions;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_tension(1, N, s->y, &o, NULL, &chain));
+    CHECK_OK(batten_chain_tension((batten_points){1, N, s->y}, &o, NULL, &chain));
     return chain;
 }
 

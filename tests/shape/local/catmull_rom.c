@@ -72,7 +72,8 @@ static batten_curve *curve_of(int k, int m, int count, const double *t, const do
     options.blend = k - 1;
     options.local = m;
     options.given = t;
-    CHECK_OK(batten_curve_catmull_rom(1, count, p, &options, NULL, NULL, &curve));
+    CHECK_OK(
+        batten_curve_catmull_rom((batten_points){1, count, p}, &options, NULL, NULL, &curve));
     return curve;
 }
 
@@ -113,7 +114,8 @@ TEST(knots_stand_as_often_as_the_continuity_asks_for)
         batten_curve_catmull_rom_report report;
         batten_curve *curve = NULL;
         options.blend = k - 1, options.local = m, options.given = t;
-        CHECK_OK(batten_curve_catmull_rom(1, 20, p, &options, NULL, &report, &curve));
+        CHECK_OK(batten_curve_catmull_rom((batten_points){1, 20, p}, &options, NULL, &report,
+                                          &curve));
         CHECK_INT(report.continuity, r);
         CHECK(report.through == (m >= k - 2));
         CHECK_OK(batten_curve_evaluate_side(curve, t[9], BATTEN_FROM_LEFT, r + 1, left));
@@ -155,7 +157,8 @@ TEST(equal_steps_give_the_matrix_of_catmull_and_rom)
     batten_curve_catmull_rom_options options = batten_curve_catmull_rom_defaults();
     options.alpha = 0;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_catmull_rom(2, 5, points[0], &options, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_catmull_rom((batten_points){2, 5, points[0]}, &options, NULL, NULL,
+                                      &curve));
     CHECK_INT(batten_curve_point_count(curve), 10);
     for (int i = 1; i < 3; i++)
         for (int j = 0; j <= 8; j++) {
@@ -271,7 +274,8 @@ TEST(phantoms_are_points_given_beyond_the_ends)
             options.blend = 3, options.local = 3, options.given = t + G;
             options.phantoms = (batten_phantoms)kind;
             batten_curve *curve = NULL;
-            CHECK_OK(batten_curve_catmull_rom(1, N, p + G, &options, NULL, NULL, &curve));
+            CHECK_OK(batten_curve_catmull_rom((batten_points){1, N, p + G}, &options, NULL,
+                                              NULL, &curve));
             const sequence row = {N + 2 * G, t, p};
             for (int i = 0; i < 60; i++) {
                 const double u = test_random_in(&random, t[G], t[G + N - 1]);
@@ -291,14 +295,16 @@ TEST(a_closed_curve_is_that_of_the_points_again_and_again)
         batten_curve *closed = NULL, *open = NULL;
         options.blend = members[q][0] - 1, options.local = members[q][1];
         options.closed = true;
-        CHECK_OK(batten_curve_catmull_rom(2, N, ring[0], &options, t, NULL, &closed));
+        CHECK_OK(batten_curve_catmull_rom((batten_points){2, N, ring[0]}, &options, t, NULL,
+                                          &closed));
         CHECK(batten_curve_is_periodic(closed));
         for (int i = 0; i < N * TURNS; i++) {
             memcpy(rows[i], ring[i % N], sizeof rows[i]);
             again[i] = t[i % N] + i / N * t[N];
         }
         options.closed = false, options.given = again;
-        CHECK_OK(batten_curve_catmull_rom(2, N * TURNS, rows[0], &options, NULL, NULL, &open));
+        CHECK_OK(batten_curve_catmull_rom((batten_points){2, N * TURNS, rows[0]}, &options,
+                                          NULL, NULL, &open));
         for (int i = 0; i <= 100; i++) {
             const double u = t[N] * i / 100;
             CHECK_OK(batten_curve_evaluate(closed, u, 0, out));
@@ -320,7 +326,8 @@ TEST(a_closed_curve_keeps_the_parameters_it_is_given)
     double back[5];
     options.given = t;
     options.closed = true;
-    CHECK_OK(batten_curve_catmull_rom(2, 4, ring[0], &options, back, NULL, &curve));
+    CHECK_OK(
+        batten_curve_catmull_rom((batten_points){2, 4, ring[0]}, &options, back, NULL, &curve));
     for (int i = 0; i < 5; i++)
         CHECK_BITS(back[i], t[i]);
     CHECK_BITS(batten_curve_domain(curve).a, t[0]);
@@ -336,7 +343,8 @@ static int loops(double alpha, int count, const double *points)
     batten_curve *curve = NULL, *bezier = NULL;
     int found = 0;
     options.alpha = alpha;
-    CHECK_OK(batten_curve_catmull_rom(2, count, points, &options, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_catmull_rom((batten_points){2, count, points}, &options, NULL, NULL,
+                                      &curve));
     CHECK_OK(batten_curve_to_bezier(curve, &bezier));
     for (int i = 0; i + 1 < count; i++) {
         batten_cubic cubic;
@@ -383,8 +391,10 @@ TEST(curves_of_the_class_go_along_with_similarities)
         batten_curve *one = NULL, *other = NULL;
         double end[2];
         options.alpha = alphas[a];
-        CHECK_OK(batten_curve_catmull_rom(2, 5, points[0], &options, NULL, NULL, &one));
-        CHECK_OK(batten_curve_catmull_rom(2, 5, moved[0], &options, NULL, NULL, &other));
+        CHECK_OK(batten_curve_catmull_rom((batten_points){2, 5, points[0]}, &options, NULL,
+                                          NULL, &one));
+        CHECK_OK(batten_curve_catmull_rom((batten_points){2, 5, moved[0]}, &options, NULL, NULL,
+                                          &other));
         end[0] = batten_curve_domain(one).b, end[1] = batten_curve_domain(other).b;
         CHECK_NEAR(end[1], end[0] * pow(5, alphas[a]), 1e-13 * end[1]);
         for (int i = 0; i <= 50; i++) {
@@ -412,8 +422,10 @@ TEST(g10_reversed_points_give_the_reversed_curve)
         batten_curve_catmull_rom_options options = batten_curve_catmull_rom_defaults();
         batten_curve *there = NULL, *back = NULL;
         options.blend = members[q][0] - 1, options.local = members[q][1];
-        CHECK_OK(batten_curve_catmull_rom(3, 9, points[0], &options, NULL, NULL, &there));
-        CHECK_OK(batten_curve_catmull_rom(3, 9, reversed[0], &options, NULL, NULL, &back));
+        CHECK_OK(batten_curve_catmull_rom((batten_points){3, 9, points[0]}, &options, NULL,
+                                          NULL, &there));
+        CHECK_OK(batten_curve_catmull_rom((batten_points){3, 9, reversed[0]}, &options, NULL,
+                                          NULL, &back));
         const double end = batten_curve_domain(there).b;
         for (int i = 0; i <= 100; i++) {
             double x[3], y[3];
@@ -438,8 +450,8 @@ TEST(g2_two_points_give_the_line_and_points_in_line_too)
             batten_curve_catmull_rom_options options = batten_curve_catmull_rom_defaults();
             batten_curve *curve = NULL;
             options.blend = members[q][0] - 1, options.local = members[q][1];
-            CHECK_OK(
-                batten_curve_catmull_rom(2, count, points[0], &options, NULL, NULL, &curve));
+            CHECK_OK(batten_curve_catmull_rom((batten_points){2, count, points[0]}, &options,
+                                              NULL, NULL, &curve));
             for (int i = 0; i <= 20; i++) {
                 double at[2];
                 CHECK_OK(
@@ -455,12 +467,14 @@ TEST(g1_coincident_neighbours_are_refused_but_for_equal_steps)
     static const double points[][2] = {{0, 0}, {1, 1}, {1, 1}, {2, 0}};
     batten_curve_catmull_rom_options options = batten_curve_catmull_rom_defaults();
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_catmull_rom(2, 4, points[0], NULL, NULL, NULL, &curve),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_curve_catmull_rom((batten_points){2, 4, points[0]}, NULL, NULL, NULL, &curve),
+        BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2 coincide");
     CHECK(curve == NULL);
     options.alpha = 0;
-    CHECK_OK(batten_curve_catmull_rom(2, 4, points[0], &options, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_catmull_rom((batten_points){2, 4, points[0]}, &options, NULL, NULL,
+                                      &curve));
     batten_curve_unref(curve);
 }
 
@@ -488,15 +502,16 @@ TEST(k9_s1_degrees_and_counts_beyond_the_limits_are_refused)
         batten_curve *curve = NULL;
         options.blend = rows[i].blend, options.local = rows[i].local;
         options.alpha = rows[i].alpha;
-        CHECK_STATUS(
-            batten_curve_catmull_rom(2, rows[i].count, points[0], &options, NULL, NULL, &curve),
-            rows[i].status);
+        CHECK_STATUS(batten_curve_catmull_rom((batten_points){2, rows[i].count, points[0]},
+                                              &options, NULL, NULL, &curve),
+                     rows[i].status);
         CHECK_MESSAGE(rows[i].says);
     }
     batten_curve_catmull_rom_options largest = batten_curve_catmull_rom_defaults();
     batten_curve *curve = NULL;
     largest.blend = 20, largest.local = 5;
-    CHECK_OK(batten_curve_catmull_rom(2, 4, points[0], &largest, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_catmull_rom((batten_points){2, 4, points[0]}, &largest, NULL, NULL,
+                                      &curve));
     CHECK_INT(batten_curve_degree(curve), 25);
     batten_curve_unref(curve);
 }
@@ -506,15 +521,18 @@ TEST(n1_n2_bad_numbers_are_refused_and_large_ones_do_no_harm)
     double points[][2] = {{0, 0}, {1, NAN}, {2, 0}, {3, 1}}, t[] = {0, 1, 1, 2};
     batten_curve_catmull_rom_options options = batten_curve_catmull_rom_defaults();
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_catmull_rom(2, 4, points[0], NULL, NULL, NULL, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_catmull_rom((batten_points){2, 4, points[0]}, NULL, NULL, NULL, &curve),
+        BATTEN_NOT_FINITE);
     CHECK_MESSAGE("point 1");
     points[1][1] = 1;
     options.given = t;
-    CHECK_STATUS(batten_curve_catmull_rom(2, 4, points[0], &options, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_catmull_rom((batten_points){2, 4, points[0]}, &options, NULL,
+                                          NULL, &curve),
                  BATTEN_NOT_INCREASING);
     options.given = NULL, options.phantoms = (batten_phantoms)3;
-    CHECK_STATUS(batten_curve_catmull_rom(2, 4, points[0], &options, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_catmull_rom((batten_points){2, 4, points[0]}, &options, NULL,
+                                          NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     const double scales[] = {1e-150, 1e-9, 1e9, 1e150};
     for (int s = 0; s < COUNT(scales); s++) {
@@ -522,15 +540,17 @@ TEST(n1_n2_bad_numbers_are_refused_and_large_ones_do_no_harm)
         for (int i = 0; i < 4; i++)
             for (int c = 0; c < 2; c++)
                 scaled[i][c] = scales[s] * points[i][c];
-        CHECK_OK(batten_curve_catmull_rom(2, 4, scaled[0], NULL, NULL, NULL, &curve));
+        CHECK_OK(batten_curve_catmull_rom((batten_points){2, 4, scaled[0]}, NULL, NULL, NULL,
+                                          &curve));
         batten_curve_unref(curve);
     }
     const double far[] = {-1.7e308, 1.7e308, -1.7e308};
     options = batten_curve_catmull_rom_defaults();
     options.alpha = 0;
     curve = NULL;
-    CHECK_STATUS(batten_curve_catmull_rom(1, 3, far, &options, NULL, NULL, &curve),
-                 BATTEN_OVERFLOW);
+    CHECK_STATUS(
+        batten_curve_catmull_rom((batten_points){1, 3, far}, &options, NULL, NULL, &curve),
+        BATTEN_OVERFLOW);
     CHECK(curve == NULL);
 }
 

@@ -10,21 +10,22 @@ static batten_curve *spline(int count, const double *points, batten_parametrizat
     batten_curve *curve = NULL;
     o.parameters = kind;
     o.start.kind = o.end.kind = BATTEN_END_NATURAL;
-    CHECK_OK(batten_curve_interpolate(2, count, points, &o, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, count, points}, &o, NULL, &curve));
     return curve;
 }
 
 static int count_bad(const batten_curve *curve)
 {
-    batten_cubic *spans = NULL;
-    int count = 0, bad = 0;
-    CHECK_OK(batten_curve_classify(curve, 1e-9, &count, &spans));
-    for (int i = 0; i < count; i++)
-        bad += spans[i].segment == BATTEN_CUBIC_TWO_INFLECTIONS ||
-               spans[i].segment == BATTEN_CUBIC_LOOP || spans[i].segment == BATTEN_CUBIC_CUSP ||
-               (spans[i].segment == BATTEN_CUBIC_ONE_INFLECTION && spans[i].lambda > 0 &&
-                spans[i].mu > 0);
-    batten_release(spans);
+    batten_cubics spans = {0, NULL};
+    int bad = 0;
+    CHECK_OK(batten_curve_classify(curve, 1e-9, &spans));
+    for (int i = 0; i < spans.count; i++)
+        bad += spans.at[i].segment == BATTEN_CUBIC_TWO_INFLECTIONS ||
+               spans.at[i].segment == BATTEN_CUBIC_LOOP ||
+               spans.at[i].segment == BATTEN_CUBIC_CUSP ||
+               (spans.at[i].segment == BATTEN_CUBIC_ONE_INFLECTION && spans.at[i].lambda > 0 &&
+                spans.at[i].mu > 0);
+    batten_cubics_release(&spans);
     return bad;
 }
 
@@ -181,11 +182,11 @@ TEST(g9_what_cannot_be_corrected_is_named)
     const double breaks[2] = {0, 1};
     batten_curve *square = NULL, *far = NULL, *made = NULL;
     batten_curve_correct_tangents_report report;
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, points, NULL, breaks, &square));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, points, NULL, &square));
     CHECK_OK(batten_curve_correct_tangents(square, NULL, NULL, &report, &made));
     CHECK_INT(report.incurable, 0); /* parallel tangents: plain */
     batten_curve_unref(made);
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, away, NULL, breaks, &far));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, away, NULL, &far));
     CHECK_OK(batten_curve_correct_tangents(far, NULL, NULL, &report, &made));
     CHECK_INT(report.corrected, 0);
     batten_curve_unref(made);

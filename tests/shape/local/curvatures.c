@@ -40,8 +40,9 @@ TEST(smooth_curves_are_met_with_order_six)
         ellipse(count, 0.2, 1.7, points, tangents, curvatures);
         batten_curve *curve = NULL;
         batten_curve_from_curvatures_report report;
-        CHECK_OK(batten_curve_from_curvatures(count, points, tangents, curvatures, false, NULL,
-                                              NULL, &report, &curve));
+        CHECK_OK(batten_curve_from_curvatures(
+            &(batten_curved_points){{2, count, points}, tangents, curvatures, false}, NULL,
+            NULL, &report, &curve));
         CHECK_INT(report.fallen_back, 0);
         CHECK(report.error < 1e-11);
         errors[r] = distance_from_ellipse(curve);
@@ -61,8 +62,9 @@ TEST(directions_and_curvatures_are_continuous_open_and_closed)
     for (int closed = 0; closed < 2; closed++) {
         batten_curve *curve = NULL;
         batten_curve_from_curvatures_report report;
-        CHECK_OK(batten_curve_from_curvatures(12, points, tangents, curvatures, closed, t,
-                                              solutions, &report, &curve));
+        CHECK_OK(batten_curve_from_curvatures(
+            &(batten_curved_points){{2, 12, points}, tangents, curvatures, closed}, t,
+            solutions, &report, &curve));
         CHECK_INT(report.fallen_back, 0);
         CHECK_INT(report.first_fallen_back, -1);
         for (int i = !closed; i < 11 + closed; i++)
@@ -86,8 +88,9 @@ TEST(a_span_without_solution_falls_back_and_is_named)
     int solutions[3];
     batten_curve_from_curvatures_report report;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_from_curvatures(4, points, tangents, curvatures, false, NULL,
-                                          solutions, &report, &curve));
+    CHECK_OK(batten_curve_from_curvatures(
+        &(batten_curved_points){{2, 4, points}, tangents, curvatures, false}, NULL, solutions,
+        &report, &curve));
     CHECK_INT(solutions[0], 1);
     CHECK_INT(solutions[1], 0);
     CHECK_INT(solutions[2], 0);
@@ -107,18 +110,21 @@ TEST(circle_curvatures_are_those_of_the_circle)
             points[2 * i + 1] = (c % 2 ? 2 : -2) * sin(angle);
             angle += test_random_in(&random, 0.1, 6.2 / count);
         }
-        CHECK_OK(batten_circle_curvatures(count, points, c % 3 == 0, curvatures));
+        CHECK_OK(batten_circle_curvatures((batten_points){2, count, points}, c % 3 == 0,
+                                          curvatures));
         for (int i = 0; i < count; i++)
             CHECK_NEAR(curvatures[i], c % 2 ? 0.5 : -0.5, 1e-12);
     }
     double two[2] = {1, 1};
     const double points[] = {0, 0, 1, 1};
-    CHECK_OK(batten_circle_curvatures(2, points, false, two));
+    CHECK_OK(batten_circle_curvatures((batten_points){2, 2, points}, false, two));
     CHECK_NEAR(two[0] + two[1], 0, 0);
-    CHECK_STATUS(batten_circle_curvatures(2, points, true, two), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_circle_curvatures((batten_points){2, 2, points}, true, two),
+                 BATTEN_TOO_FEW_POINTS);
     const double same[] = {0, 0, 0, 0, 1, 1};
     double three[3];
-    CHECK_STATUS(batten_circle_curvatures(3, same, false, three), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_circle_curvatures((batten_points){2, 3, same}, false, three),
+                 BATTEN_COINCIDENT);
 }
 
 TEST(n1_curvatures_and_tangents_that_cannot_be_are_refused)
@@ -127,18 +133,22 @@ TEST(n1_curvatures_and_tangents_that_cannot_be_are_refused)
     const double good[] = {1, 0, 1, 0, 1, 0}, k[] = {0, NAN, 0}, zero[] = {0, 0, 0};
     const double same[] = {0, 0, 0, 0, 2, 1};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_from_curvatures(3, points, tangents, zero, false, NULL, NULL,
-                                              NULL, &curve),
+    CHECK_STATUS(batten_curve_from_curvatures(
+                     &(batten_curved_points){{2, 3, points}, tangents, zero, false}, NULL, NULL,
+                     NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("tangent at point 1");
     CHECK_STATUS(
-        batten_curve_from_curvatures(3, points, good, k, false, NULL, NULL, NULL, &curve),
+        batten_curve_from_curvatures(&(batten_curved_points){{2, 3, points}, good, k, false},
+                                     NULL, NULL, NULL, &curve),
         BATTEN_NOT_FINITE);
     CHECK_STATUS(
-        batten_curve_from_curvatures(3, same, good, zero, false, NULL, NULL, NULL, &curve),
+        batten_curve_from_curvatures(&(batten_curved_points){{2, 3, same}, good, zero, false},
+                                     NULL, NULL, NULL, &curve),
         BATTEN_COINCIDENT);
     CHECK_STATUS(
-        batten_curve_from_curvatures(1, points, good, zero, false, NULL, NULL, NULL, &curve),
+        batten_curve_from_curvatures(&(batten_curved_points){{2, 1, points}, good, zero, false},
+                                     NULL, NULL, NULL, &curve),
         BATTEN_TOO_FEW_POINTS);
     CHECK(curve == NULL);
 }

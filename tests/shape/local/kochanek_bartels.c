@@ -9,10 +9,10 @@ static batten_curve *curve_of(const batten_tangents_kochanek_bartels_options *op
 {
     double t[N + 1], leaving[N][2], arriving[N][2];
     batten_curve *curve = NULL;
-    CHECK_OK(
-        batten_tangents_kochanek_bartels(2, N, points[0], options, t, leaving[0], arriving[0]));
-    CHECK_OK(batten_curve_from_tangents(2, N, points[0], t, leaving[0], arriving[0],
-                                        options->closed, &curve));
+    CHECK_OK(batten_tangents_kochanek_bartels((batten_points){2, N, points[0]}, options, t,
+                                              leaving[0], arriving[0]));
+    CHECK_OK(batten_curve_from_tangents((batten_points){2, N, points[0]}, t, leaving[0],
+                                        arriving[0], options->closed, &curve));
     return curve;
 }
 
@@ -30,7 +30,8 @@ TEST(zeros_give_the_curve_of_catmull_and_rom)
                 options.closed = cr.closed = closed;
                 options.phantoms = cr.phantoms = (batten_phantoms)kind;
                 batten_curve *curve = curve_of(&options);
-                CHECK_OK(batten_curve_catmull_rom(2, N, points[0], &cr, NULL, NULL, &expected));
+                CHECK_OK(batten_curve_catmull_rom((batten_points){2, N, points[0]}, &cr, NULL,
+                                                  NULL, &expected));
                 for (int i = 0; i <= 60; i++) {
                     const double u = batten_curve_domain(curve).b * i / 60;
                     double x[2], y[2];
@@ -54,8 +55,8 @@ TEST(equal_steps_give_the_tangents_of_the_paper)
     batten_tangents_kochanek_bartels_options options =
         batten_tangents_kochanek_bartels_defaults();
     options.tension = lists[0], options.continuity = lists[1], options.bias = lists[2];
-    CHECK_OK(batten_tangents_kochanek_bartels(2, N, points[0], &options, u, leaving[0],
-                                              arriving[0]));
+    CHECK_OK(batten_tangents_kochanek_bartels((batten_points){2, N, points[0]}, &options, u,
+                                              leaving[0], arriving[0]));
     for (int i = 1; i + 1 < N; i++)
         for (int k = 0; k < 2; k++) {
             const double before = points[i][k] - points[i - 1][k];
@@ -81,8 +82,8 @@ TEST(extremes_are_the_polygon_the_chords_and_halts)
         options.tension = which == 0 ? ones : NULL;
         options.continuity = which == 1 ? minus : NULL;
         options.bias = which == 2 ? ones : which == 3 ? minus : NULL;
-        CHECK_OK(batten_tangents_kochanek_bartels(2, N, points[0], &options, u, leaving[0],
-                                                  arriving[0]));
+        CHECK_OK(batten_tangents_kochanek_bartels((batten_points){2, N, points[0]}, &options, u,
+                                                  leaving[0], arriving[0]));
         for (int i = 1; i + 1 < N; i++)
             for (int k = 0; k < 2; k++) {
                 const double before = points[i][k] - points[i - 1][k];
@@ -123,8 +124,8 @@ TEST(tension_at_one_point_changes_its_two_spans_alone)
 TEST(g2_two_points_are_joined_by_their_chord)
 {
     double u[2], leaving[2][2], arriving[2][2];
-    CHECK_OK(
-        batten_tangents_kochanek_bartels(2, 2, points[0], NULL, u, leaving[0], arriving[0]));
+    CHECK_OK(batten_tangents_kochanek_bartels((batten_points){2, 2, points[0]}, NULL, u,
+                                              leaving[0], arriving[0]));
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++) {
             CHECK_NEAR(leaving[i][k], points[1][k] - points[0][k], 0);
@@ -142,8 +143,8 @@ TEST(n1_s1_bad_numbers_and_few_points_are_refused)
         *(which == 0   ? &options.tension
           : which == 1 ? &options.continuity
                        : &options.bias) = bad;
-        CHECK_STATUS(batten_tangents_kochanek_bartels(2, N, points[0], &options, u, leaving[0],
-                                                      arriving[0]),
+        CHECK_STATUS(batten_tangents_kochanek_bartels((batten_points){2, N, points[0]},
+                                                      &options, u, leaving[0], arriving[0]),
                      BATTEN_NOT_FINITE);
         CHECK_MESSAGE("at point 2 is inf");
         CHECK_BITS(u[0], 7);
@@ -151,13 +152,14 @@ TEST(n1_s1_bad_numbers_and_few_points_are_refused)
     batten_tangents_kochanek_bartels_options closed =
         batten_tangents_kochanek_bartels_defaults();
     closed.closed = true;
-    CHECK_STATUS(
-        batten_tangents_kochanek_bartels(2, 2, points[0], &closed, u, leaving[0], arriving[0]),
-        BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(
-        batten_tangents_kochanek_bartels(2, 1, points[0], NULL, u, leaving[0], arriving[0]),
-        BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_tangents_kochanek_bartels((batten_points){2, 2, points[0]}, &closed, u,
+                                                  leaving[0], arriving[0]),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_tangents_kochanek_bartels((batten_points){2, 1, points[0]}, NULL, u,
+                                                  leaving[0], arriving[0]),
+                 BATTEN_TOO_FEW_POINTS);
     const double far[] = {-1.7e308, 1.7e308, -1.7e308};
-    CHECK_STATUS(batten_tangents_kochanek_bartels(1, 3, far, NULL, u, leaving[0], arriving[0]),
+    CHECK_STATUS(batten_tangents_kochanek_bartels((batten_points){1, 3, far}, NULL, u,
+                                                  leaving[0], arriving[0]),
                  BATTEN_OVERFLOW);
 }

@@ -11,14 +11,15 @@ TEST(a_cubic_is_met_by_its_own_slopes_and_second_derivatives)
         y[i] = t[i] * t[i] * t[i] - 2 * t[i];
         slopes[i] = 3 * t[i] * t[i] - 2;
     }
-    CHECK_OK(batten_second_derivatives(1, 5, y, t, slopes, false, second));
+    CHECK_OK(batten_second_derivatives((batten_points){1, 5, y}, t, slopes, false, second));
     for (int i = 0; i < 5; i++) {
         CHECK_NEAR(second[i], 6 * t[i], 1e-12);
         const double row[3] = {y[i], slopes[i], second[i]};
         memcpy(values + 3 * i, row, sizeof row);
     }
     batten_curve *cubic = NULL, *quintic = NULL;
-    CHECK_OK(batten_curve_from_tangents(1, 5, y, t, slopes, NULL, false, &cubic));
+    CHECK_OK(
+        batten_curve_from_tangents((batten_points){1, 5, y}, t, slopes, NULL, false, &cubic));
     CHECK_OK(batten_curve_from_hermite(1, 5, 3, t, values, &quintic));
     for (int i = 0; i <= 60; i++) {
         const double u = -1 + 0.1 * i;
@@ -44,7 +45,8 @@ TEST(second_derivatives_of_a_closed_curve_go_round)
         tangents[2 * i] = -sin(t[i]);
         tangents[2 * i + 1] = cos(t[i]);
     }
-    CHECK_OK(batten_second_derivatives(2, 8, points, t, tangents, true, second));
+    CHECK_OK(
+        batten_second_derivatives((batten_points){2, 8, points}, t, tangents, true, second));
     for (int i = 0; i < 8; i++) {
         const double along =
             second[2 * i] * tangents[2 * i] + second[2 * i + 1] * tangents[2 * i + 1];
@@ -58,7 +60,8 @@ TEST(a_periodic_curve_may_have_one_or_two_points)
     const double t[] = {0, 1, 3}, points[] = {0, 0, 2, 1}, tangents[] = {1, -1, -1, 1};
     for (int count = 1; count <= 2; count++) {
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_from_tangents(2, count, points, t, tangents, NULL, true, &curve));
+        CHECK_OK(batten_curve_from_tangents((batten_points){2, count, points}, t, tangents,
+                                            NULL, true, &curve));
         for (int i = 0; i <= count; i++) {
             double out[4];
             CHECK_OK(batten_curve_evaluate(curve, t[i], 1, out));
@@ -77,24 +80,30 @@ TEST(n1_bad_tangents_and_parameters_are_refused)
     const double steep[] = {1e308, 1e308, 1e308}, wide[] = {0, 1e10, 2e10};
     batten_curve *curve = NULL;
     double second[3];
-    CHECK_STATUS(batten_curve_from_tangents(1, 3, y, t, y, NULL, false, &curve),
-                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(
+        batten_curve_from_tangents((batten_points){1, 3, y}, t, y, NULL, false, &curve),
+        BATTEN_NOT_INCREASING);
     CHECK_MESSAGE("parameter 2");
-    CHECK_STATUS(batten_curve_from_tangents(1, 3, y, good, bad, NULL, false, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_from_tangents((batten_points){1, 3, y}, good, bad, NULL, false, &curve),
+        BATTEN_NOT_FINITE);
     CHECK_MESSAGE("tangent 1");
-    CHECK_STATUS(batten_curve_from_tangents(1, 3, y, good, y, bad, false, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_from_tangents((batten_points){1, 3, y}, good, y, bad, false, &curve),
+        BATTEN_NOT_FINITE);
     CHECK_MESSAGE("arriving tangent 1");
-    CHECK_STATUS(batten_curve_from_tangents(1, 1, y, good, y, NULL, false, &curve),
-                 BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_from_tangents(1, 3, y, wide, steep, NULL, false, &curve),
-                 BATTEN_OVERFLOW);
-    CHECK_STATUS(batten_second_derivatives(1, 3, y, good, steep, false, second),
-                 BATTEN_OVERFLOW);
-    CHECK_STATUS(batten_second_derivatives(1, 3, y, good, bad, false, second),
+    CHECK_STATUS(
+        batten_curve_from_tangents((batten_points){1, 1, y}, good, y, NULL, false, &curve),
+        BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_curve_from_tangents((batten_points){1, 3, y}, wide, steep, NULL, false, &curve),
+        BATTEN_OVERFLOW);
+    CHECK_STATUS(
+        batten_second_derivatives((batten_points){1, 3, y}, good, steep, false, second),
+        BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_second_derivatives((batten_points){1, 3, y}, good, bad, false, second),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_second_derivatives(1, 3, y, t, y, false, second),
+    CHECK_STATUS(batten_second_derivatives((batten_points){1, 3, y}, t, y, false, second),
                  BATTEN_NOT_INCREASING);
     CHECK(curve == NULL);
 }

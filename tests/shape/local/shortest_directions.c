@@ -20,8 +20,8 @@ TEST(without_directions_it_is_the_natural_spline)
     random_row(&random, 8, points);
     o.parameters = BATTEN_CHORD;
     o.start.kind = o.end.kind = BATTEN_END_NATURAL;
-    CHECK_OK(batten_curve_directed(2, 8, points, NULL, NULL, NULL, &made));
-    CHECK_OK(batten_curve_interpolate(2, 8, points, &o, NULL, &natural));
+    CHECK_OK(batten_curve_directed((batten_points){2, 8, points}, NULL, NULL, NULL, &made));
+    CHECK_OK(batten_curve_interpolate((batten_points){2, 8, points}, &o, NULL, &natural));
     const batten_interval domain = batten_curve_domain(made);
     for (int i = 0; i <= 50; i++) {
         const double u = domain.a + (domain.b - domain.a) * i / 50;
@@ -47,7 +47,7 @@ TEST(directions_are_met_and_energy_is_least)
         random_row(&random, 6, points);
         o.direction_count = 2;
         o.directions = directions;
-        CHECK_OK(batten_curve_directed(2, 6, points, &o, t, &report, &made));
+        CHECK_OK(batten_curve_directed((batten_points){2, 6, points}, &o, t, &report, &made));
         double values[24], energy = 0;
         for (int i = 0; i < 6; i++) {
             CHECK_OK(batten_curve_evaluate(made, t[i], 1, values + 4 * i));
@@ -93,7 +93,7 @@ TEST(tension_makes_the_second_derivative_jump)
     o.tension = nu;
     o.parameters = BATTEN_GIVEN;
     o.given = given;
-    CHECK_OK(batten_curve_directed(2, 5, points, &o, NULL, NULL, &made));
+    CHECK_OK(batten_curve_directed((batten_points){2, 5, points}, &o, NULL, NULL, &made));
     for (int i = 1; i < 4; i++) {
         double left[6], right[6];
         batten_curve_local a, b;
@@ -118,7 +118,7 @@ TEST(directions_against_the_points_are_clamped_and_reported)
     double at[4];
     o.direction_count = 1;
     o.directions = &back;
-    CHECK_OK(batten_curve_directed(2, 3, points, &o, NULL, &report, &made));
+    CHECK_OK(batten_curve_directed((batten_points){2, 3, points}, &o, NULL, &report, &made));
     CHECK_INT(report.clamped, 1);
     CHECK_INT(report.first_clamped, 1);
     CHECK_OK(batten_curve_evaluate(made, 1, 1, at));
@@ -133,13 +133,13 @@ TEST(g2_two_points_and_lines_stay_straight)
     double at[6];
     batten_curve *made = NULL;
     for (int n = 2; n <= 3; n++) {
-        CHECK_OK(batten_curve_directed(2, n, points, NULL, NULL, NULL, &made));
+        CHECK_OK(batten_curve_directed((batten_points){2, n, points}, NULL, NULL, NULL, &made));
         CHECK_OK(batten_curve_evaluate(made, batten_curve_domain(made).b / 3, 2, at));
         CHECK_NEAR(at[1], 2 * at[0], 1e-14);
         CHECK_NEAR(hypot(at[4], at[5]), 0, 1e-13);
         batten_curve_unref(made);
     }
-    CHECK_STATUS(batten_curve_directed(2, 1, points, NULL, NULL, NULL, &made),
+    CHECK_STATUS(batten_curve_directed((batten_points){2, 1, points}, NULL, NULL, NULL, &made),
                  BATTEN_TOO_FEW_POINTS);
 }
 
@@ -152,18 +152,19 @@ TEST(n1_directions_that_are_none_are_refused)
     batten_curve *made = NULL;
     o.direction_count = 1;
     o.directions = at;
-    CHECK_STATUS(batten_curve_directed(2, 3, points, &o, NULL, NULL, &made),
+    CHECK_STATUS(batten_curve_directed((batten_points){2, 3, points}, &o, NULL, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("point 1");
     at[0].vector[1] = NAN;
-    CHECK_STATUS(batten_curve_directed(2, 3, points, &o, NULL, NULL, &made), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_directed((batten_points){2, 3, points}, &o, NULL, NULL, &made),
+                 BATTEN_NOT_FINITE);
     at[0].vector[1] = 1;
     o.direction_count = 2;
-    CHECK_STATUS(batten_curve_directed(2, 3, points, &o, NULL, NULL, &made),
+    CHECK_STATUS(batten_curve_directed((batten_points){2, 3, points}, &o, NULL, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
     o.direction_count = 0;
     o.tension = nu;
-    CHECK_STATUS(batten_curve_directed(2, 3, points, &o, NULL, NULL, &made),
+    CHECK_STATUS(batten_curve_directed((batten_points){2, 3, points}, &o, NULL, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
 }
 
@@ -171,6 +172,6 @@ TEST(g1_coincident_points_are_named_by_directed_splines)
 {
     const double points[6] = {0, 0, 1, 2, 1, 2};
     batten_curve *made = NULL;
-    CHECK_STATUS(batten_curve_directed(2, 3, points, NULL, NULL, NULL, &made),
+    CHECK_STATUS(batten_curve_directed((batten_points){2, 3, points}, NULL, NULL, NULL, &made),
                  BATTEN_COINCIDENT);
 }

@@ -10,7 +10,8 @@ static batten_curve *function_of(int count, const double *x, const double *y,
 {
     batten_curve *curve = NULL;
     CHECK_OK(batten_slopes(count, x, y, rule, slopes));
-    CHECK_OK(batten_curve_from_tangents(1, count, y, x, slopes, NULL, false, &curve));
+    CHECK_OK(batten_curve_from_tangents((batten_points){1, count, y}, x, slopes, NULL, false,
+                                        &curve));
     return curve;
 }
 

@@ -21,8 +21,8 @@ static tangents tangents_of(int d, int count, const double *points,
                             const batten_tangents_options *options)
 {
     tangents made = {0};
-    CHECK_OK(batten_tangents(d, count, points, options, made.t, made.leaving, made.arriving,
-                             &made.report));
+    CHECK_OK(batten_tangents((batten_points){d, count, points}, options, made.t, &made.report,
+                             made.leaving, made.arriving));
     return made;
 }
 
@@ -31,8 +31,9 @@ static batten_curve *curve_of(int d, int count, const double *points,
 {
     batten_curve *curve = NULL;
     *made = tangents_of(d, count, points, options);
-    CHECK_OK(batten_curve_from_tangents(d, count, points, made->t, made->leaving,
-                                        made->arriving, options->closed, &curve));
+    CHECK_OK(batten_curve_from_tangents((batten_points){d, count, points}, made->t,
+                                        made->leaving, made->arriving, options->closed,
+                                        &curve));
     return curve;
 }
 
@@ -282,11 +283,13 @@ TEST(g1_coincident_points_are_named_by_tangents)
     const double points[] = {0, 0, 1, 0, 1, 0, 2, 0};
     const double ring[] = {0, 0, 1, 0, 1, 1, 0, 0};
     double t[5], T[8];
-    CHECK_STATUS(batten_tangents(2, 4, points, NULL, t, T, NULL, NULL), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_tangents((batten_points){2, 4, points}, NULL, t, NULL, T, NULL),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2 coincide");
     batten_tangents_options options = batten_tangents_defaults();
     options.closed = true;
-    CHECK_STATUS(batten_tangents(2, 4, ring, &options, t, T, NULL, NULL), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_tangents((batten_points){2, 4, ring}, &options, t, NULL, T, NULL),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 3 and 0 coincide");
 }
 
@@ -294,19 +297,24 @@ TEST(n1_what_is_not_finite_is_named_by_tangents)
 {
     double t[5] = {7}, T[8];
     const double points[] = {0, 0, 1, NAN, 1, 0, 2, 0}, fine[] = {0, 0, 1, 1};
-    CHECK_STATUS(batten_tangents(2, 4, points, NULL, t, T, NULL, NULL), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_tangents((batten_points){2, 4, points}, NULL, t, NULL, T, NULL),
+                 BATTEN_NOT_FINITE);
     CHECK_MESSAGE("coordinate 1 of point 1");
     CHECK_NEAR(t[0], 7, 0);
-    CHECK_STATUS(batten_tangents(2, 1, points, NULL, t, T, NULL, NULL), BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_tangents(1, 4, fine, NULL, t, T, NULL, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_tangents((batten_points){2, 1, points}, NULL, t, NULL, T, NULL),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_tangents((batten_points){1, 4, fine}, NULL, t, NULL, T, NULL),
+                 BATTEN_BAD_ARGUMENT);
     batten_tangents_options options = batten_tangents_defaults();
     options.closed = true;
-    CHECK_STATUS(batten_tangents(2, 2, fine, &options, t, T, NULL, NULL),
+    CHECK_STATUS(batten_tangents((batten_points){2, 2, fine}, &options, t, NULL, T, NULL),
                  BATTEN_TOO_FEW_POINTS);
     options = rule((batten_tangent_rule)9, BATTEN_LENGTH_CHORD);
-    CHECK_STATUS(batten_tangents(2, 2, fine, &options, t, T, NULL, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_tangents((batten_points){2, 2, fine}, &options, t, NULL, T, NULL),
+                 BATTEN_BAD_ARGUMENT);
     options = rule(BATTEN_TANGENT_CIRCLE, (batten_tangent_length)9);
-    CHECK_STATUS(batten_tangents(2, 2, fine, &options, t, T, NULL, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_tangents((batten_points){2, 2, fine}, &options, t, NULL, T, NULL),
+                 BATTEN_BAD_ARGUMENT);
 }
 
 TEST(n2_tiny_and_huge_points_have_the_same_tangents)
@@ -355,7 +363,7 @@ TEST(given_tangents_are_taken_with_the_length_that_is_asked)
     const double bad[] = {1, 0, NAN, 1, 1, 1};
     batten_tangents_options options = rule(BATTEN_TANGENT_GIVEN, BATTEN_LENGTH_RULE);
     double t[3], T[6];
-    CHECK_STATUS(batten_tangents(2, 3, points, &options, t, T, NULL, NULL),
+    CHECK_STATUS(batten_tangents((batten_points){2, 3, points}, &options, t, NULL, T, NULL),
                  BATTEN_BAD_ARGUMENT);
     options.given = given;
     tangents made = tangents_of(2, 3, points, &options);
@@ -368,9 +376,10 @@ TEST(given_tangents_are_taken_with_the_length_that_is_asked)
     /* The second span is straight: its step is its chord. */
     CHECK_NEAR(made.t[2] - made.t[1], 3, 1e-14);
     options.given = zero;
-    CHECK_STATUS(batten_tangents(2, 3, points, &options, t, T, NULL, NULL),
+    CHECK_STATUS(batten_tangents((batten_points){2, 3, points}, &options, t, NULL, T, NULL),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("tangent at point 1");
     options.given = bad;
-    CHECK_STATUS(batten_tangents(2, 3, points, &options, t, T, NULL, NULL), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_tangents((batten_points){2, 3, points}, &options, t, NULL, T, NULL),
+                 BATTEN_NOT_FINITE);
 }

@@ -55,7 +55,8 @@ TEST(data_on_a_spline_of_the_same_knots_give_it_back)
         options.knots = BATTEN_KNOTS_GIVEN;
         options.given_knots = batten_curve_knots(curve);
         batten_fit_report report;
-        CHECK_OK(batten_curve_least_squares(d, MOST, q, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){d, MOST, q}, &options, NULL,
+                                            &report, &fit));
         CHECK(report.error < 1e-11 * test_curve_size(curve));
         for (int i = 0; i < n * d; i++)
             CHECK_NEAR(batten_curve_points(fit)[i], batten_curve_points(curve)[i],
@@ -78,13 +79,14 @@ TEST(residuals_stand_at_right_angles_to_the_basis)
     batten_curve_least_squares_options options = given(t, 9);
     options.weights = w;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(1, 60, y, &options, NULL, NULL, &fit));
+    CHECK_OK(batten_curve_least_squares((batten_points){1, 60, y}, &options, NULL, NULL, &fit));
     sample(fit, 60, t, at);
     for (int j = 0; j < 9; j++) {
         double unit[9] = {0}, sum = 0, basis[60];
         batten_curve *b = NULL;
         unit[j] = 1;
-        CHECK_OK(batten_curve_create(1, 3, 9, unit, NULL, batten_curve_knots(fit), &b));
+        CHECK_OK(batten_curve_create((batten_points){1, 9, unit}, 3, NULL,
+                                     batten_curve_knots(fit), &b));
         sample(b, 60, t, basis);
         for (int i = 0; i < 60; i++)
             sum += w[i] * (at[i] - y[i]) * basis[i];
@@ -109,7 +111,8 @@ TEST(polynomials_of_the_degree_are_reproduced_by_every_choice_of_knots)
         options.hold_start = options.hold_end = c % 2;
         batten_fit_report report;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(2, 50, q, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){2, 50, q}, &options, NULL, &report,
+                                            &fit));
         CHECK(report.error < 1e-11);
         batten_curve_unref(fit);
     }
@@ -140,7 +143,8 @@ TEST(more_knots_never_fit_worse)
         options.given_knots = knots;
         batten_fit_report report;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(1, 101, y, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, 101, y}, &options, NULL, &report,
+                                            &fit));
         CHECK(report.sum <= before * (1 + 1e-12));
         before = report.sum;
         batten_curve_unref(fit);
@@ -162,7 +166,8 @@ TEST(as_many_control_points_as_data_interpolate)
         options.degree = n <= 3 ? n - 1 : 3;
         batten_fit_report report;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(d, n, q, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){d, n, q}, &options, NULL, &report,
+                                            &fit));
         CHECK(report.error < 1e-10);
         batten_curve_unref(fit);
     }
@@ -179,7 +184,7 @@ TEST(held_ends_are_met_to_the_bit)
     batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     options.hold_start = options.hold_end = true;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(2, 40, q, &options, NULL, NULL, &fit));
+    CHECK_OK(batten_curve_least_squares((batten_points){2, 40, q}, &options, NULL, NULL, &fit));
     const double *points = batten_curve_points(fit);
     const int n = batten_curve_point_count(fit);
     for (int k = 0; k < 2; k++) {
@@ -203,7 +208,8 @@ TEST(a_periodic_fit_is_as_smooth_at_its_seam_as_elsewhere)
         options.point_count = n;
         batten_fit_report report;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(2, 100, q, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){2, 100, q}, &options, NULL, &report,
+                                            &fit));
         CHECK(batten_curve_is_periodic(fit));
         CHECK(report.error < 4 * pow(n, -3.5)); /* O(h^4) */
         CHECK_NEAR(report.freedom, n, 1e-9);
@@ -224,15 +230,18 @@ TEST(correction_of_parameters_brings_the_curve_nearer)
     options.parameters = BATTEN_UNIFORM;
     batten_fit_report plain, corrected;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(2, 120, q, &options, NULL, &plain, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){2, 120, q}, &options, NULL, &plain, &fit));
     batten_curve_unref(fit);
     options.corrections = 20;
     fit = NULL;
-    CHECK_OK(batten_curve_least_squares(2, 120, q, &options, u, &corrected, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){2, 120, q}, &options, u, &corrected, &fit));
     CHECK(corrected.rms < plain.rms / 2);
     CHECK(corrected.rounds >= 1);
     batten_deviation deviation;
-    CHECK_OK(batten_curve_deviation(fit, 120, q, NULL, NULL, NULL, &deviation));
+    CHECK_OK(batten_curve_deviation(fit, (batten_points){batten_curve_dimension(fit), 120, q},
+                                    NULL, NULL, NULL, &deviation));
     CHECK(deviation.rms <= corrected.rms * (1 + 1e-12));
     for (int i = 1; i < 120; i++)
         CHECK(u[i] >= u[i - 1]);
@@ -258,7 +267,8 @@ TEST(every_correction_of_parameters_lowers_the_sum)
         for (options.corrections = 0; options.corrections <= 20; options.corrections++) {
             batten_fit_report report;
             batten_curve *fit = NULL;
-            CHECK_OK(batten_curve_least_squares(2, 80, q, &options, NULL, &report, &fit));
+            CHECK_OK(batten_curve_least_squares((batten_points){2, 80, q}, &options, NULL,
+                                                &report, &fit));
             CHECK(report.rounds > rounds ? report.sum < before : report.sum == before);
             before = report.sum;
             rounds = report.rounds;
@@ -279,7 +289,8 @@ TEST(knots_by_curvature_serve_a_steep_front_better)
         options.knots = (batten_knot_choice)c;
         batten_fit_report report;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(1, 201, y, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, 201, y}, &options, NULL, &report,
+                                            &fit));
         rms[c] = report.rms;
         batten_curve_unref(fit);
     }
@@ -301,8 +312,8 @@ TEST(G10_reversed_points_give_the_reversed_fit)
     options.corrections = 0;
     options.point_count = 4; /* without inner knots, whose rule begins at one end */
     batten_curve *a = NULL, *b = NULL;
-    CHECK_OK(batten_curve_least_squares(2, 50, q, &options, NULL, NULL, &a));
-    CHECK_OK(batten_curve_least_squares(2, 50, r, &options, NULL, NULL, &b));
+    CHECK_OK(batten_curve_least_squares((batten_points){2, 50, q}, &options, NULL, NULL, &a));
+    CHECK_OK(batten_curve_least_squares((batten_points){2, 50, r}, &options, NULL, NULL, &b));
     const int n = batten_curve_point_count(a);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < 2; k++)
@@ -323,19 +334,21 @@ TEST(G9_a_control_point_without_data_is_named_by_least_squares)
     options.knots = BATTEN_KNOTS_GIVEN;
     options.given_knots = knots;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(1, 10, y, &options, NULL, NULL, &fit));
+    CHECK_OK(batten_curve_least_squares((batten_points){1, 10, y}, &options, NULL, NULL, &fit));
     batten_curve_unref(fit);
     fit = NULL;
     const double bad[] = {0, 0, 0, 0, 0.6, 0.8, 1, 1.2, 1.5, 3, 3, 3, 3};
     options.point_count = 9;
     options.given_knots = bad;
-    CHECK_STATUS(batten_curve_least_squares(1, 10, y, &options, NULL, NULL, &fit),
-                 BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, 10, y}, &options, NULL, NULL, &fit),
+        BATTEN_SINGULAR_SYSTEM);
     CHECK_MESSAGE("control point 4 of 9");
     CHECK(fit == NULL);
     options.regularise = true;
     batten_fit_report report;
-    CHECK_OK(batten_curve_least_squares(1, 10, y, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, 10, y}, &options, NULL, &report, &fit));
     CHECK(report.regularised);
     CHECK(report.error < 1e-4);
     batten_curve_unref(fit);
@@ -347,12 +360,13 @@ TEST(G1_points_that_coincide_are_data_like_others)
     batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     options.point_count = 4;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(2, 6, q, &options, NULL, NULL, &fit));
+    CHECK_OK(batten_curve_least_squares((batten_points){2, 6, q}, &options, NULL, NULL, &fit));
     batten_curve_unref(fit);
     fit = NULL;
     const double same[] = {1, 1, 1, 1, 1, 1, 1, 1};
-    CHECK_STATUS(batten_curve_least_squares(2, 4, same, NULL, NULL, NULL, &fit),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){2, 4, same}, NULL, NULL, NULL, &fit),
+        BATTEN_COINCIDENT);
 }
 
 TEST(N1_what_is_not_finite_is_named_by_least_squares)
@@ -360,17 +374,19 @@ TEST(N1_what_is_not_finite_is_named_by_least_squares)
     double q[] = {0, 0, 1, 1, NAN, 1, 2, 0}, w[] = {1, 1, INFINITY, 1};
     batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     batten_curve *fit = NULL;
-    CHECK_STATUS(batten_curve_least_squares(2, 4, q, NULL, NULL, NULL, &fit),
+    CHECK_STATUS(batten_curve_least_squares((batten_points){2, 4, q}, NULL, NULL, NULL, &fit),
                  BATTEN_NOT_FINITE);
     CHECK_MESSAGE("2");
     q[4] = 1.5;
     options.weights = w;
-    CHECK_STATUS(batten_curve_least_squares(2, 4, q, &options, NULL, NULL, &fit),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){2, 4, q}, &options, NULL, NULL, &fit),
+        BATTEN_NOT_FINITE);
     CHECK_MESSAGE("weight of point 2");
     w[2] = -1;
-    CHECK_STATUS(batten_curve_least_squares(2, 4, q, &options, NULL, NULL, &fit),
-                 BATTEN_BAD_WEIGHT);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){2, 4, q}, &options, NULL, NULL, &fit),
+        BATTEN_BAD_WEIGHT);
     CHECK(fit == NULL);
 }
 
@@ -386,7 +402,8 @@ TEST(N2_fits_of_tiny_and_huge_points_are_those_of_plain_ones_scaled)
             q[2 * i] = i / 10.0 * sizes[s];
             q[2 * i + 1] = sin(i / 5.0) * sizes[s];
         }
-        CHECK_OK(batten_curve_least_squares(2, 40, q, &options, NULL, NULL, &fit));
+        CHECK_OK(
+            batten_curve_least_squares((batten_points){2, 40, q}, &options, NULL, NULL, &fit));
         for (int i = 0; i < 16; i++) {
             const double value = batten_curve_points(fit)[i] / sizes[s];
             if (s == 0)
@@ -402,22 +419,25 @@ TEST(G2_few_points_give_a_lower_degree_or_what_is_missing)
     const double q[] = {0, 0, 1, 1, 2, 0};
     batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     batten_curve *fit = NULL;
-    CHECK_STATUS(batten_curve_least_squares(2, 1, q, NULL, NULL, NULL, &fit),
+    CHECK_STATUS(batten_curve_least_squares((batten_points){2, 1, q}, NULL, NULL, NULL, &fit),
                  BATTEN_TOO_FEW_POINTS);
     for (int n = 2; n <= 3; n++) {
         batten_fit_report report;
-        CHECK_OK(batten_curve_least_squares(2, n, q, NULL, NULL, &report, &fit));
+        CHECK_OK(
+            batten_curve_least_squares((batten_points){2, n, q}, NULL, NULL, &report, &fit));
         CHECK_INT(batten_curve_degree(fit), n - 1);
         CHECK(report.error < 1e-15);
         batten_curve_unref(fit);
         fit = NULL;
     }
     options.point_count = 4;
-    CHECK_STATUS(batten_curve_least_squares(2, 3, q, &options, NULL, NULL, &fit),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){2, 3, q}, &options, NULL, NULL, &fit),
+        BATTEN_TOO_FEW_POINTS);
     options.point_count = 3;
-    CHECK_STATUS(batten_curve_least_squares(2, 3, q, &options, NULL, NULL, &fit),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){2, 3, q}, &options, NULL, NULL, &fit),
+        BATTEN_TOO_FEW_POINTS);
     CHECK(fit == NULL);
 }
 
@@ -434,7 +454,8 @@ TEST(K9_degrees_beyond_the_limits_are_refused_by_least_squares)
         const batten_status expected =
             degree < 1 || degree > 25 ? BATTEN_BAD_DEGREE : BATTEN_OK;
         batten_fit_report report = {0};
-        CHECK_STATUS(batten_curve_least_squares(1, 60, y, &options, NULL, &report, &fit),
+        CHECK_STATUS(batten_curve_least_squares((batten_points){1, 60, y}, &options, NULL,
+                                                &report, &fit),
                      expected);
         CHECK(report.error < (degree == 1 ? 1e-2 : 1e-3));
         batten_curve_unref(fit);
@@ -448,14 +469,16 @@ TEST(parameters_that_fall_or_lie_outside_the_knots_are_named)
     batten_curve_least_squares_options options = given(t, 2);
     options.degree = 1;
     batten_curve *fit = NULL;
-    CHECK_STATUS(batten_curve_least_squares(1, 5, y, &options, NULL, NULL, &fit),
-                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, 5, y}, &options, NULL, NULL, &fit),
+        BATTEN_NOT_INCREASING);
     CHECK_MESSAGE("parameter 2");
     t[2] = 1.5;
     options.knots = BATTEN_KNOTS_GIVEN;
     options.given_knots = knots;
-    CHECK_STATUS(batten_curve_least_squares(1, 5, y, &options, NULL, NULL, &fit),
-                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, 5, y}, &options, NULL, NULL, &fit),
+        BATTEN_OUT_OF_DOMAIN);
     CHECK_MESSAGE("point 4");
 }
 
@@ -486,7 +509,8 @@ TEST(fitpack_fits_the_two_steep_fronts_with_the_same_coefficients)
     options.given_knots = knots;
     batten_fit_report report;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(1, count, y, &options, NULL, &report, &fit));
+    CHECK_OK(batten_curve_least_squares((batten_points){1, count, y}, &options, NULL, &report,
+                                        &fit));
     for (int i = 0; i < n; i++)
         CHECK_NEAR(batten_curve_points(fit)[i], expected[i], 1e-9);
     CHECK_NEAR(report.sum, sum[0], 1e-9);

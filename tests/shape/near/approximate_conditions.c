@@ -46,8 +46,9 @@ static double slope_along(const batten_curve *fit, const batten_curve *way, int 
 static batten_curve *with_values(const batten_curve *fit, const double *values)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(1, batten_curve_degree(fit), batten_curve_point_count(fit),
-                                 values, NULL, batten_curve_knots(fit), &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, batten_curve_point_count(fit), values},
+                                 batten_curve_degree(fit), NULL, batten_curve_knots(fit),
+                                 &curve));
     return curve;
 }
 
@@ -66,7 +67,8 @@ TEST(equations_are_met_and_only_they_hold_the_curve_back)
         batten_fit_report report;
         batten_curve *fit = NULL;
         double at[3];
-        CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL,
+                                            &report, &fit));
         CHECK_OK(batten_curve_evaluate(fit, 0.3, 0, at));
         CHECK_NEAR(at[0], 0.5, 1e-12);
         CHECK_OK(batten_curve_evaluate(fit, 0.55, 1, at));
@@ -80,7 +82,8 @@ TEST(equations_are_met_and_only_they_hold_the_curve_back)
         double other[MANY];
         noisy("others", MANY, t, other);
         batten_curve *second = NULL;
-        CHECK_OK(batten_curve_least_squares(1, MANY, other, &options, NULL, NULL, &second));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, other}, &options, NULL,
+                                            NULL, &second));
         for (int i = 0; i < 14; i++)
             values[i] = batten_curve_points(second)[i] - batten_curve_points(fit)[i];
         batten_curve *way = with_values(fit, values);
@@ -101,11 +104,13 @@ TEST(a_point_to_pass_is_a_datum_of_endless_weight)
     const batten_condition pass = {BATTEN_CONDITION_EQUAL, 20, 0, 0, {y[20], 0, 0}};
     batten_curve *heavy = NULL, *fit = NULL;
     options.weights = w;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &heavy));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &heavy));
     options.weights = NULL;
     options.conditions = &pass;
     options.condition_count = 1;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit));
     for (int i = 0; i < 9; i++)
         CHECK_NEAR(batten_curve_points(fit)[i], batten_curve_points(heavy)[i], 1e-9);
     batten_curve_unref(heavy);
@@ -119,12 +124,14 @@ TEST(conditions_that_hold_anyway_change_nothing)
     batten_curve_least_squares_options options = given(t, 10);
     batten_curve *plain = NULL, *fit = NULL;
     batten_fit_report report;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &plain));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &plain));
     options.band = 10;
     const batten_condition low = condition(BATTEN_CONDITION_AT_LEAST, 0.4, 0, -9);
     options.conditions = &low;
     options.condition_count = 1;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, &report, &fit));
     CHECK_INT(report.pressing, 0);
     CHECK_NEAR(report.freedom, 10, 0);
     for (int i = 0; i < 10; i++)
@@ -160,7 +167,8 @@ TEST(ends_of_curves_have_the_directions_asked_for)
         options.condition_count = 2;
         batten_curve *fit = NULL;
         batten_fit_report report;
-        CHECK_OK(batten_curve_least_squares(d, MANY, p, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){d, MANY, p}, &options, NULL,
+                                            &report, &fit));
         CHECK(report.error < 0.3);
         const batten_interval domain = batten_curve_domain(fit);
         for (int e = 0; e < 2; e++) {
@@ -211,7 +219,8 @@ TEST(functions_of_a_shape_have_it_everywhere_and_no_other_of_that_shape_is_neare
             options.shape = shapes[s];
             batten_fit_report report;
             batten_curve *fit = NULL;
-            CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
+            CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL,
+                                                &report, &fit));
             CHECK(report.pressing > 0);
             CHECK(keeps(shapes[s], fit));
             /* The optimum: no slope downwards towards any of that shape, such as values of an
@@ -244,9 +253,11 @@ TEST(data_of_a_shape_are_fitted_as_without_it)
     }
     batten_curve_least_squares_options options = given(t, 8);
     batten_curve *plain = NULL, *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &plain));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &plain));
     options.shape = BATTEN_CONVEX | BATTEN_INCREASING;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit));
     for (int i = 0; i < 8; i++)
         CHECK_NEAR(batten_curve_points(fit)[i], batten_curve_points(plain)[i], 1e-11);
     batten_curve_unref(plain);
@@ -263,10 +274,12 @@ TEST(one_sided_fits_keep_to_their_side_and_turn_over_with_the_data)
     options.side = BATTEN_FIT_OVER;
     batten_curve *over = NULL, *under = NULL;
     batten_fit_report report;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &over));
+    CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, &report,
+                                        &over));
     CHECK(report.pressing >= 2);
     options.side = BATTEN_FIT_UNDER;
-    CHECK_OK(batten_curve_least_squares(1, MANY, minus, &options, NULL, NULL, &under));
+    CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, minus}, &options, NULL, NULL,
+                                        &under));
     for (int i = 0; i < MANY; i++) {
         double at;
         CHECK_OK(batten_curve_evaluate(over, t[i], 0, &at));
@@ -290,7 +303,8 @@ TEST(values_to_stay_over_and_under_are_kept)
     options.condition_count = 3;
     batten_fit_report report;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, &report, &fit));
     CHECK(report.pressing >= 2);
     for (int i = 0; i < 3; i++) {
         double derivatives[2];
@@ -313,20 +327,24 @@ TEST(a_band_bounds_every_coordinate_and_a_narrow_one_is_interpolation)
     batten_curve_least_squares_options options = given(t, 9);
     batten_fit_report plain, report;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(2, 12, q, &options, NULL, &plain, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){2, 12, q}, &options, NULL, &plain, &fit));
     batten_curve_unref(fit);
     options.band = 0.8 * plain.error;
-    CHECK_OK(batten_curve_least_squares(2, 12, q, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){2, 12, q}, &options, NULL, &report, &fit));
     CHECK(report.error <= options.band * sqrt(2) && report.rms >= plain.rms);
     batten_curve_unref(fit);
     options.point_count = 12;
     options.band = 1e-7;
-    CHECK_OK(batten_curve_least_squares(2, 12, q, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){2, 12, q}, &options, NULL, &report, &fit));
     CHECK(report.error < 1e-7);
     batten_curve_unref(fit);
     options.point_count = 5;
-    CHECK_STATUS(batten_curve_least_squares(2, 12, q, &options, NULL, &report, &fit),
-                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){2, 12, q}, &options, NULL, &report, &fit),
+        BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("within 1e-07 of point");
 }
 
@@ -350,7 +368,8 @@ TEST(a_ring_passes_what_it_shall)
         options.corrections = 5;
         batten_curve *fit = NULL;
         double at[2];
-        CHECK_OK(batten_curve_least_squares(2, MANY, q, &options, u, NULL, &fit));
+        CHECK_OK(
+            batten_curve_least_squares((batten_points){2, MANY, q}, &options, u, NULL, &fit));
         for (int k = 0; k < 2; k++) {
             CHECK_OK(batten_curve_evaluate(fit, u[k * 31], 0, at));
             CHECK_NEAR(hypot(at[0] - pass[k].value[0], at[1] - pass[k].value[1]), 0, 1e-12);
@@ -372,16 +391,19 @@ TEST(conditions_determine_what_data_do_not)
     options.condition_count = 2;
     batten_curve *fit = NULL;
     batten_fit_report report;
-    CHECK_OK(batten_curve_least_squares(1, 4, y, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, 4, y}, &options, NULL, &report, &fit));
     CHECK_NEAR(report.freedom, 3, 0);
     batten_curve_unref(fit);
     fit = NULL;
     options.condition_count = 0;
     options.shape = BATTEN_INCREASING;
-    CHECK_STATUS(batten_curve_least_squares(1, 4, y, &options, NULL, &report, &fit),
-                 BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, 4, y}, &options, NULL, &report, &fit),
+        BATTEN_SINGULAR_SYSTEM);
     options.regularise = true;
-    CHECK_OK(batten_curve_least_squares(1, 4, y, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, 4, y}, &options, NULL, &report, &fit));
     CHECK(report.regularised);
     batten_curve_unref(fit);
 }
@@ -394,13 +416,15 @@ TEST(N2_conditions_do_not_depend_on_the_unit)
     options.shape = BATTEN_CONCAVE;
     options.side = BATTEN_FIT_OVER;
     batten_curve *plain = NULL;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &plain));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &plain));
     static const double sizes[] = {1e-300, 1e-9, 1e9, 1e150, 1e300};
     for (int k = 0; k < COUNT(sizes); k++) {
         for (int i = 0; i < MANY; i++)
             scaled[i] = sizes[k] * y[i];
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(1, MANY, scaled, &options, NULL, NULL, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, scaled}, &options, NULL,
+                                            NULL, &fit));
         for (int i = 0; i < 10; i++)
             CHECK_NEAR(batten_curve_points(fit)[i] / sizes[k], batten_curve_points(plain)[i],
                        1e-10);
@@ -443,8 +467,9 @@ TEST(G9_conditions_that_cannot_hold_together_are_named)
         options.condition_count = 2;
         options.shape = rows[i].shape;
         batten_curve *fit = NULL;
-        CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),
-                     BATTEN_NOT_COMPATIBLE);
+        CHECK_STATUS(
+            batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit),
+            BATTEN_NOT_COMPATIBLE);
         CHECK_MESSAGE(rows[i].says);
         CHECK(fit == NULL);
     }
@@ -453,8 +478,9 @@ TEST(G9_conditions_that_cannot_hold_together_are_named)
     options.shape = BATTEN_INCREASING; /* sin 5 x ends below where it begins */
     y[0] = 1;
     batten_curve *fit = NULL;
-    CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),
-                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit),
+        BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("the shape between");
 }
 
@@ -485,9 +511,9 @@ TEST(N1_conditions_of_no_sense_are_named)
         options.conditions = &rows[i].asked;
         options.condition_count = 1;
         batten_curve *fit = NULL;
-        CHECK_STATUS(
-            batten_curve_least_squares(rows[i].dimension, MANY, y, &options, NULL, NULL, &fit),
-            rows[i].status);
+        CHECK_STATUS(batten_curve_least_squares((batten_points){rows[i].dimension, MANY, y},
+                                                &options, NULL, NULL, &fit),
+                     rows[i].status);
         CHECK_MESSAGE("condition 0");
         CHECK_MESSAGE(rows[i].says);
     }
@@ -502,28 +528,34 @@ TEST(shapes_sides_and_bands_are_for_open_functions)
     batten_curve *fit = NULL;
     batten_curve_least_squares_options options = given(t, 10);
     options.shape = BATTEN_CONVEX;
-    CHECK_STATUS(batten_curve_least_squares(2, MANY, y, &options, NULL, NULL, &fit),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){2, MANY, y}, &options, NULL, NULL, &fit),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("not for a curve");
     options.closed = true;
-    CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("not for a closed one");
     options = given(t, 10);
     options.shape = 16;
-    CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit),
+        BATTEN_BAD_ARGUMENT);
     options.shape = 0;
     options.side = BATTEN_FIT_OVER;
-    CHECK_STATUS(batten_curve_least_squares(2, MANY, y, &options, NULL, NULL, &fit),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){2, MANY, y}, &options, NULL, NULL, &fit),
+        BATTEN_BAD_ARGUMENT);
     options.side = BATTEN_FIT_BOTH;
     options.band = -1;
-    CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit),
+        BATTEN_BAD_ARGUMENT);
     options.band = NAN;
-    CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit),
+        BATTEN_NOT_FINITE);
 }
 
 TEST(S5_more_unknowns_than_a_program_takes_are_refused)
@@ -534,15 +566,17 @@ TEST(S5_more_unknowns_than_a_program_takes_are_refused)
     batten_curve_least_squares_options options = given(t, 1001);
     options.shape = BATTEN_CONVEX;
     batten_curve *fit = NULL;
-    CHECK_STATUS(batten_curve_least_squares(1, 1200, y, &options, NULL, NULL, &fit),
-                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, 1200, y}, &options, NULL, NULL, &fit),
+        BATTEN_TOO_LARGE);
     CHECK_MESSAGE("1001 unknowns");
     static double many[40000], values[40000];
     for (int i = 0; i < 40000; i++)
         many[i] = i;
     options = given(many, 700);
     options.side = BATTEN_FIT_OVER;
-    CHECK_STATUS(batten_curve_least_squares(1, 40000, values, &options, NULL, NULL, &fit),
+    CHECK_STATUS(batten_curve_least_squares((batten_points){1, 40000, values}, &options, NULL,
+                                            NULL, &fit),
                  BATTEN_TOO_LARGE);
     CHECK_MESSAGE("40000 conditions on 700 unknowns");
 }
@@ -566,7 +600,8 @@ TEST(the_moisture_of_dierckx_is_concave_and_near)
         options.shape = BATTEN_CONCAVE;
         batten_fit_report report;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(1, count, y, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, count, y}, &options, NULL,
+                                            &report, &fit));
         for (int i = 0; i <= 500; i++) {
             double at[3];
             CHECK_OK(batten_curve_evaluate(fit, x[0] + (x[count - 1] - x[0]) * i / 500, 2, at));

@@ -36,10 +36,11 @@ TEST(least_squares_on_the_knots_of_fitpack_undercut_its_sums)
         options.given_knots = U;
         batten_fit_report report;
         batten_curve *fit = NULL, *theirs = NULL;
-        CHECK_OK(batten_curve_least_squares(1, count, y, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, count, y}, &options, NULL,
+                                            &report, &fit));
         CHECK(report.sum <= sum * (1 + 1e-12));
         /* Their spline has the sum that they say. */
-        CHECK_OK(batten_curve_create(1, 3, n, C, NULL, U, &theirs));
+        CHECK_OK(batten_curve_create((batten_points){1, n, C}, 3, NULL, U, &theirs));
         double squares = 0;
         for (int i = 0; i < count; i++) {
             double at;
@@ -73,7 +74,8 @@ TEST(ends_given_to_the_second_derivative_are_met_within_the_noise_of_dierckx)
         options.condition_count = 6;
         batten_fit_report report;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(2, 31, table, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){2, 31, table}, &options, NULL,
+                                            &report, &fit));
         for (int e = 0; e < 2; e++) {
             double at[6];
             CHECK_OK(batten_curve_evaluate(fit, u[30 * e], 2, at));
@@ -126,7 +128,8 @@ TEST(aerofoils_are_fitted_as_closely_as_before)
             options.corrections = corrections;
             batten_fit_report report;
             batten_curve *fit = NULL;
-            CHECK_OK(batten_curve_least_squares(2, count, q, &options, NULL, &report, &fit));
+            CHECK_OK(batten_curve_least_squares((batten_points){2, count, q}, &options, NULL,
+                                                &report, &fit));
             CHECK(report.sum < before);
             before = report.sum;
             CHECK(corrections < 20 || report.error < 7e-4);

@@ -49,11 +49,14 @@ TEST(outliers_do_not_move_a_robust_fit)
         batten_curve_least_squares_options options = robust((batten_robust)how, t, 7);
         batten_fit_report report;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL,
+                                            &report, &fit));
         off[how] = distance_to_cubic(fit);
         CHECK(how == 0 ? report.reweightings == 0 : report.reweightings > 0);
         int outliers[MANY], count = 0;
-        CHECK_OK(batten_curve_outliers(fit, MANY, y, t, NULL, 5, NULL, outliers, &count));
+        CHECK_OK(batten_curve_outliers(
+            fit, &(batten_fit_data){{batten_curve_dimension(fit), MANY, y}, t, NULL}, 5, NULL,
+            outliers, &count));
         if (how > 0) {
             CHECK_INT(count, MANY / 8);
             for (int i = 0; i < count; i++)
@@ -72,7 +75,8 @@ TEST(absolute_distances_reproduce_what_most_data_lie_on)
     batten_curve_least_squares_options options = robust(BATTEN_ABSOLUTE, t, 7);
     batten_fit_report report;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, &report, &fit));
     CHECK(distance_to_cubic(fit) < 1e-5);
     CHECK(report.gap < 1e-5);
     batten_curve_unref(fit);
@@ -106,7 +110,8 @@ TEST(the_gap_says_how_much_an_l1_fit_can_be_bettered)
         options.degree = 1;
         batten_fit_report report;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(1, n, y, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, n, y}, &options, NULL, &report,
+                                            &fit));
         double sum = 0;
         for (int i = 0; i < n; i++) {
             double at;
@@ -129,7 +134,8 @@ TEST(hubers_forces_are_in_balance)
     options.threshold = 0.07;
     batten_fit_report report;
     batten_curve *fit = NULL;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, &report, &fit));
     CHECK_NEAR(report.threshold, 0.07, 0);
     CHECK(report.gap <= 1e-6);
     double balance[3] = {0}; /* against 1, t, t^2, which are among the curves */
@@ -153,10 +159,12 @@ TEST(a_threshold_beyond_all_data_is_least_squares)
     options.threshold = 100;
     batten_curve *fit = NULL, *plain = NULL;
     batten_fit_report report;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, &report, &fit));
     CHECK_INT(report.reweightings, 1);
     options.robust = BATTEN_SQUARES;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &plain));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &plain));
     for (int i = 0; i < 6; i++)
         CHECK_BITS(batten_curve_points(fit)[i], batten_curve_points(plain)[i]);
     batten_curve_unref(fit);
@@ -184,8 +192,11 @@ TEST(robust_fits_of_curves_rings_and_conditions)
         double u[MANY];
         int outliers[MANY], count = 0;
         batten_curve *fit = NULL;
-        CHECK_OK(batten_curve_least_squares(2, MANY, q, &options, u, NULL, &fit));
-        CHECK_OK(batten_curve_outliers(fit, MANY, q, u, NULL, 8, NULL, outliers, &count));
+        CHECK_OK(
+            batten_curve_least_squares((batten_points){2, MANY, q}, &options, u, NULL, &fit));
+        CHECK_OK(batten_curve_outliers(
+            fit, &(batten_fit_data){{batten_curve_dimension(fit), MANY, q}, u, NULL}, 8, NULL,
+            outliers, &count));
         CHECK_INT(count, MANY / 20);
         for (int i = 0; i < count; i++)
             CHECK_INT(outliers[i], 20 * i + 7);
@@ -205,10 +216,13 @@ TEST(data_on_a_curve_need_no_rounds_and_have_no_outliers)
         batten_curve *fit = NULL;
         batten_fit_report report;
         int outliers[MANY], count = -1;
-        CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL,
+                                            &report, &fit));
         CHECK(report.error < 1e-10);
         CHECK_INT(report.reweightings, 0);
-        CHECK_OK(batten_curve_outliers(fit, MANY, y, t, NULL, 5, NULL, outliers, &count));
+        CHECK_OK(batten_curve_outliers(
+            fit, &(batten_fit_data){{batten_curve_dimension(fit), MANY, y}, t, NULL}, 5, NULL,
+            outliers, &count));
         CHECK_INT(count, 0);
         batten_curve_unref(fit);
     }
@@ -221,13 +235,15 @@ TEST(N2_robust_fits_do_not_depend_on_the_unit)
     for (int how = 1; how < 4; how++) {
         batten_curve_least_squares_options options = robust((batten_robust)how, t, 6);
         batten_curve *plain = NULL;
-        CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &plain));
+        CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL,
+                                            &plain));
         for (int k = -1; k < 2; k += 2) {
             const double unit = ldexp(1, 30 * k);
             for (int i = 0; i < MANY; i++)
                 scaled[i] = unit * y[i];
             batten_curve *fit = NULL;
-            CHECK_OK(batten_curve_least_squares(1, MANY, scaled, &options, NULL, NULL, &fit));
+            CHECK_OK(batten_curve_least_squares((batten_points){1, MANY, scaled}, &options,
+                                                NULL, NULL, &fit));
             for (int i = 0; i < 6; i++)
                 CHECK_NEAR(batten_curve_points(fit)[i] / unit, batten_curve_points(plain)[i],
                            1e-12);
@@ -246,22 +262,31 @@ TEST(N1_thresholds_that_are_no_lengths_are_refused)
     batten_curve_least_squares_options options = robust(BATTEN_HUBER, t, 6);
     for (int i = 0; i < 3; i++) {
         options.threshold = bad[i];
-        CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),
-                     i == 1 ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE);
+        CHECK_STATUS(
+            batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit),
+            i == 1 ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE);
         CHECK_MESSAGE("threshold");
     }
     options.threshold = 0;
     options.robust = (batten_robust)7;
-    CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit),
+        BATTEN_BAD_ARGUMENT);
     options.robust = BATTEN_SQUARES;
-    CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit));
+    CHECK_OK(
+        batten_curve_least_squares((batten_points){1, MANY, y}, &options, NULL, NULL, &fit));
     int outliers[MANY], count = 9;
-    CHECK_STATUS(batten_curve_outliers(fit, MANY, y, t, NULL, 0, NULL, outliers, &count),
+    CHECK_STATUS(batten_curve_outliers(
+                     fit, &(batten_fit_data){{batten_curve_dimension(fit), MANY, y}, t, NULL},
+                     0, NULL, outliers, &count),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_outliers(fit, MANY, y, t, NULL, NAN, NULL, outliers, &count),
+    CHECK_STATUS(batten_curve_outliers(
+                     fit, &(batten_fit_data){{batten_curve_dimension(fit), MANY, y}, t, NULL},
+                     NAN, NULL, outliers, &count),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_outliers(fit, 0, y, t, NULL, 5, NULL, outliers, &count),
+    CHECK_STATUS(batten_curve_outliers(
+                     fit, &(batten_fit_data){{batten_curve_dimension(fit), 0, y}, t, NULL}, 5,
+                     NULL, outliers, &count),
                  BATTEN_TOO_FEW_POINTS);
     CHECK_INT(count, 9);
     batten_curve_unref(fit);

@@ -14,7 +14,7 @@ static void random_curve(test_random *random, int dimension, batten_curve **out)
             points[i * dimension + k] = (k == 0 ? i : 0) + test_random_in(random, -0.6, 0.6);
         weights[i] = test_random_in(random, 0.6, 1.6);
     }
-    CHECK_OK(batten_curve_create(dimension, 3, 8, points,
+    CHECK_OK(batten_curve_create((batten_points){dimension, 8, points}, 3,
                                  test_random_int(random, 0, 1) ? weights : NULL, knots, out));
 }
 
@@ -51,7 +51,7 @@ TEST(random_curves_at_even_speed_are_met_at_every_length)
         double length, s[101], u[101];
         random_curve(&random, dimension, &given);
         CHECK_OK(batten_curve_even_speed(given, 1e-6, &report, &even));
-        CHECK_OK(batten_curve_length(given, 1e-12, &length, NULL));
+        CHECK_OK(batten_curve_length(given, 1e-12, NULL, &length));
         CHECK_NEAR(report.length, length, 1e-8);
         for (int i = 0; i <= 100; i++)
             s[i] = fmin(length, batten_curve_domain(even).b) * i / 100;
@@ -74,7 +74,7 @@ TEST(polylines_at_even_speed_are_exact)
     const double p[] = {0, 0, 3, 4, 3, 4, 3, 16}, knots[] = {0, 0, 1, 2, 9, 9};
     batten_curve *path = NULL, *even = NULL;
     batten_curve_even_speed_report report;
-    CHECK_OK(batten_curve_create(2, 1, 4, p, NULL, knots, &path));
+    CHECK_OK(batten_curve_create((batten_points){2, 4, p}, 1, NULL, knots, &path));
     CHECK_OK(batten_curve_even_speed(path, 1e-6, &report, &even));
     CHECK(report.error == 0 && report.length == 17);
     CHECK_INT(batten_curve_point_count(even), 3);
@@ -95,9 +95,9 @@ TEST(G4_corners_and_cusps_stay_where_they_are)
     batten_curve *cusp = NULL, *even = NULL;
     batten_curve_even_speed_report report;
     double length;
-    CHECK_OK(batten_curve_from_bezier(2, 3, 1, p, NULL, breaks, &cusp));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, p, NULL, &cusp));
     CHECK_OK(batten_curve_even_speed(cusp, 1e-4, &report, &even));
-    CHECK_OK(batten_curve_length(cusp, 1e-10, &length, NULL));
+    CHECK_OK(batten_curve_length(cusp, 1e-10, NULL, &length));
     CHECK_NEAR(report.length, length, 1e-6);
     double at[2];
     CHECK_OK(batten_curve_evaluate(even, length / 2, 0, at));

@@ -45,7 +45,8 @@ static batten_curve_minimax_report best(function f, double a, double b, int degr
     batten_curve_minimax_report report;
     batten_curve *curve = NULL;
     double errors[27], most = 0;
-    CHECK_OK(batten_function_minimax(a, b, degree, evaluate, &f, &report, &curve));
+    CHECK_OK(batten_function_minimax((batten_interval){a, b}, degree, evaluate, &f, &report,
+                                     &curve));
     for (int i = 0; i < degree + 2; i++) {
         double value;
         CHECK_OK(evaluate(&f, report.places[i], 0, &value));
@@ -218,14 +219,18 @@ TEST(N1_what_minimax_cannot_do_is_named)
     CHECK_STATUS(batten_curve_minimax(4, t, z, 1, NULL, &curve), BATTEN_NOT_INCREASING);
     CHECK_STATUS(batten_curve_minimax(4, z, z, 3, NULL, &curve), BATTEN_TOO_FEW_POINTS);
     CHECK_STATUS(batten_curve_minimax(4, z, z, -1, NULL, &curve), BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_function_minimax(0, 1, 26, evaluate, &power, NULL, &curve),
-                 BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_function_minimax(1, 1, 3, evaluate, &power, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_function_minimax(1, NAN, 3, evaluate, &power, NULL, &curve),
-                 BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_function_minimax(0, 1, 3, evaluate, &undefined, NULL, &curve),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_function_minimax((batten_interval){0, 1}, 26, evaluate, &power, NULL, &curve),
+        BATTEN_BAD_DEGREE);
+    CHECK_STATUS(
+        batten_function_minimax((batten_interval){1, 1}, 3, evaluate, &power, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_function_minimax((batten_interval){1, NAN}, 3, evaluate, &power, NULL, &curve),
+        BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_function_minimax((batten_interval){0, 1}, 3, evaluate, &undefined, NULL, &curve),
+        BATTEN_NOT_FINITE);
     CHECK_MESSAGE("the function is");
     CHECK(curve == NULL);
 }

@@ -25,7 +25,7 @@ TEST(points_on_a_line_give_it_back)
                 q[i * d + k] = at[k] + (i * i + i) * along[k] / size;
         batten_fitted_line line;
         batten_primitive_report report;
-        CHECK_OK(batten_line_fit(d, n, q, &line, &report));
+        CHECK_OK(batten_line_fit((batten_points){d, n, q}, &report, &line));
         CHECK(report.error < 1e-13 * (10 + n * n));
         for (int k = 0; k < d; k++) {
             CHECK_NEAR(line.direction[k], along[k] / size, 1e-12);
@@ -41,7 +41,7 @@ TEST(a_line_minimises_distances_at_right_angles)
     const double q[] = {0, 0, 1, 2, 2, 1, 3, 3};
     batten_fitted_line line;
     batten_primitive_report report;
-    CHECK_OK(batten_line_fit(2, 4, q, &line, &report));
+    CHECK_OK(batten_line_fit((batten_points){2, 4, q}, &report, &line));
     CHECK_NEAR(line.direction[0], sqrt(0.5), 1e-15); /* symmetric about the diagonal */
     CHECK_NEAR(line.direction[1], sqrt(0.5), 1e-15);
     CHECK_NEAR(report.error, sqrt(0.5), 1e-15);
@@ -55,18 +55,22 @@ TEST(G1_one_point_many_times_is_no_line_or_circle)
     batten_fitted_circle circle;
     batten_fitted_ellipse ellipse;
     batten_span span;
-    CHECK_STATUS(batten_line_fit(2, 5, q, &line, NULL), BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_circle_fit(2, 5, q, BATTEN_CIRCLE_GEOMETRIC, &circle, NULL),
+    CHECK_STATUS(batten_line_fit((batten_points){2, 5, q}, NULL, &line), BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_circle_fit((batten_points){2, 5, q}, BATTEN_CIRCLE_GEOMETRIC, NULL, &circle),
+        BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_ellipse_fit((batten_points){2, 5, q}, NULL, &ellipse),
                  BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_ellipse_fit(5, q, &ellipse, NULL), BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_clothoid_fit(5, q, &span, NULL, NULL), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_clothoid_fit((batten_points){2, 5, q}, NULL, NULL, &span),
+                 BATTEN_COINCIDENT);
 }
 
 TEST(a_square_has_no_nearest_line)
 {
     const double q[] = {0, 0, 1, 0, 1, 1, 0, 1};
     batten_fitted_line line;
-    CHECK_STATUS(batten_line_fit(2, 4, q, &line, NULL), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_line_fit((batten_points){2, 4, q}, NULL, &line),
+                 BATTEN_SINGULAR_SYSTEM);
 }
 
 /* ---- circles ---- */
@@ -87,7 +91,8 @@ TEST(points_on_a_circle_give_it_back_by_every_method)
         }
         batten_fitted_circle circle;
         batten_primitive_report report;
-        CHECK_OK(batten_circle_fit(2, n, q, (batten_circle_method)(c % 4), &circle, &report));
+        CHECK_OK(batten_circle_fit((batten_points){2, n, q}, (batten_circle_method)(c % 4),
+                                   &report, &circle));
         CHECK_NEAR(circle.radius, r, 1e-10 * r);
         CHECK_NEAR(circle.frame.origin.x, x, 1e-10 * r);
         CHECK_NEAR(circle.frame.origin.y, y, 1e-10 * r);
@@ -109,7 +114,8 @@ TEST(a_circle_in_space_is_found_in_its_plane_and_runs_as_the_data_do)
         batten_primitive_report report;
         batten_curve *arc = NULL;
         double point[3];
-        CHECK_OK(batten_circle_fit(3, 10, q, BATTEN_CIRCLE_GEOMETRIC, &circle, &report));
+        CHECK_OK(batten_circle_fit((batten_points){3, 10, q}, BATTEN_CIRCLE_GEOMETRIC, &report,
+                                   &circle));
         CHECK_NEAR(circle.radius, 2, 1e-12);
         CHECK_NEAR(circle.frame.origin.z, 2, 1e-12);
         CHECK_NEAR(circle.angle, 2.7, 1e-12);
@@ -137,7 +143,8 @@ TEST(the_geometric_circle_is_nearest)
     for (int m = 0; m < 4; m++) {
         batten_fitted_circle circle;
         batten_primitive_report report;
-        CHECK_OK(batten_circle_fit(2, 100, q, (batten_circle_method)m, &circle, &report));
+        CHECK_OK(batten_circle_fit((batten_points){2, 100, q}, (batten_circle_method)m, &report,
+                                   &circle));
         rms[m] = report.rms;
         radius[m] = circle.radius;
     }
@@ -157,12 +164,15 @@ TEST(G2_points_on_a_line_have_no_circle_and_no_ellipse)
     batten_fitted_circle circle;
     batten_fitted_ellipse ellipse;
     for (int m = 0; m < 4; m++)
-        CHECK_STATUS(batten_circle_fit(2, 10, q, (batten_circle_method)m, &circle, NULL),
+        CHECK_STATUS(batten_circle_fit((batten_points){2, 10, q}, (batten_circle_method)m, NULL,
+                                       &circle),
                      BATTEN_SINGULAR_SYSTEM);
-    CHECK_STATUS(batten_ellipse_fit(10, q, &ellipse, NULL), BATTEN_SINGULAR_SYSTEM);
-    CHECK_STATUS(batten_circle_fit(2, 2, q, BATTEN_CIRCLE_KASA, &circle, NULL),
+    CHECK_STATUS(batten_ellipse_fit((batten_points){2, 10, q}, NULL, &ellipse),
+                 BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_circle_fit((batten_points){2, 2, q}, BATTEN_CIRCLE_KASA, NULL, &circle),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_ellipse_fit(4, q, &ellipse, NULL), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_ellipse_fit((batten_points){2, 4, q}, NULL, &ellipse),
+                 BATTEN_TOO_FEW_POINTS);
 }
 
 /* ---- ellipses ---- */
@@ -185,7 +195,7 @@ TEST(points_on_an_ellipse_give_it_back)
         }
         batten_fitted_ellipse e;
         batten_primitive_report report;
-        CHECK_OK(batten_ellipse_fit(n, q, &e, &report));
+        CHECK_OK(batten_ellipse_fit((batten_points){2, n, q}, &report, &e));
         CHECK_NEAR(e.a, a, 1e-10 * a);
         CHECK_NEAR(e.b, b, 1e-10 * a);
         CHECK_NEAR(e.center[0], x, 1e-10 * a);
@@ -207,7 +217,7 @@ TEST(the_distances_from_an_ellipse_are_those_of_its_normals)
     }
     batten_fitted_ellipse e;
     batten_primitive_report report;
-    CHECK_OK(batten_ellipse_fit(24, q, &e, &report));
+    CHECK_OK(batten_ellipse_fit((batten_points){2, 24, q}, &report, &e));
     CHECK(report.rms <= 0.1 + 1e-12); /* the ellipse before the noise has 0.1 */
     CHECK_NEAR(e.a, 3, 0.03);
     CHECK_NEAR(e.b, 1, 0.03);
@@ -219,7 +229,7 @@ TEST(the_distances_from_an_ellipse_are_those_of_its_normals)
 static void on_clothoid(const batten_span *span, int count, double wobble, double *q)
 {
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_create(2, 1, span, NULL, false, 1, &chain));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, span, NULL, false}, 1, &chain));
     for (int i = 0; i < count; i++) {
         double at[4];
         CHECK_OK(batten_chain_evaluate(chain, span->length * i / (count - 1), 1, at));
@@ -246,7 +256,7 @@ TEST(points_on_a_clothoid_give_it_back)
         on_clothoid(&span, n, 0, q);
         batten_span found;
         batten_primitive_report report;
-        CHECK_OK(batten_clothoid_fit(n, q, &found, lengths, &report));
+        CHECK_OK(batten_clothoid_fit((batten_points){2, n, q}, lengths, &report, &found));
         CHECK(report.error < 1e-11 * length);
         CHECK_NEAR(found.length, span.length, 1e-10 * length);
         CHECK_NEAR(found.start[0], span.start[0], 1e-10 * length);
@@ -264,7 +274,7 @@ TEST(a_noisy_clothoid_is_found_nearly)
     on_clothoid(&span, 200, 0.02, q);
     batten_span found;
     batten_primitive_report report;
-    CHECK_OK(batten_clothoid_fit(200, q, &found, NULL, &report));
+    CHECK_OK(batten_clothoid_fit((batten_points){2, 200, q}, NULL, &report, &found));
     CHECK(report.rms < 0.0201);
     CHECK_NEAR(found.curvature[1], 0.03, 0.001);
     CHECK_NEAR(found.length, 10, 0.02);
@@ -279,7 +289,7 @@ TEST(lines_and_arcs_are_clothoids)
             q[2 * i] = c ? 3 * sin(i / 10.0) : i;
             q[2 * i + 1] = c ? 3 - 3 * cos(i / 10.0) : 2 * i;
         }
-        CHECK_OK(batten_clothoid_fit(10, q, &found, NULL, NULL));
+        CHECK_OK(batten_clothoid_fit((batten_points){2, 10, q}, NULL, NULL, &found));
         CHECK_NEAR(found.curvature[0], c / 3.0, 1e-9);
         CHECK_NEAR(found.curvature[1], 0, 1e-9);
     }
@@ -295,14 +305,14 @@ TEST(points_far_from_any_clothoid_are_fitted_the_same_in_both_orders)
         memcpy(back + 2 * i, q + 2 * (6 - i), 2 * sizeof *q);
     batten_span found, reversed;
     batten_primitive_report one, other;
-    CHECK_OK(batten_clothoid_fit(7, q, &found, NULL, &one));
-    CHECK_OK(batten_clothoid_fit(7, back, &reversed, NULL, &other));
+    CHECK_OK(batten_clothoid_fit((batten_points){2, 7, q}, NULL, &one, &found));
+    CHECK_OK(batten_clothoid_fit((batten_points){2, 7, back}, NULL, &other, &reversed));
     CHECK_NEAR(one.rms, other.rms, 1e-8);
     CHECK_NEAR(found.length, reversed.length, 1e-5);
     CHECK_NEAR(found.curvature[0] + reversed.length * reversed.curvature[1] +
                    reversed.curvature[0],
                0, 1e-5);
-    CHECK_OK(batten_clothoid_fit(6, stairs, &found, NULL, &one));
+    CHECK_OK(batten_clothoid_fit((batten_points){2, 6, stairs}, NULL, &one, &found));
     CHECK(one.error < 0.5 && found.length > 4);
 }
 
@@ -313,12 +323,15 @@ TEST(N1_what_is_not_finite_is_named_by_fits_of_primitives)
     batten_fitted_circle circle;
     batten_fitted_ellipse ellipse;
     batten_span span;
-    CHECK_STATUS(batten_line_fit(2, 5, q, &line, NULL), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_line_fit((batten_points){2, 5, q}, NULL, &line), BATTEN_NOT_FINITE);
     CHECK_MESSAGE("2");
-    CHECK_STATUS(batten_circle_fit(2, 5, q, BATTEN_CIRCLE_PRATT, &circle, NULL),
+    CHECK_STATUS(
+        batten_circle_fit((batten_points){2, 5, q}, BATTEN_CIRCLE_PRATT, NULL, &circle),
+        BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_ellipse_fit((batten_points){2, 5, q}, NULL, &ellipse),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_ellipse_fit(5, q, &ellipse, NULL), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_clothoid_fit(5, q, &span, NULL, NULL), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_clothoid_fit((batten_points){2, 5, q}, NULL, NULL, &span),
+                 BATTEN_NOT_FINITE);
 }
 
 TEST(N2_primitives_of_tiny_and_huge_points_are_found_alike)
@@ -332,9 +345,10 @@ TEST(N2_primitives_of_tiny_and_huge_points_are_found_alike)
         }
         batten_fitted_ellipse e;
         batten_fitted_circle circle;
-        CHECK_OK(batten_ellipse_fit(12, q, &e, NULL));
+        CHECK_OK(batten_ellipse_fit((batten_points){2, 12, q}, NULL, &e));
         CHECK_NEAR(e.a / sizes[s], 2, 1e-10);
-        CHECK_OK(batten_circle_fit(2, 12, q, BATTEN_CIRCLE_GEOMETRIC, &circle, NULL));
+        CHECK_OK(batten_circle_fit((batten_points){2, 12, q}, BATTEN_CIRCLE_GEOMETRIC, NULL,
+                                   &circle));
         CHECK(circle.radius / sizes[s] > 1 && circle.radius / sizes[s] < 2);
     }
 }

@@ -77,7 +77,8 @@ TEST(the_cubic_smoothing_spline_is_that_of_reinschs_equations)
         options.weights = w;
         batten_fit_report report;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_smooth(1, n, y, &options, NULL, &report, &curve));
+        CHECK_OK(
+            batten_curve_smooth((batten_points){1, n, y}, &options, NULL, &report, &curve));
         at_data(curve, n, t, values);
         double sum = 0, moment = 0, second[3];
         for (int i = 0; i < n; i++) {
@@ -106,24 +107,25 @@ TEST(between_its_limits_smoothing_goes_from_the_interpolant_to_the_line)
     batten_fit_report report;
     for (double x = -9; x < 9; x += 1) {
         batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, pow(10, x), t);
-        CHECK_OK(batten_curve_smooth(1, 30, y, &options, NULL, &report, &curve));
+        CHECK_OK(
+            batten_curve_smooth((batten_points){1, 30, y}, &options, NULL, &report, &curve));
         CHECK(report.freedom < freedom);
         freedom = report.freedom;
         batten_curve_unref(curve);
     }
     CHECK_NEAR(freedom, 2, 1e-4);
     batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, 0, t);
-    CHECK_OK(batten_curve_smooth(1, 30, y, &options, NULL, &report, &curve));
+    CHECK_OK(batten_curve_smooth((batten_points){1, 30, y}, &options, NULL, &report, &curve));
     CHECK(report.error < 1e-13 && report.freedom == 30 && report.p == 1);
     batten_curve_unref(curve);
     options.amount = HUGE_VAL;
-    CHECK_OK(batten_curve_smooth(1, 30, y, &options, NULL, &report, &curve));
+    CHECK_OK(batten_curve_smooth((batten_points){1, 30, y}, &options, NULL, &report, &curve));
     at_data(curve, 30, t, line);
     CHECK_INT(batten_curve_degree(curve), 1);
     CHECK(report.freedom == 2 && report.p == 0);
     batten_curve_unref(curve);
     options.amount = 1e9;
-    CHECK_OK(batten_curve_smooth(1, 30, y, &options, NULL, &report, &curve));
+    CHECK_OK(batten_curve_smooth((batten_points){1, 30, y}, &options, NULL, &report, &curve));
     at_data(curve, 30, t, values);
     for (int i = 0; i < 30; i++)
         CHECK_NEAR(values[i], line[i], 1e-7);
@@ -149,8 +151,8 @@ TEST(polynomials_that_a_penalty_does_not_see_stay_as_they_are)
         for (int kind = 0; kind < 2; kind++) {
             batten_curve *curve = NULL;
             options.spans = 15;
-            CHECK_OK((kind ? batten_curve_p_spline
-                           : batten_curve_smooth)(1, 25, y, &options, NULL, &report, &curve));
+            CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(
+                (batten_points){1, 25, y}, &options, NULL, &report, &curve));
             /* The derivative of order 4 of values near 10, at steps of 0.1, is lost below
              * 1e-11; the root of lambda weighs it. */
             CHECK(report.error < 1e-7);
@@ -169,9 +171,11 @@ TEST(p_splines_of_great_lambda_are_polynomials)
         options.order = m;
         options.spans = 12;
         batten_curve *curve = NULL, *limit = NULL;
-        CHECK_OK(batten_curve_p_spline(1, 60, y, &options, NULL, NULL, &curve));
+        CHECK_OK(
+            batten_curve_p_spline((batten_points){1, 60, y}, &options, NULL, NULL, &curve));
         options.amount = HUGE_VAL;
-        CHECK_OK(batten_curve_p_spline(1, 60, y, &options, NULL, NULL, &limit));
+        CHECK_OK(
+            batten_curve_p_spline((batten_points){1, 60, y}, &options, NULL, NULL, &limit));
         at_data(curve, 60, t, a);
         at_data(limit, 60, t, b);
         for (int i = 0; i < 60; i++)
@@ -196,19 +200,19 @@ TEST(a_target_is_a_length_and_is_met)
             options.spans = 80;
             batten_fit_report report;
             batten_curve *curve = NULL;
-            CHECK_OK((kind ? batten_curve_p_spline
-                           : batten_curve_smooth)(2, 60, q, &options, NULL, &report, &curve));
+            CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(
+                (batten_points){2, 60, q}, &options, NULL, &report, &curve));
             CHECK_NEAR(report.rms, target, 2e-8 * target);
             batten_curve_unref(curve);
         }
     batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, 100, NULL);
     batten_fit_report report;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_smooth(2, 60, q, &options, NULL, &report, &curve));
+    CHECK_OK(batten_curve_smooth((batten_points){2, 60, q}, &options, NULL, &report, &curve));
     CHECK_INT(batten_curve_degree(curve), 1);
     batten_curve_unref(curve);
     options.amount = 0;
-    CHECK_OK(batten_curve_smooth(2, 60, q, &options, NULL, &report, &curve));
+    CHECK_OK(batten_curve_smooth((batten_points){2, 60, q}, &options, NULL, &report, &curve));
     CHECK(report.error < 1e-12);
     batten_curve_unref(curve);
 }
@@ -231,16 +235,16 @@ TEST(validation_finds_its_least_and_the_size_of_the_noise)
         batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_VALIDATION, 0, t);
         batten_fit_report report, other;
         batten_curve *curve = NULL;
-        CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(1, MOST, y, &options,
-                                                                      NULL, &report, &curve));
+        CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(
+            (batten_points){1, MOST, y}, &options, NULL, &report, &curve));
         batten_curve_unref(curve);
         CHECK(report.rms > 0.08 && report.rms < 0.12);
         CHECK(report.freedom > 5 && report.freedom < 20);
         for (int c = -1; c <= 1; c += 2) {
             options.by = BATTEN_SMOOTH_BY_LAMBDA;
             options.amount = report.lambda * (1 + 0.1 * c);
-            CHECK_OK((kind ? batten_curve_p_spline
-                           : batten_curve_smooth)(1, MOST, y, &options, NULL, &other, &curve));
+            CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(
+                (batten_points){1, MOST, y}, &options, NULL, &other, &curve));
             CHECK(criterion(&other, MOST) > criterion(&report, MOST));
             batten_curve_unref(curve);
         }
@@ -268,10 +272,10 @@ TEST(a_ring_is_smoothed_alike_wherever_it_begins)
             options.spans = 40;
             batten_curve *a = NULL, *b = NULL;
             batten_fit_report report, other;
-            CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(2, 40, q, &options,
-                                                                          NULL, &report, &a));
-            CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(2, 40, r, &options,
-                                                                          NULL, &other, &b));
+            CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(
+                (batten_points){2, 40, q}, &options, NULL, &report, &a));
+            CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(
+                (batten_points){2, 40, r}, &options, NULL, &other, &b));
             CHECK(batten_curve_is_periodic(a));
             CHECK_NEAR(report.freedom, other.freedom, 1e-9);
             at_data(a, 40, u, values);
@@ -303,7 +307,8 @@ TEST(all_rules_and_orders_work_on_rings_and_lines_of_any_number_of_points)
             options.closed = n > 2 && c % 2;
             batten_fit_report report;
             batten_curve *curve = NULL;
-            CHECK_OK(batten_curve_smooth(2, n, q, &options, NULL, &report, &curve));
+            CHECK_OK(
+                batten_curve_smooth((batten_points){2, n, q}, &options, NULL, &report, &curve));
             CHECK(report.freedom < n + 1e-4 && report.freedom > 0.9);
             CHECK(isfinite(report.error));
             batten_curve_unref(curve);
@@ -319,10 +324,11 @@ TEST(G1_points_with_one_parameter_count_as_their_mean)
         batten_curve_smooth_options options =
             by(BATTEN_SMOOTH_BY_LAMBDA, c == 2 ? HUGE_VAL : c, t);
         batten_curve *curve = NULL, *other = NULL;
-        CHECK_OK(batten_curve_smooth(1, 6, y, &options, NULL, NULL, &curve));
+        CHECK_OK(batten_curve_smooth((batten_points){1, 6, y}, &options, NULL, NULL, &curve));
         options.given = once;
         options.weights = w;
-        CHECK_OK(batten_curve_smooth(1, 5, mean, &options, NULL, NULL, &other));
+        CHECK_OK(
+            batten_curve_smooth((batten_points){1, 5, mean}, &options, NULL, NULL, &other));
         at_data(curve, 5, once, a);
         at_data(other, 5, once, b);
         for (int i = 0; i < 5; i++)
@@ -337,20 +343,22 @@ TEST(N1_amounts_that_are_no_numbers_are_refused_by_smoothing)
     const double q[] = {0, 0, 1, 1, 2, 0, 3, 1};
     batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, NAN, NULL);
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_smooth(2, 4, q, &options, NULL, NULL, &curve), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_smooth((batten_points){2, 4, q}, &options, NULL, NULL, &curve),
+                 BATTEN_NOT_FINITE);
     options.amount = -1;
-    CHECK_STATUS(batten_curve_smooth(2, 4, q, &options, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_smooth((batten_points){2, 4, q}, &options, NULL, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     options.amount = 1;
     options.order = 5;
-    CHECK_STATUS(batten_curve_smooth(2, 4, q, &options, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_smooth((batten_points){2, 4, q}, &options, NULL, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("order is 5");
     options.order = 2;
     options.spans = 2;
-    CHECK_STATUS(batten_curve_p_spline(2, 4, q, &options, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_p_spline((batten_points){2, 4, q}, &options, NULL, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_smooth(2, 1, q, NULL, NULL, NULL, &curve), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_smooth((batten_points){2, 1, q}, NULL, NULL, NULL, &curve),
+                 BATTEN_TOO_FEW_POINTS);
     CHECK(curve == NULL);
 }
 
@@ -365,7 +373,7 @@ TEST(N2_smoothing_does_not_depend_on_the_unit)
         }
         batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, 0.05 * sizes[s], NULL);
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_smooth(2, 30, q, &options, t, NULL, &curve));
+        CHECK_OK(batten_curve_smooth((batten_points){2, 30, q}, &options, t, NULL, &curve));
         at_data(curve, 30, t, values);
         for (int i = 0; i < 60; i++) {
             if (s == 0)
@@ -404,13 +412,15 @@ TEST(fitpack_and_we_meet_the_same_sum_of_squares)
             cubic.parameters = BATTEN_GIVEN;
             cubic.given = t;
             cubic.point_count = 4;
-            CHECK_OK(batten_curve_least_squares(1, count, y, &cubic, NULL, &report, &curve));
+            CHECK_OK(batten_curve_least_squares((batten_points){1, count, y}, &cubic, NULL,
+                                                &report, &curve));
             CHECK_NEAR(report.sum, sum, 1e-9);
             for (int i = 0; i < 4; i++)
                 CHECK_NEAR(batten_curve_points(curve)[i], C[i], 1e-9);
         } else if (s > 0) {
             batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, sqrt(s / count), t);
-            CHECK_OK(batten_curve_smooth(1, count, y, &options, NULL, &report, &curve));
+            CHECK_OK(batten_curve_smooth((batten_points){1, count, y}, &options, NULL, &report,
+                                         &curve));
             CHECK_NEAR(report.sum, s, 1e-6 * s);
             CHECK_NEAR(report.sum, sum, 2e-3 * s);
         }
@@ -433,8 +443,8 @@ TEST(the_motorcycle_has_about_twelve_degrees_of_freedom)
         batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_VALIDATION, 0, t);
         batten_fit_report report;
         batten_curve *curve = NULL;
-        CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(1, count, y, &options,
-                                                                      NULL, &report, &curve));
+        CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(
+            (batten_points){1, count, y}, &options, NULL, &report, &curve));
         CHECK(report.freedom > 11 && report.freedom < 13.5);
         CHECK(report.rms > 20 && report.rms < 24);
         batten_curve_unref(curve);

@@ -14,7 +14,7 @@ static int check_within(int d, int n, const double *q,
     batten_curve *curve = NULL;
     batten_deviation deviation;
     double *u = test_array((size_t)n, sizeof *u);
-    CHECK_OK(batten_curve_within(d, n, q, options, u, &report, &curve));
+    CHECK_OK(batten_curve_within((batten_points){d, n, q}, options, u, &report, &curve));
     CHECK_INT(batten_curve_degree(curve), options->degree);
     CHECK_INT(batten_curve_dimension(curve), d);
     for (int i = 0; i < n; i++) {
@@ -26,7 +26,9 @@ static int check_within(int d, int n, const double *q,
         CHECK(sqrt(sum) <= report.error * (1 + 1e-12));
     }
     if (d > 1) {
-        CHECK_OK(batten_curve_deviation(curve, n, q, u, NULL, NULL, &deviation));
+        CHECK_OK(batten_curve_deviation(curve,
+                                        (batten_points){batten_curve_dimension(curve), n, q}, u,
+                                        NULL, NULL, &deviation));
         CHECK(deviation.max <= report.error * (1 + 1e-9));
     }
     const int points = batten_curve_point_count(curve),
@@ -124,7 +126,7 @@ TEST(a_circle_is_closed_smoothly_with_few_control_points)
     /* Twelve equal spans of a cubic are 1.5e-5 off, eight 1.6e-4, six 7e-4. */
     CHECK(check_within(2, 100, q, &options) <= 8);
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_within(2, 100, q, &options, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_within((batten_points){2, 100, q}, &options, NULL, NULL, &curve));
     CHECK(batten_curve_is_periodic(curve));
     batten_curve_unref(curve);
 }
@@ -156,7 +158,7 @@ TEST(corners_are_kept_exactly_open_and_closed)
             options.corners = named;
         }
         const int n = 81 - options.closed;
-        CHECK_OK(batten_curve_within(2, n, q, &options, u, &report, &curve));
+        CHECK_OK(batten_curve_within((batten_points){2, n, q}, &options, u, &report, &curve));
         CHECK_INT(report.corners, options.closed ? 4 : 3);
         CHECK_INT(report.points, 13); /* four straight cubics */
         for (int i = 0; i < 80; i += 20) {
@@ -184,7 +186,8 @@ TEST(the_curve_does_not_swing_between_data)
         batten_curve_within_report report;
         batten_curve *curve = NULL;
         options.method = (batten_within_method)m;
-        CHECK_OK(batten_curve_within(1, 24, f, &options, NULL, &report, &curve));
+        CHECK_OK(
+            batten_curve_within((batten_points){1, 24, f}, &options, NULL, &report, &curve));
         CHECK(report.apart < 0.6);
         for (int i = 0; i <= 2300; i++) {
             double at;
@@ -207,10 +210,12 @@ TEST(G2_two_and_three_points_and_coincident_ones)
         CHECK(check_within(2, 3, three, &options) <= 6);
         CHECK(check_within(2, 6, doubled, &options) <= 6);
         batten_curve *curve = NULL;
-        CHECK_STATUS(batten_curve_within(2, 3, one, &options, NULL, NULL, &curve),
-                     BATTEN_COINCIDENT);
-        CHECK_STATUS(batten_curve_within(2, 1, one, &options, NULL, NULL, &curve),
-                     BATTEN_TOO_FEW_POINTS);
+        CHECK_STATUS(
+            batten_curve_within((batten_points){2, 3, one}, &options, NULL, NULL, &curve),
+            BATTEN_COINCIDENT);
+        CHECK_STATUS(
+            batten_curve_within((batten_points){2, 1, one}, &options, NULL, NULL, &curve),
+            BATTEN_TOO_FEW_POINTS);
     }
 }
 
@@ -221,36 +226,41 @@ TEST(N1_N6_K9_bad_input_is_refused)
                  same[] = {0, 0, 1, 2};
     batten_curve *curve = NULL;
     batten_curve_within_options options = batten_curve_within_defaults(), with;
-    CHECK_STATUS(batten_curve_within(2, 4, q, &options, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_within((batten_points){2, 4, q}, &options, NULL, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the tolerance is 0");
     options.tolerance = NAN;
-    CHECK_STATUS(batten_curve_within(2, 4, q, &options, NULL, NULL, &curve), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_within((batten_points){2, 4, q}, &options, NULL, NULL, &curve),
+                 BATTEN_NOT_FINITE);
     options.tolerance = 0.1;
-    CHECK_STATUS(batten_curve_within(2, 4, bad, &options, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_within((batten_points){2, 4, bad}, &options, NULL, NULL, &curve),
                  BATTEN_NOT_FINITE);
     CHECK_MESSAGE("point 1");
     with = options;
     with.degree = 26;
-    CHECK_STATUS(batten_curve_within(2, 4, q, &with, NULL, NULL, &curve), BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_within((batten_points){2, 4, q}, &with, NULL, NULL, &curve),
+                 BATTEN_BAD_DEGREE);
     with = options;
     with.degree = 4;
     with.method = BATTEN_WITHIN_BEZIER;
-    CHECK_STATUS(batten_curve_within(2, 4, q, &with, NULL, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_within((batten_points){2, 4, q}, &with, NULL, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     with = options;
     with.corners = falling;
     with.corner_count = 2;
-    CHECK_STATUS(batten_curve_within(2, 4, q, &with, NULL, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_within((batten_points){2, 4, q}, &with, NULL, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("corner 1 is point 1");
     with.corners = far;
     with.corner_count = 1;
-    CHECK_STATUS(batten_curve_within(2, 4, q, &with, NULL, NULL, &curve), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_within(1, 4, q, &options, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_within((batten_points){2, 4, q}, &with, NULL, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_within((batten_points){1, 4, q}, &options, NULL, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     with = options;
     with.parameters = BATTEN_GIVEN;
     with.given = same;
-    CHECK_STATUS(batten_curve_within(1, 4, q, &with, NULL, NULL, &curve),
+    CHECK_STATUS(batten_curve_within((batten_points){1, 4, q}, &with, NULL, NULL, &curve),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("the nearest curve that was found is");
     CHECK(curve == NULL);

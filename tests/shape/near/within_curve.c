@@ -94,7 +94,8 @@ TEST(a_ring_stays_a_ring_and_loses_what_refining_added)
     double knots[30], error = -1;
     for (int i = 0; i < 30; i++)
         knots[i] = 6 * (i + 0.5) / 31;
-    CHECK_OK(batten_curve_create_periodic(2, 3, 6, points, NULL, period, &ring));
+    CHECK_OK(
+        batten_curve_create_periodic((batten_points){2, 6, points}, 3, NULL, period, &ring));
     CHECK_OK(batten_curve_refine(ring, 30, knots, &refined));
     CHECK_INT(batten_curve_point_count(refined), 6 + 30 + 3);
     CHECK_OK(batten_curve_approximate(refined, 3, 1e-6, &error, &made));
@@ -113,7 +114,7 @@ TEST(a_sixteenth_of_the_tolerance_takes_twice_the_spans_of_cubics)
                  breaks[] = {0, 1};
     batten_curve *curve = NULL;
     double spans[4];
-    CHECK_OK(batten_curve_from_bezier(2, 7, 1, points, NULL, breaks, &curve));
+    CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){7, 1, breaks}, points, NULL, &curve));
     for (int i = 0; i < 4; i++) {
         batten_curve *made = NULL;
         CHECK_OK(batten_curve_approximate(curve, 3, 1e-4 / pow(16, i), NULL, &made));
@@ -130,7 +131,8 @@ TEST(corners_and_ends_stay)
     const double points[] = {0, 0, 1, 2, 2, 2, 3, 0, 4, 1, 5, 1, 6, 0}, breaks[] = {0, 1, 3},
                  weights[] = {1, 2, 1, 1, 1, 3, 1};
     batten_curve *curve = NULL, *made = NULL;
-    CHECK_OK(batten_curve_from_bezier(2, 3, 2, points, weights, breaks, &curve));
+    CHECK_OK(
+        batten_curve_from_bezier(2, (batten_pieces){3, 2, breaks}, points, weights, &curve));
     CHECK_OK(batten_curve_approximate(curve, 3, 1e-2, NULL, &made));
     for (int i = 0; i < 3; i++) {
         double at[2];
@@ -169,7 +171,8 @@ TEST(chains_become_plain_splines_at_their_own_pace)
         batten_chain *flat = NULL, *chain = NULL;
         batten_curve *made = NULL;
         double error = -1, largest = 0, left[6], right[6];
-        CHECK_OK(batten_chain_create(2, 1 + c / 2, spans[c], NULL, false, 1e-12, &flat));
+        CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1 + c / 2, spans[c], NULL, false},
+                                     1e-12, &flat));
         CHECK_OK(batten_chain_place(flat, &frame, &chain));
         CHECK_OK(batten_chain_approximate(chain, 3, 1e-4, &error, &made));
         CHECK(error <= 1e-4);
@@ -200,7 +203,7 @@ TEST(N1_N6_K9_what_cannot_be_approximated_is_refused)
     batten_chain *chain = NULL;
     const batten_span arc = {.kind = BATTEN_SPAN_ARC, .length = 1, .curvature = {1}};
     CHECK_OK(batten_curve_circle(1, BATTEN_CIRCLE_SQUARE_9, &circle));
-    CHECK_OK(batten_chain_create(2, 1, &arc, NULL, false, 0, &chain));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &arc, NULL, false}, 0, &chain));
     CHECK_STATUS(batten_curve_approximate(circle, 3, 0, NULL, &none), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_approximate(circle, 3, NAN, NULL, &none), BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_curve_approximate(circle, 0, 1, NULL, &none), BATTEN_BAD_DEGREE);

@@ -136,8 +136,8 @@ TEST(the_size_of_a_network_is_that_of_its_box)
 {
     const double knots[] = {0, 0, 1, 1}, flat[] = {0, 0, 3, 0}, up[] = {3, 4, 0, 3, 0, 12};
     batten_curve *curves[2] = {NULL};
-    CHECK_OK(batten_curve_create(2, 1, 2, flat, NULL, knots, &curves[0]));
-    CHECK_OK(batten_curve_create(3, 1, 2, up, NULL, knots, &curves[1]));
+    CHECK_OK(batten_curve_create((batten_points){2, 2, flat}, 1, NULL, knots, &curves[0]));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, up}, 1, NULL, knots, &curves[1]));
     CHECK_NEAR(batten_network_size(2, (const batten_curve *const *)curves), 13, 1e-14);
     for (int k = 0; k < 2; k++)
         batten_curve_unref(curves[k]);

@@ -15,7 +15,8 @@ static double distance_from(surface_at at, const batten_surface *surface)
     for (int i = 0; i < SIDE; i++)
         for (int j = 0; j < SIDE; j++)
             at(i / (SIDE - 1.0), j / (SIDE - 1.0), points + 3 * (i * SIDE + j));
-    CHECK_OK(batten_surface_deviation(surface, SIDE * SIDE, points, NULL, NULL, NULL, &found));
+    CHECK_OK(batten_surface_deviation(surface, (batten_points){3, SIDE * SIDE, points}, NULL,
+                                      NULL, NULL, &found));
     return found.max;
 }
 
@@ -28,7 +29,8 @@ static double curve_off(const batten_curve *curve, const batten_surface *surface
     for (int i = 0; i <= 40; i++)
         CHECK_OK(batten_curve_evaluate(curve, domain.a + (domain.b - domain.a) * (i / 40.0), 0,
                                        points + 3 * i));
-    CHECK_OK(batten_surface_deviation(surface, 41, points, NULL, NULL, NULL, &found));
+    CHECK_OK(batten_surface_deviation(surface, (batten_points){3, 41, points}, NULL, NULL, NULL,
+                                      &found));
     return found.max;
 }
 
@@ -223,9 +225,11 @@ static void check_seam(const batten_surface *surface, bool along_u, double toler
         const double s = i / 10.0;
         for (int k = 0; k < 2; k++) {
             const batten_side side = k ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
-            CHECK_OK(batten_surface_evaluate_side(
-                surface, along_u ? k : s, along_u ? s : k, along_u ? side : BATTEN_FROM_RIGHT,
-                along_u ? BATTEN_FROM_RIGHT : side, 2, sides[k]));
+            CHECK_OK(
+                batten_surface_evaluate_side(surface, along_u ? k : s, along_u ? s : k,
+                                             (batten_sides){along_u ? side : BATTEN_FROM_RIGHT,
+                                                            along_u ? BATTEN_FROM_RIGHT : side},
+                                             2, sides[k]));
         }
         for (int c = 0; c < 18; c++)
             CHECK_NEAR(sides[0][c], sides[1][c], c < 3 ? 1e-13 : tolerance);
@@ -365,7 +369,8 @@ TEST(G5_guides_that_end_in_a_point_make_poles)
      * has a limit only then, and nearby it is that of the globe. */
     const double u[] = {0, 0.3, 0.7}, v[] = {0, 1e-3, 0.999, 1};
     double normals[12 * 3];
-    CHECK_OK(batten_surface_normal_grid(surface, 3, u, 4, v, NULL, NULL, normals));
+    CHECK_OK(
+        batten_surface_normal_grid(surface, (batten_uv_grid){3, 4, u, v}, NULL, NULL, normals));
     for (int i = 0; i < 12; i++) {
         for (int c = 0; c < 3; c++)
             CHECK(isfinite(normals[3 * i + c]));
@@ -381,7 +386,7 @@ TEST(a_profile_may_be_a_point)
     network n = meridians_and_parallels(6, 3);
     const double pole[] = {0, 0, -1, 0, 0, -1}, knots[] = {0, 0, 1, 1};
     n.count[0] = 4;
-    CHECK_OK(batten_curve_create(3, 1, 2, pole, NULL, knots, &n.curves[0][3]));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, pole}, 1, NULL, knots, &n.curves[0][3]));
     const batten_surface_gordon_options options = within(2e-3);
     batten_surface_gordon_report report;
     batten_surface *surface = NULL;
@@ -453,7 +458,7 @@ static batten_curve *polyline(int count, const double *points)
         knots[i + 1] = i;
     knots[count + 1] = count - 1;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 1, count, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, count, points}, 1, NULL, knots, &curve));
     return curve;
 }
 
@@ -585,9 +590,10 @@ TEST(S5_too_many_nodes_are_refused_before_the_work)
         curves[k] = n.curves[0][0];
     const batten_surface_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
-    CHECK_STATUS(
-        batten_surface_gordon(many, curves, many, curves, &options, NULL, NULL, &surface),
-        BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_surface_gordon((batten_curve_row){many, curves},
+                                       (batten_curve_row){many, curves}, &options, NULL, NULL,
+                                       &surface),
+                 BATTEN_TOO_LARGE);
     CHECK_MESSAGE("1e+06 nodes");
     network_end(&n);
 }
@@ -599,10 +605,11 @@ TEST(a_budget_of_work_ends_it)
     batten_job job = BATTEN_JOB;
     job.work_limit = 300;
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_gordon(4, (const batten_curve *const *)n.curves[0], 4,
-                                       (const batten_curve *const *)n.curves[1], &options, &job,
-                                       NULL, &surface),
-                 BATTEN_INCOMPLETE);
+    CHECK_STATUS(
+        batten_surface_gordon((batten_curve_row){4, (const batten_curve *const *)n.curves[0]},
+                              (batten_curve_row){4, (const batten_curve *const *)n.curves[1]},
+                              &options, &job, NULL, &surface),
+        BATTEN_INCOMPLETE);
     network_end(&n);
 }
 

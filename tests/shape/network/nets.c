@@ -53,7 +53,8 @@ static void check_near(const batten_curve *curve, const batten_surface *surface,
         CHECK_OK(batten_curve_evaluate(
             curve, bat_min(domain.b, (1 - s) * domain.a + s * domain.b), 0, points + 3 * i));
     }
-    CHECK_OK(batten_surface_deviation(surface, PLACES, points, NULL, NULL, NULL, &found));
+    CHECK_OK(batten_surface_deviation(surface, (batten_points){3, PLACES, points}, NULL, NULL,
+                                      NULL, &found));
     CHECK(found.max <= tolerance);
 }
 

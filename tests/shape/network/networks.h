@@ -30,7 +30,8 @@ static inline batten_curve *draw(surface_at at, drawn d)
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(3, d.points, points, &options, NULL, &curve));
+    CHECK_OK(
+        batten_curve_interpolate((batten_points){3, d.points, points}, &options, NULL, &curve));
     return curve;
 }
 
@@ -72,9 +73,10 @@ static inline batten_status gordon(const network *n,
                                    const batten_surface_gordon_options *options,
                                    batten_surface_gordon_report *report, batten_surface **out)
 {
-    return batten_surface_gordon(n->count[0], (const batten_curve *const *)n->curves[0],
-                                 n->count[1], (const batten_curve *const *)n->curves[1],
-                                 options, NULL, report, out);
+    return batten_surface_gordon(
+        (batten_curve_row){n->count[0], (const batten_curve *const *)n->curves[0]},
+        (batten_curve_row){n->count[1], (const batten_curve *const *)n->curves[1]}, options,
+        NULL, report, out);
 }
 
 /* A shell that bends both ways. */

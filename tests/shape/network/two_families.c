@@ -4,7 +4,7 @@ static batten_curve *line(double ax, double ay, double az, double bx, double by,
 {
     const double points[] = {ax, ay, az, bx, by, bz}, knots[] = {0, 0, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, &curve));
     return curve;
 }
 

@@ -39,7 +39,7 @@ static batten_curve *space_cubic(double x, double y, double z)
                                x + 2, y - 0.3, z + 0.4, x + 3, y + 0.5, z + 0.2};
     const double knots[8] = {0, 0, 0, 0, 1, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 3, 4, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 4, points}, 3, NULL, knots, &curve));
     return curve;
 }
 
@@ -231,7 +231,7 @@ TEST(g5_an_edge_that_is_a_point_makes_a_cone)
     const double apex[6] = {0, 0, 3, 0, 0, 3}, knots[4] = {0, 0, 1, 1};
     batten_curve *a = space_cubic(0, 0, 0), *b = NULL;
     batten_developable made = {0};
-    CHECK_OK(batten_curve_create(3, 1, 2, apex, NULL, knots, &b));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, apex}, 1, NULL, knots, &b));
     CHECK_OK(develop(a, b, 1e-6, &made));
     CHECK(made.is_developable && made.warp == 0 && made.error == 0);
     batten_developable_release(&made);
@@ -282,7 +282,7 @@ TEST(g7_edges_that_run_against_each_other_have_corners_or_touch_are_refused)
     CHECK_OK(batten_curve_reverse(b, &back));
     CHECK_STATUS(develop(a, back, 1e-6, &made), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("run against each other");
-    CHECK_OK(batten_curve_polyline(3, 3, corner, &broken));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 3, corner}, &broken));
     CHECK_STATUS(develop(a, broken, 1e-6, &made), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("the second edge has a corner at");
     CHECK_STATUS(develop(a, a, 1e-6, &made), BATTEN_NOT_COMPATIBLE);
@@ -302,7 +302,7 @@ TEST(g4_edges_without_a_tangent_are_refused)
     const double knots[8] = {0, 0, 0, 0, 1, 1, 1, 1};
     batten_curve *a = space_cubic(0, 0, 0), *b = NULL;
     batten_developable made = {0};
-    CHECK_OK(batten_curve_create(3, 3, 4, points, NULL, knots, &b));
+    CHECK_OK(batten_curve_create((batten_points){3, 4, points}, 3, NULL, knots, &b));
     CHECK_STATUS(develop(a, b, 1e-6, &made), BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("the second edge has no tangent at 0");
     drop(a, b);

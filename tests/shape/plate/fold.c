@@ -42,7 +42,7 @@ static batten_curve *twisted(void)
                                  {2.4, 1.6, 0.6}, {2, 2.6, 0.7}, {1, 3.2, 0.6}};
     const double knots[12] = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 5, 6, &points[0][0], NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 6, &points[0][0]}, 5, NULL, knots, &curve));
     return curve;
 }
 
@@ -336,7 +336,8 @@ TEST(a_crease_that_bends_both_ways_is_refused_where_it_does)
     batten_curve *curve = NULL;
     batten_fold fold;
     batten_fold_create_options options = options_of(&a, 0.1);
-    CHECK_OK(batten_curve_from_bezier(3, 3, 1, &points[0][0], NULL, breaks, &curve));
+    CHECK_OK(batten_curve_from_bezier(3, (batten_pieces){3, 1, breaks}, &points[0][0], NULL,
+                                      &curve));
     CHECK_STATUS(batten_fold_create(curve, &options, &fold), BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("to the other side near the length 1.");
     batten_curve_unref(curve);

@@ -49,7 +49,8 @@ static batten_curve *edge(const double *x, const double *heights, const double *
         points[i][1] = widths[i + 1];
         points[i][2] = heights[i + 1];
     }
-    CHECK_OK(batten_curve_interpolate(3, 5, &points[0][0], NULL, NULL, &curve));
+    CHECK_OK(
+        batten_curve_interpolate((batten_points){3, 5, &points[0][0]}, NULL, NULL, &curve));
     return curve;
 }
 

@@ -112,7 +112,7 @@ TEST(the_tangents_of_a_helix_unroll_without_strain_onto_the_tangents_of_a_circle
     CHECK_NEAR(fabs(flat.turn), 2 / sqrt(1.49), 1e-9);
     /* Flat edges as curves are as long as the edges in space. */
     double length = 0;
-    CHECK_OK(batten_curve_length(flat.second, 1e-11, &length, NULL));
+    CHECK_OK(batten_curve_length(flat.second, 1e-11, NULL, &length));
     CHECK_NEAR(length, flat.length_second[0], 1e-8);
     /* A mark midway along a ruling lies midway in the plane. */
     double mark[2];

@@ -22,7 +22,8 @@ static int check_thin(int d, int n, const double *q, double tolerance, bool clos
     int *kept = test_array((size_t)n, sizeof *kept), count = -1;
     batten_points_thin_report report;
     double largest = 0;
-    CHECK_OK(batten_points_thin(d, n, q, tolerance, closed, kept, &count, &report));
+    CHECK_OK(
+        batten_points_thin((batten_points){d, n, q}, tolerance, closed, &report, kept, &count));
     CHECK(count >= 1);
     CHECK(closed || (kept[0] == 0 && kept[count - 1] == n - 1));
     for (int j = 0; j < count - !closed; j++) {
@@ -70,7 +71,7 @@ TEST(a_polygon_sampled_gives_its_corners_back)
             memcpy(q + 2 * n, corners[4], sizeof corners[4]);
             n++;
         }
-        CHECK_OK(batten_points_thin(2, n, q, 0, closed, kept, &count, NULL));
+        CHECK_OK(batten_points_thin((batten_points){2, n, q}, 0, closed, NULL, kept, &count));
         CHECK_INT(count, 5);
         for (int e = 0; e < 5; e++)
             CHECK_INT(kept[e], 20 * e);
@@ -112,13 +113,17 @@ TEST(few_and_coincident_points)
     int kept[4], count = -1;
     batten_points_thin_report report;
     for (int closed = 0; closed < 2; closed++) {
-        CHECK_OK(batten_points_thin(2, 1, q, 0, closed, kept, &count, &report));
+        CHECK_OK(
+            batten_points_thin((batten_points){2, 1, q}, 0, closed, &report, kept, &count));
         CHECK_INT(count, 1);
-        CHECK_OK(batten_points_thin(2, 2, q, 0, closed, kept, &count, &report));
+        CHECK_OK(
+            batten_points_thin((batten_points){2, 2, q}, 0, closed, &report, kept, &count));
         CHECK_INT(count, 2);
-        CHECK_OK(batten_points_thin(2, 3, q, 0, closed, kept, &count, &report));
+        CHECK_OK(
+            batten_points_thin((batten_points){2, 3, q}, 0, closed, &report, kept, &count));
         CHECK_INT(count, 2);
-        CHECK_OK(batten_points_thin(2, 4, q, 0, closed, kept, &count, &report));
+        CHECK_OK(
+            batten_points_thin((batten_points){2, 4, q}, 0, closed, &report, kept, &count));
         CHECK_INT(count, 2);
         CHECK_NEAR(report.error, 0, 0);
     }
@@ -128,20 +133,21 @@ TEST(N1_N6_bad_points_and_tolerances_are_refused)
 {
     const double q[] = {0, 0, 1, NAN, 2, 2}, large[] = {0, 0, 1e300, 1};
     int kept[3], count = -1;
-    CHECK_STATUS(batten_points_thin(2, 3, q, 1, false, kept, &count, NULL), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 1");
-    CHECK_STATUS(batten_points_thin(2, 1, q, -1, false, kept, &count, NULL),
-                 BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_points_thin(2, 1, q, NAN, false, kept, &count, NULL),
+    CHECK_STATUS(batten_points_thin((batten_points){2, 3, q}, 1, false, NULL, kept, &count),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_points_thin(1, 1, q, 1, false, kept, &count, NULL),
+    CHECK_MESSAGE("point 1");
+    CHECK_STATUS(batten_points_thin((batten_points){2, 1, q}, -1, false, NULL, kept, &count),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_points_thin(2, 0, q, 1, false, kept, &count, NULL),
+    CHECK_STATUS(batten_points_thin((batten_points){2, 1, q}, NAN, false, NULL, kept, &count),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_points_thin((batten_points){1, 1, q}, 1, false, NULL, kept, &count),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_points_thin((batten_points){2, 0, q}, 1, false, NULL, kept, &count),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_points_thin(2, 2, large, 1, false, kept, &count, NULL),
+    CHECK_STATUS(batten_points_thin((batten_points){2, 2, large}, 1, false, NULL, kept, &count),
                  BATTEN_OVERFLOW);
     CHECK_INT(count, -1);
-    CHECK_OK(batten_points_thin(2, 1, q, HUGE_VAL, false, kept, &count, NULL));
+    CHECK_OK(batten_points_thin((batten_points){2, 1, q}, HUGE_VAL, false, NULL, kept, &count));
 }
 
 TEST(published_contours_thin_to_a_fraction)

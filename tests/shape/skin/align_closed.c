@@ -31,7 +31,8 @@ static batten_curve *ring(double z, double turn, bool periodic, bool backwards)
     options.parameters = BATTEN_UNIFORM;
     options.closed = periodic;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(3, periodic ? N : N + 1, points, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, periodic ? N : N + 1, points},
+                                      &options, NULL, &curve));
     return curve;
 }
 
@@ -58,10 +59,11 @@ TEST(closed_sections_turn_so_that_nothing_twists)
         batten_surface *twisted = NULL, *turned = NULL;
         batten_surface_skin_report report;
         double v[4];
-        CHECK_OK(
-            batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &twisted));
+        CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL,
+                                     NULL, NULL, &twisted));
         options.align = options.turn = true;
-        CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, v, &report, &turned));
+        CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL, v,
+                                     &report, &turned));
         CHECK(report.turned_count == 3 && report.reversed_count == 1);
         CHECK(report.crossing_count == 0 && report.disorder == -1);
         CHECK_INT(batten_surface_is_periodic(turned, BATTEN_U), periodic);
@@ -89,8 +91,8 @@ TEST(closed_sections_begin_where_they_are_told)
         batten_surface *surface = NULL;
         batten_surface_skin_report report;
         double v[3];
-        CHECK_OK(
-            batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface));
+        CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options, NULL, v,
+                                     &report, &surface));
         CHECK_INT(report.turned_count, 3);
         for (int k = 0; k < 3; k++) {
             double given[3], found[3];
@@ -102,14 +104,14 @@ TEST(closed_sections_begin_where_they_are_told)
         batten_surface_unref(surface);
         surface = NULL;
         starts[1] = 1e3;
-        CHECK_STATUS(
-            batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface),
-            BATTEN_OUT_OF_DOMAIN);
+        CHECK_STATUS(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options,
+                                         NULL, v, &report, &surface),
+                     BATTEN_OUT_OF_DOMAIN);
         CHECK_MESSAGE("section 1 shall begin at 1000");
         options.turn = true;
-        CHECK_STATUS(
-            batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface),
-            BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options,
+                                         NULL, v, &report, &surface),
+                     BATTEN_BAD_ARGUMENT);
         CHECK(surface == NULL);
         unref_all(3, sections);
     }
@@ -129,8 +131,10 @@ TEST(G10_mirrored_sections_make_the_mirrored_surface)
         options.align = options.turn = true;
         options.tolerance = 1e-3;
         batten_surface *a = NULL, *b = NULL;
-        CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &a));
-        CHECK_OK(batten_surface_skin(4, (curves)mirrored, &options, NULL, NULL, NULL, &b));
+        CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL,
+                                     NULL, NULL, &a));
+        CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)mirrored}, &options, NULL,
+                                     NULL, NULL, &b));
         for (int i = 0; i <= 20; i++)
             for (int j = 0; j <= 20; j++)
                 CHECK(apart_at(a, b, i / 20.0, j / 20.0, i / 20.0, 1) < 1e-12);
@@ -161,7 +165,7 @@ static batten_curve *both_sides(test_random *random, int count, double x)
     options.given = s;
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(3, n, points, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, n, points}, &options, NULL, &curve));
     return curve;
 }
 
@@ -175,7 +179,8 @@ TEST(symmetric_sections_make_a_symmetric_surface_with_few_knots_too)
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
     options.tolerance = 5e-3;
-    CHECK_OK(batten_surface_skin(8, (curves)sections, &options, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){8, (curves)sections}, &options, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.knot_count < report.exact_knot_count / 3 && report.error <= 5e-3);
     for (int i = 0; i <= 40; i++)
         for (int j = 0; j <= 20; j++)
@@ -198,7 +203,7 @@ static batten_curve *hasty(double z, double power)
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(3, N, points, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, N, points}, &options, NULL, &curve));
     return curve;
 }
 
@@ -211,12 +216,14 @@ TEST(sections_matched_by_arc_length_have_straight_lines_across)
     batten_surface_skin_options options = batten_surface_skin_defaults();
     options.match = BATTEN_MATCH_ARC_LENGTH;
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL,
+                                     NULL, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("to match sections by arc length a tolerance is needed");
     options.tolerance = 1e-4;
     batten_surface_skin_report report;
-    CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.error <= 1e-4 && report.error > 0 && report.knot_count < 20);
     CHECK(report.crease < 1e-9);
     for (int i = 0; i <= 20; i++)
@@ -248,7 +255,8 @@ TEST(sections_matched_by_marks_have_them_at_one_parameter)
     batten_surface *surface = NULL;
     batten_surface_skin_report report;
     double v[4];
-    CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, v, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL, v,
+                                 &report, &surface));
     CHECK(report.error <= 1e-4);
     for (int j = 0; j < 2; j++) {
         double mean = 0;
@@ -263,14 +271,17 @@ TEST(sections_matched_by_marks_have_them_at_one_parameter)
     batten_surface_unref(surface);
     surface = NULL;
     marks[3] = marks[2];
-    CHECK_STATUS(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL,
+                                     NULL, NULL, &surface),
                  BATTEN_NOT_INCREASING);
     CHECK_MESSAGE("marks do not rise inside section 1");
     options.align = true;
-    CHECK_STATUS(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL,
+                                     NULL, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
     options.mark_count = 0;
-    CHECK_STATUS(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL,
+                                     NULL, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
     unref_all(4, sections);
 }
@@ -280,7 +291,8 @@ TEST(G7_open_and_closed_sections_do_not_go_together)
     batten_curve *sections[3] = {ring(0, 0, true, false), ring(1, 0, false, false),
                                  hasty(2, 1)};
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_skin(3, (curves)sections, NULL, NULL, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_skin((batten_curve_row){3, (curves)sections}, NULL, NULL, NULL,
+                                     NULL, &surface),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("section 0 is closed, and section 2 is open");
     CHECK_OK(batten_surface_ruled(sections[1], sections[2], &surface));
@@ -304,13 +316,15 @@ TEST(G7_sections_that_cross_or_stand_in_disorder_are_named)
         sections[k] = line_at(places[k], 0, 1);
     batten_surface *surface = NULL;
     batten_surface_skin_report report;
-    CHECK_OK(batten_surface_skin(5, (curves)sections, NULL, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){5, (curves)sections}, NULL, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.disorder == 2 && report.disorder_count == 1 && report.crossing == -1);
     CHECK_MESSAGE("sections 2 and 3 are rather in the other order");
     batten_surface_unref(surface);
     batten_curve_unref(sections[1]);
     sections[1] = line_at(0, -0.5, 1.5); /* it crosses the first */
-    CHECK_OK(batten_surface_skin(2, (curves)sections, NULL, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){2, (curves)sections}, NULL, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.crossing == 0 && report.crossing_count == 1 && report.disorder == -1);
     CHECK_MESSAGE("sections 0 and 1 cross");
     batten_surface_unref(surface);
@@ -332,15 +346,15 @@ TEST(N2_sections_of_huge_and_tiny_size_are_turned_and_matched)
         options.turn = options.align = true;
         batten_surface_skin_report report;
         batten_surface *surface = NULL;
-        CHECK_OK(
-            batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
+        CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options, NULL,
+                                     NULL, &report, &surface));
         CHECK(report.turned_count == 2 && report.reversed_count == 1);
         batten_surface_unref(surface);
         surface = NULL;
         options.match = BATTEN_MATCH_ARC_LENGTH;
         options.tolerance = 1e-3 * sizes[c];
-        CHECK_OK(
-            batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
+        CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options, NULL,
+                                     NULL, &report, &surface));
         CHECK(report.error <= options.tolerance);
         batten_surface_unref(surface);
         unref_all(3, sections);

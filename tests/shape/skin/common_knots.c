@@ -34,8 +34,9 @@ static batten_surface_skin_report check_family(int count, int points, double tol
     options.tolerance = tolerance;
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(count, (const batten_curve *const *)sections, &options, NULL,
-                                 v, &report, &surface));
+    CHECK_OK(
+        batten_surface_skin((batten_curve_row){count, (const batten_curve *const *)sections},
+                            &options, NULL, v, &report, &surface));
     CHECK(report.error <= tolerance);
     const double worst = measured(count, sections, v, surface);
     CHECK(worst <= report.error * (1 + 1e-9));
@@ -68,7 +69,7 @@ static batten_status polyline_section(double x, double corner, batten_curve **ou
 {
     const double points[] = {x, 0, 0, x, 1, 0.2, x, 1, 2};
     const double knots[] = {0, 0, corner, 1, 1};
-    return batten_curve_create(3, 1, 3, points, NULL, knots, out);
+    return batten_curve_create((batten_points){3, 3, points}, 1, NULL, knots, out);
 }
 
 TEST(corners_stay_where_they_are)
@@ -85,8 +86,8 @@ TEST(corners_stay_where_they_are)
     options.degree = 1;
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)all, &options, NULL, NULL,
-                                 &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (const batten_curve *const *)all},
+                                 &options, NULL, NULL, &report, &surface));
     CHECK(report.error <= 1e-3 && report.knot_count < report.exact_knot_count);
     CHECK_NEAR(report.normal_jump, acos(0) - atan(0.2), 0.02);
     double out[3];
@@ -106,8 +107,8 @@ TEST(when_corners_need_as_many_knots_as_the_union_the_skin_is_exact)
     options.tolerance = 1e-3;
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL,
-                                 &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){3, (const batten_curve *const *)sections},
+                                 &options, NULL, NULL, &report, &surface));
     CHECK(report.error < 1e-14 && report.knot_count == 3 && report.exact_knot_count == 3);
     batten_surface_unref(surface);
     unref_all(3, sections);
@@ -138,8 +139,8 @@ TEST(rational_sections_keep_the_tolerance_too)
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
     double v[4];
-    CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)sections, &options, NULL, v,
-                                 &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (const batten_curve *const *)sections},
+                                 &options, NULL, v, &report, &surface));
     CHECK(batten_surface_is_rational(surface));
     CHECK(report.error <= 1e-4 && report.knot_count < 12 && report.exact_knot_count == 25);
     CHECK(measured(4, sections, v, surface) <= report.error * (1 + 1e-9) + 1e-12);
@@ -155,24 +156,27 @@ TEST(N6_tolerances_are_checked)
     batten_surface_skin_options options = batten_surface_skin_defaults();
     batten_surface *surface = NULL;
     options.tolerance = 1e-15;
-    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL,
-                                     NULL, NULL, &surface),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_surface_skin((batten_curve_row){2, (const batten_curve *const *)sections},
+                            &options, NULL, NULL, NULL, &surface),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the tolerance 1e-15 is lost in the rounding of coordinates of 1");
     options.tolerance = -1;
-    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL,
-                                     NULL, NULL, &surface),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_surface_skin((batten_curve_row){2, (const batten_curve *const *)sections},
+                            &options, NULL, NULL, NULL, &surface),
+        BATTEN_BAD_ARGUMENT);
     options.tolerance = NAN;
-    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL,
-                                     NULL, NULL, &surface),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_surface_skin((batten_curve_row){2, (const batten_curve *const *)sections},
+                            &options, NULL, NULL, NULL, &surface),
+        BATTEN_NOT_FINITE);
     CHECK(surface == NULL);
     /* Larger than the sections: no knots are left. */
     options.tolerance = 100;
     batten_surface_skin_report report;
-    CHECK_OK(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL,
-                                 &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){2, (const batten_curve *const *)sections},
+                                 &options, NULL, NULL, &report, &surface));
     CHECK_INT(report.knot_count, 0);
     CHECK(report.error > 0 && report.span_ratio == 1);
     batten_surface_unref(surface);
@@ -188,7 +192,7 @@ static batten_curve *uneven_section(double x, double place, double ratio)
         x, 2, 1.5, x, 2,   2};
     const double knots[] = {0, 0, 0, 0, place, place, place, 1, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 3, 7, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 7, points}, 3, NULL, knots, &curve));
     return curve;
 }
 
@@ -219,12 +223,12 @@ TEST(sections_of_uneven_speed_make_a_surface_without_a_crease)
     batten_surface_skin_options options = batten_surface_skin_defaults();
     batten_surface_skin_report exact, few;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL,
-                                 &exact, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){6, (const batten_curve *const *)sections},
+                                 &options, NULL, NULL, &exact, &surface));
     batten_surface_unref(surface);
     options.tolerance = 2e-3;
-    CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL,
-                                 &few, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){6, (const batten_curve *const *)sections},
+                                 &options, NULL, NULL, &few, &surface));
     CHECK(exact.normal_jump > 0.01 && few.normal_jump == 0);
     CHECK(few.error <= 2e-3);
     batten_surface_unref(surface);
@@ -252,8 +256,9 @@ TEST(I8_the_search_for_common_knots_can_be_cancelled)
         job.is_cancelled = stop_at;
         job.user = &questions;
         CHECK_STATUS(
-            (questions = at, batten_surface_skin(4, (const batten_curve *const *)sections,
-                                                 &options, &job, NULL, NULL, &surface)),
+            (questions = at,
+             batten_surface_skin((batten_curve_row){4, (const batten_curve *const *)sections},
+                                 &options, &job, NULL, NULL, &surface)),
             BATTEN_CANCELLED);
     }
     CHECK(surface == NULL);
@@ -269,8 +274,8 @@ TEST(as_many_knots_as_the_exact_union_are_not_better_than_it)
     options.tolerance = 1e-3;
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL,
-                                 &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){3, (const batten_curve *const *)sections},
+                                 &options, NULL, NULL, &report, &surface));
     CHECK(report.knot_count == 1 && report.error == 0);
     batten_surface_unref(surface);
     unref_all(3, sections);
@@ -291,7 +296,8 @@ static batten_curve *jittered_ring(test_random *random, int count, double x)
     options.given = s;
     options.closed = true;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(3, count, points, &options, NULL, &curve));
+    CHECK_OK(
+        batten_curve_interpolate((batten_points){3, count, points}, &options, NULL, &curve));
     return curve;
 }
 
@@ -310,17 +316,18 @@ TEST(K7_closed_profiles_share_few_knots_and_stay_periodic)
         double v[COUNT_ALL];
         batten_surface_skin_report report;
         batten_surface *surface = NULL;
-        CHECK_OK(batten_surface_skin(count, (const batten_curve *const *)rings, &options, NULL,
-                                     v, &report, &surface));
+        CHECK_OK(
+            batten_surface_skin((batten_curve_row){count, (const batten_curve *const *)rings},
+                                &options, NULL, v, &report, &surface));
         CHECK(batten_surface_is_periodic(surface, BATTEN_U));
         CHECK(report.error <= tolerances[c] && report.knot_count < 40);
         CHECK(report.exact_knot_count == 31 * count && report.span_ratio > 0.05);
         CHECK(measured(count, rings, v, surface) <= report.error * (1 + 1e-9));
         double low[18], high[18]; /* C2 over the seam */
-        CHECK_OK(batten_surface_evaluate_side(surface, 0, 0.4, BATTEN_FROM_RIGHT,
-                                              BATTEN_FROM_RIGHT, 2, low));
-        CHECK_OK(batten_surface_evaluate_side(surface, 1, 0.4, BATTEN_FROM_LEFT,
-                                              BATTEN_FROM_RIGHT, 2, high));
+        CHECK_OK(batten_surface_evaluate_side(
+            surface, 0, 0.4, (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT}, 2, low));
+        CHECK_OK(batten_surface_evaluate_side(
+            surface, 1, 0.4, (batten_sides){BATTEN_FROM_LEFT, BATTEN_FROM_RIGHT}, 2, high));
         for (int i = 0; i < 18; i++)
             CHECK_NEAR(low[i], high[i], 1e-9);
         batten_surface_unref(surface);
@@ -339,7 +346,8 @@ TEST(K7_held_knots_stand_in_the_result_to_the_bit)
     for (int k = 0; k < 2; k++) {
         batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.parameters = k ? BATTEN_UNIFORM : BATTEN_CHORD;
-        CHECK_OK(batten_curve_interpolate(3, 5, points, &options, NULL, &sections[k]));
+        CHECK_OK(batten_curve_interpolate((batten_points){3, 5, points}, &options, NULL,
+                                          &sections[k]));
     }
     const bat_common_request request = {.tolerance = 1e-2, .held_count = 3, .held = held};
     CHECK_OK(bat_common_knots_held(2, (const batten_curve *const *)sections, &request, &work,

@@ -12,7 +12,8 @@ static batten_curve *uneven(double x, double place, double ratio)
         x, 2, 3};
     const double knots[] = {0, 0, 0, place, place, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 2, 5, place < 0.45 ? points : bent, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 5, place < 0.45 ? points : bent}, 2, NULL,
+                                 knots, &curve));
     return curve;
 }
 
@@ -24,15 +25,16 @@ TEST(speeds_that_jump_by_different_factors_make_the_crease_of_the_notes)
     const double first[] = {-1, 0, 0, 0, 0, 0, 1, 0, 0},
                  second[] = {0, -1, 1, 0, 0, 1, 0, 3, 1};
     batten_curve *sections[2] = {NULL, NULL};
-    CHECK_OK(batten_curve_create(3, 1, 3, first, NULL, knots, &sections[0]));
-    CHECK_OK(batten_curve_create(3, 1, 3, second, NULL, knots, &sections[1]));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, first}, 1, NULL, knots, &sections[0]));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, second}, 1, NULL, knots, &sections[1]));
     batten_surface_skin_options options = batten_surface_skin_defaults();
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
     double left[9], right[9];
-    CHECK_OK(batten_surface_skin(2, (curves)sections, &options, NULL, NULL, &report, &surface));
-    CHECK_OK(batten_surface_evaluate_side(surface, 0.5, 0.5, BATTEN_FROM_LEFT,
-                                          BATTEN_FROM_RIGHT, 1, left));
+    CHECK_OK(batten_surface_skin((batten_curve_row){2, (curves)sections}, &options, NULL, NULL,
+                                 &report, &surface));
+    CHECK_OK(batten_surface_evaluate_side(
+        surface, 0.5, 0.5, (batten_sides){BATTEN_FROM_LEFT, BATTEN_FROM_RIGHT}, 1, left));
     CHECK_OK(batten_surface_evaluate(surface, 0.5, 0.5, 1, right));
     CHECK_NEAR(atan2(right[4], right[3]) - atan2(left[4], left[3]), 26.565 * acos(0) / 90,
                1e-5);
@@ -42,7 +44,8 @@ TEST(speeds_that_jump_by_different_factors_make_the_crease_of_the_notes)
     batten_surface_unref(surface);
 
     options.creases = BATTEN_CREASES_CURE;
-    CHECK_OK(batten_surface_skin(2, (curves)sections, &options, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){2, (curves)sections}, &options, NULL, NULL,
+                                 &report, &surface));
     CHECK_INT(report.cure, BATTEN_CURE_STRETCHED);
     CHECK(report.crease < 1e-12 && report.error == 0);
     batten_surface_unref(surface);
@@ -57,17 +60,20 @@ TEST(creases_from_speeds_are_cured_exactly_when_asked)
     batten_surface_skin_options options = batten_surface_skin_defaults();
     batten_surface_skin_report kept, cured;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, &kept, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL, NULL,
+                                 &kept, &surface));
     batten_surface_unref(surface);
     options.creases = BATTEN_CREASES_CURE;
-    CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, &cured, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL, NULL,
+                                 &cured, &surface));
     batten_surface_unref(surface);
     CHECK(kept.crease > 0.01 && kept.cure == BATTEN_CURE_NONE);
     CHECK(cured.crease < 1e-9 && cured.cure == BATTEN_CURE_STRETCHED);
     CHECK(cured.error == 0);
     options.creases = BATTEN_CREASES_KEEP;
     options.tolerance = 1e-6;
-    CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, &kept, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL, NULL,
+                                 &kept, &surface));
     CHECK(kept.crease > 0.01 && kept.cure == BATTEN_CURE_NONE);
     batten_surface_unref(surface);
     unref_all(4, sections);
@@ -95,7 +101,8 @@ static batten_curve *arcs(double z, double radius, double angle, int count,
     }
     knots[2 * count + 3] = 1;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 2, 2 * count + 1, points, weights, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 2 * count + 1, points}, 2, weights, knots,
+                                 &curve));
     return curve;
 }
 
@@ -126,11 +133,13 @@ TEST(weights_that_jump_make_creases_and_are_rescaled_exactly)
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
     double v[3];
-    CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options, NULL, v,
+                                 &report, &surface));
     CHECK(report.crease > 1e-3 && report.cure == BATTEN_CURE_NONE);
     batten_surface_unref(surface);
     options.creases = BATTEN_CREASES_CURE;
-    CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options, NULL, v,
+                                 &report, &surface));
     CHECK_INT(report.cure, BATTEN_CURE_RESCALED);
     CHECK(report.crease < 1e-9 && report.error == 0);
     CHECK(batten_surface_is_rational(surface));
@@ -149,7 +158,8 @@ TEST(sections_with_proportional_weights_need_no_cure)
     options.creases = BATTEN_CREASES_CURE;
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.cure == BATTEN_CURE_NONE && report.crease < 1e-12);
     batten_surface_unref(surface);
     unref_all(3, sections);
@@ -167,13 +177,15 @@ TEST(what_cannot_be_rescaled_becomes_polynomial_within_the_tolerance)
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
     options.creases = BATTEN_CREASES_CURE;
-    CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.cure == BATTEN_CURE_NONE && report.crease > 1e-3); /* it is said, not hidden */
     batten_surface_unref(surface);
     options.tolerance = 1e-4;
     options.creases = BATTEN_CREASES_WITHIN;
     double v[3];
-    CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options, NULL, v,
+                                 &report, &surface));
     CHECK(report.crease <= 1e-4 && report.error <= 1e-4);
     for (int k = 0; k < 3; k++)
         CHECK(off_circle(surface, v[k], 2 + 0.5 * k * k) <= 1e-4);
@@ -188,14 +200,15 @@ TEST(weights_that_would_fall_below_zero_are_cured_within_a_tolerance)
     for (int k = 0; k < 6; k++) {
         const double points[] = {k, 0, 0, k, 1, 1, k, 2, 0}, w[] = {1, weights[k], 1};
         sections[k] = NULL;
-        CHECK_OK(batten_curve_create(3, 2, 3, points, w, knots, &sections[k]));
+        CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, w, knots, &sections[k]));
     }
     batten_surface_skin_options options = batten_surface_skin_defaults();
     options.tolerance = 1e-3;
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
     double v[6];
-    CHECK_OK(batten_surface_skin(6, (curves)sections, &options, NULL, v, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){6, (curves)sections}, &options, NULL, v,
+                                 &report, &surface));
     CHECK_INT(report.cure, BATTEN_CURE_POLYNOMIAL);
     CHECK(!batten_surface_is_rational(surface) && report.error <= 1e-3);
     for (int k = 0; k < 6; k++)

@@ -25,7 +25,8 @@ static double distance_between(const batten_surface *reference, const batten_sur
             CHECK_OK(batten_surface_evaluate(skin, (double)i / PLACES, (v[k] + v[k + 1]) / 2, 0,
                                              points + 3 * count));
     batten_deviation found;
-    CHECK_OK(batten_surface_deviation(reference, count, points, NULL, NULL, NULL, &found));
+    CHECK_OK(batten_surface_deviation(reference, (batten_points){3, count, points}, NULL, NULL,
+                                      NULL, &found));
     return found.max;
 }
 
@@ -43,7 +44,8 @@ static double distance_of_sections(const batten_surface *reference, const batten
         }
     }
     batten_deviation found;
-    CHECK_OK(batten_surface_deviation(reference, count, points, NULL, NULL, NULL, &found));
+    CHECK_OK(batten_surface_deviation(reference, (batten_points){3, count, points}, NULL, NULL,
+                                      NULL, &found));
     return found.max;
 }
 
@@ -72,10 +74,12 @@ TEST(the_sections_of_a_cargo_ship_need_few_control_points_at_a_millimetre)
     batten_surface_skin_report exact, few;
     batten_surface *heavy = NULL, *light = NULL;
     double v[SECTIONS];
-    CHECK_OK(batten_surface_skin(SECTIONS, sections, &options, NULL, NULL, &exact, &heavy));
+    CHECK_OK(batten_surface_skin((batten_curve_row){SECTIONS, sections}, &options, NULL, NULL,
+                                 &exact, &heavy));
     options.tolerance = 1e-3;
     options.match = BATTEN_MATCH_ARC_LENGTH;
-    CHECK_OK(batten_surface_skin(SECTIONS, sections, &options, NULL, v, &few, &light));
+    CHECK_OK(batten_surface_skin((batten_curve_row){SECTIONS, sections}, &options, NULL, v,
+                                 &few, &light));
     CHECK(exact.crease > 0.01 && few.crease == 0 && few.cure == BATTEN_CURE_STRETCHED);
     CHECK(few.error <= 1e-3 && few.crossing == -1 && few.disorder == -1);
     CHECK(batten_surface_point_count(heavy, BATTEN_U) >=

@@ -37,15 +37,17 @@ TEST(a_procedural_skin_is_the_exact_skin_of_polynomial_sections)
         }
         double v[7];
         batten_surface *free = NULL, *skin = NULL, *exact = NULL;
-        CHECK_OK(batten_surface_skin_procedural(6, (curves)sections, &options, v, &free));
+        CHECK_OK(batten_surface_skin_procedural((batten_curve_row){6, (curves)sections},
+                                                &options, v, &free));
         CHECK_TEXT(batten_surface_kind(free), "skin");
         options.parameters = BATTEN_GIVEN;
         options.given = v;
         v[6] = batten_surface_domain(free, BATTEN_V).b;
-        CHECK_OK(batten_surface_skin(6, (curves)sections, &options, NULL, NULL, NULL, &skin));
+        CHECK_OK(batten_surface_skin((batten_curve_row){6, (curves)sections}, &options, NULL,
+                                     NULL, NULL, &skin));
         CHECK(apart(free, skin) < 2e-13 * 6);
         double error = 1, a[18], b[18];
-        CHECK_OK(batten_surface_to_nurbs(free, 0, &exact, &error));
+        CHECK_OK(batten_surface_to_nurbs(free, 0, &error, &exact));
         CHECK(apart(skin, exact) < 2e-13 * 6 && error < 1e-14);
         CHECK_OK(batten_surface_evaluate(free, 0.313, 0.417, 2, a));
         CHECK_OK(batten_surface_evaluate(skin, 0.313, 0.417, 2, b));
@@ -66,9 +68,10 @@ TEST(a_procedural_skin_becomes_few_knots_within_a_tolerance)
         sections[k] = jittered(&random, 24, 3.0 * k / 7, airfoil);
     batten_surface *free = NULL, *few = NULL;
     double error = 0, spans[200];
-    CHECK_OK(batten_surface_skin_procedural(8, (curves)sections, NULL, NULL, &free));
+    CHECK_OK(batten_surface_skin_procedural((batten_curve_row){8, (curves)sections}, NULL, NULL,
+                                            &free));
     CHECK_INT(batten_surface_spans(free, BATTEN_U, spans), 8 * 20 + 2);
-    CHECK_OK(batten_surface_to_nurbs(free, 1e-3, &few, &error));
+    CHECK_OK(batten_surface_to_nurbs(free, 1e-3, &error, &few));
     CHECK(batten_surface_spans(few, BATTEN_U, NULL) < 30);
     CHECK(error > 0 && error <= 1e-3 * (1 + 1e-12));
     CHECK(apart(free, few) <= error);
@@ -91,7 +94,8 @@ TEST(rational_sections_are_blended_at_their_points)
     }
     batten_surface *free = NULL, *near = NULL;
     double v[4], error = 0;
-    CHECK_OK(batten_surface_skin_procedural(4, (curves)sections, NULL, v, &free));
+    CHECK_OK(batten_surface_skin_procedural((batten_curve_row){4, (curves)sections}, NULL, v,
+                                            &free));
     for (int k = 0; k < 4; k++)
         for (int i = 0; i <= 50; i++) {
             double p[3];
@@ -99,9 +103,9 @@ TEST(rational_sections_are_blended_at_their_points)
             CHECK_NEAR(hypot(p[0], p[1]), 1 + 0.5 * k, 1e-14 * 4);
             CHECK_NEAR(p[2], k, 1e-14 * 4);
         }
-    CHECK_STATUS(batten_surface_to_nurbs(free, 0, &near, &error), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_to_nurbs(free, 0, &error, &near), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("as NURBS the surface needs a tolerance");
-    CHECK_OK(batten_surface_to_nurbs(free, 1e-4, &near, &error));
+    CHECK_OK(batten_surface_to_nurbs(free, 1e-4, &error, &near));
     CHECK(!batten_surface_is_rational(near) && error <= 1e-4);
     CHECK(apart(free, near) <= error);
     batten_surface_unref(near);
@@ -118,9 +122,11 @@ TEST(a_procedural_skin_has_no_ends_with_a_direction)
     batten_surface_skin_options options = batten_surface_skin_defaults();
     options.end = (batten_end){BATTEN_END_DIRECTION, {1, 0, 0}};
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_skin_procedural(3, (curves)sections, &options, NULL, &surface),
+    CHECK_STATUS(batten_surface_skin_procedural((batten_curve_row){3, (curves)sections},
+                                                &options, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_skin_procedural(1, (curves)sections, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_skin_procedural((batten_curve_row){1, (curves)sections}, NULL,
+                                                NULL, &surface),
                  BATTEN_TOO_FEW_POINTS);
     CHECK(surface == NULL);
     unref_all(3, sections);
@@ -137,7 +143,8 @@ TEST(S5_cardinal_splines_of_too_many_sections_are_refused)
         sections[k] = line;
     batten_surface *surface = NULL;
     if (count > 10) {
-        CHECK_STATUS(batten_surface_skin_procedural(count, sections, NULL, NULL, &surface),
+        CHECK_STATUS(batten_surface_skin_procedural((batten_curve_row){count, sections}, NULL,
+                                                    NULL, &surface),
                      BATTEN_TOO_LARGE);
         CHECK_MESSAGE("1200 sections have cardinal splines");
     }

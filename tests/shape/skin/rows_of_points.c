@@ -33,8 +33,8 @@ TEST(a_surface_passes_all_points_of_uneven_rows_with_few_knots)
         options.degree = degree;
         batten_surface_skin_rows_report report;
         batten_surface *surface = NULL;
-        CHECK_OK(batten_surface_skin_rows(3, rows, counts, points, &options, NULL, u, v,
-                                          &report, &surface));
+        CHECK_OK(batten_surface_skin_rows((batten_rows){3, rows, counts, points}, &options,
+                                          NULL, (batten_uv_out){u, v}, &report, &surface));
         for (int k = 0, i = 0; k < rows; k++)
             for (int j = 0; j < counts[k]; j++, i++) {
                 double p[3];
@@ -101,8 +101,8 @@ TEST(rows_that_share_their_parameters_share_all_knots)
     }
     batten_surface_skin_rows_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin_rows(3, 6, counts, points, NULL, NULL, NULL, NULL, &report,
-                                      &surface));
+    CHECK_OK(batten_surface_skin_rows((batten_rows){3, 6, counts, points}, NULL, NULL,
+                                      (batten_uv_out){NULL, NULL}, &report, &surface));
     CHECK(report.knot_count == 8 && report.free_rows == 0 && report.separate_knot_count == 48);
     batten_surface_unref(surface);
 }
@@ -126,7 +126,7 @@ TEST(what_points_leave_open_has_the_least_energy)
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
     batten_curve *natural = NULL, *found = NULL;
     bool is_free = false;
-    CHECK_OK(batten_curve_interpolate(1, 4, values, &options, NULL, &natural));
+    CHECK_OK(batten_curve_interpolate((batten_points){1, 4, values}, &options, NULL, &natural));
     CHECK_OK(bat_row_through(&shared, 3, 1, 4, places, values, &is_free, &found));
     CHECK(is_free);
     for (int i = 0; i <= 100; i++) {
@@ -152,8 +152,8 @@ TEST(short_rows_between_long_ones_stay_calm)
     batten_surface *surface = NULL;
     batten_surface_skin_rows_report report;
     double v[4];
-    CHECK_OK(
-        batten_surface_skin_rows(3, 4, counts, points, NULL, NULL, NULL, v, &report, &surface));
+    CHECK_OK(batten_surface_skin_rows((batten_rows){3, 4, counts, points}, NULL, NULL,
+                                      (batten_uv_out){NULL, v}, &report, &surface));
     CHECK_INT(report.free_rows, 2);
     for (int i = 0; i <= 20; i++) {
         double p[3];
@@ -170,37 +170,37 @@ TEST(G9_rows_of_points_that_are_bad_are_named)
     const int counts[] = {4, 3}, few[] = {4, 1};
     double points[] = {0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 1, 0, 0, 1, 1, 0, 1, 2, 1};
     batten_surface *surface = NULL;
-    CHECK_STATUS(
-        batten_surface_skin_rows(3, 1, counts, points, NULL, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(
-        batten_surface_skin_rows(3, 2, few, points, NULL, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 1, counts, points}, NULL, NULL,
+                                          (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, few, points}, NULL, NULL,
+                                          (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("row 1 has 1 point, and needs 2");
     points[16] = 0; /* the second point of row 1 on its first */
-    CHECK_STATUS(
-        batten_surface_skin_rows(3, 2, counts, points, NULL, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, NULL, NULL,
+                                          (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("row 1: ");
     points[16] = NAN;
-    CHECK_STATUS(
-        batten_surface_skin_rows(3, 2, counts, points, NULL, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, NULL, NULL,
+                                          (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_NOT_FINITE);
     CHECK_MESSAGE("point 1 of row 1 is not finite");
     batten_surface_skin_rows_options options = batten_surface_skin_rows_defaults();
     options.degree = 0;
-    CHECK_STATUS(batten_surface_skin_rows(3, 2, counts, points, &options, NULL, NULL, NULL,
-                                          NULL, &surface),
+    CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, &options, NULL,
+                                          (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_BAD_DEGREE);
     options.degree = 3;
     options.margin = 0.5;
-    CHECK_STATUS(batten_surface_skin_rows(3, 2, counts, points, &options, NULL, NULL, NULL,
-                                          NULL, &surface),
+    CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, &options, NULL,
+                                          (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
     options.margin = 0.25;
     options.parameters = BATTEN_GIVEN;
-    CHECK_STATUS(batten_surface_skin_rows(3, 2, counts, points, &options, NULL, NULL, NULL,
-                                          NULL, &surface),
+    CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, &options, NULL,
+                                          (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
     CHECK(surface == NULL);
 }
@@ -216,8 +216,8 @@ TEST(N2_rows_of_huge_and_tiny_points_are_interpolated)
             points[i] *= sizes[c];
         batten_surface_skin_rows_report report;
         batten_surface *surface = NULL;
-        CHECK_OK(batten_surface_skin_rows(3, 5, counts, points, NULL, NULL, NULL, NULL, &report,
-                                          &surface));
+        CHECK_OK(batten_surface_skin_rows((batten_rows){3, 5, counts, points}, NULL, NULL,
+                                          (batten_uv_out){NULL, NULL}, &report, &surface));
         CHECK(report.error < 1e-11 * sizes[c]);
         batten_surface_unref(surface);
     }
@@ -228,11 +228,11 @@ TEST(S5_too_many_rows_or_points_are_refused_before_the_work)
     const int counts[] = {900000, 900000};
     const double points[6] = {0};
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_skin_rows(3, 2000000, counts, points, NULL, NULL, NULL, NULL,
-                                          NULL, &surface),
+    CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2000000, counts, points}, NULL, NULL,
+                                          (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_TOO_LARGE);
-    CHECK_STATUS(
-        batten_surface_skin_rows(3, 2, counts, points, NULL, NULL, NULL, NULL, NULL, &surface),
-        BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, NULL, NULL,
+                                          (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_TOO_LARGE);
     CHECK(surface == NULL);
 }

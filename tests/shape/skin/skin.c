@@ -33,7 +33,8 @@ TEST(a_skin_through_isocurves_of_a_bicubic_surface_is_that_surface)
     batten_surface_interpolate_options grid = batten_surface_interpolate_defaults();
     grid.knots_at_data = true;
     batten_surface *surface = NULL, *skin = NULL;
-    CHECK_OK(batten_surface_interpolate(3, 7, 6, points, &grid, NULL, NULL, v, NULL, &surface));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, 7, 6, points}, &grid, NULL,
+                                        (batten_uv_out){NULL, v}, NULL, &surface));
     batten_curve *sections[6];
     for (int k = 0; k < 6; k++) {
         sections[k] = NULL;
@@ -43,7 +44,8 @@ TEST(a_skin_through_isocurves_of_a_bicubic_surface_is_that_surface)
     options.parameters = BATTEN_GIVEN;
     options.given = v;
     batten_surface_skin_report report;
-    CHECK_OK(batten_surface_skin(6, (curves)sections, &options, NULL, NULL, &report, &skin));
+    CHECK_OK(batten_surface_skin((batten_curve_row){6, (curves)sections}, &options, NULL, NULL,
+                                 &report, &skin));
     CHECK(distance_on(surface, skin) < 1e-12 * 6);
     CHECK(report.error == 0 && report.knot_count == report.exact_knot_count);
     batten_surface_unref(skin);
@@ -78,7 +80,8 @@ TEST(circles_of_linear_radius_make_a_cone_exactly)
         options.parameters = BATTEN_GIVEN;
         options.given = given;
         batten_surface *cone = NULL;
-        CHECK_OK(batten_surface_skin(6, (curves)sections, &options, NULL, NULL, NULL, &cone));
+        CHECK_OK(batten_surface_skin((batten_curve_row){6, (curves)sections}, &options, NULL,
+                                     NULL, NULL, &cone));
         CHECK(batten_surface_is_rational(cone));
         for (int i = 0; i <= 200; i++) {
             double out[3];
@@ -106,7 +109,8 @@ TEST(points_at_the_ends_are_poles)
         }
     }
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(5, (curves)sections, NULL, NULL, NULL, NULL, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){5, (curves)sections}, NULL, NULL, NULL,
+                                 NULL, &surface));
     const int across = batten_surface_point_count(surface, BATTEN_V);
     const double *P = batten_surface_points(surface);
     for (int i = 0; i < batten_surface_point_count(surface, BATTEN_U); i++) {
@@ -131,8 +135,8 @@ TEST(ends_hold_what_they_promise)
         batten_surface_skin_options options = batten_surface_skin_defaults();
         options.start = options.end = (batten_end){kinds[c], {1, 0.5, 0.25}};
         batten_surface *surface = NULL;
-        CHECK_OK(
-            batten_surface_skin(5, (curves)sections, &options, NULL, NULL, NULL, &surface));
+        CHECK_OK(batten_surface_skin((batten_curve_row){5, (curves)sections}, &options, NULL,
+                                     NULL, NULL, &surface));
         for (int i = 0; i <= 10; i++) {
             double out[18];
             CHECK_OK(batten_surface_evaluate(surface, i / 10.0, i % 2, 2, out));
@@ -169,7 +173,8 @@ TEST(a_periodic_skin_closes_smoothly_in_both_directions)
         batten_curve_interpolate_options ring = batten_curve_interpolate_defaults();
         ring.closed = true;
         rings[k] = NULL;
-        CHECK_OK(batten_curve_interpolate(3, 8, points, &ring, NULL, &rings[k]));
+        CHECK_OK(
+            batten_curve_interpolate((batten_points){3, 8, points}, &ring, NULL, &rings[k]));
     }
     batten_surface_skin_options options = batten_surface_skin_defaults();
     options.closed = true;
@@ -177,15 +182,16 @@ TEST(a_periodic_skin_closes_smoothly_in_both_directions)
     double v[8];
     batten_surface_skin_report report;
     batten_surface *torus = NULL;
-    CHECK_OK(batten_surface_skin(8, (curves)rings, &options, NULL, v, &report, &torus));
+    CHECK_OK(batten_surface_skin((batten_curve_row){8, (curves)rings}, &options, NULL, v,
+                                 &report, &torus));
     CHECK(batten_surface_is_periodic(torus, BATTEN_U) &&
           batten_surface_is_periodic(torus, BATTEN_V));
     CHECK(report.error == 0);
     double low[18], high[18];
-    CHECK_OK(batten_surface_evaluate_side(torus, 0.3, 0, BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT,
-                                          2, low));
-    CHECK_OK(batten_surface_evaluate_side(torus, 0.3, 1, BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT, 2,
-                                          high));
+    CHECK_OK(batten_surface_evaluate_side(
+        torus, 0.3, 0, (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT}, 2, low));
+    CHECK_OK(batten_surface_evaluate_side(
+        torus, 0.3, 1, (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT}, 2, high));
     for (int k = 0; k < 18; k++)
         CHECK_NEAR(low[k], high[k], 1e-10);
     batten_surface_unref(torus);
@@ -206,10 +212,13 @@ TEST(sections_that_run_backwards_are_reversed_on_request_and_named)
     }
     batten_surface_skin_options options = batten_surface_skin_defaults();
     batten_surface *right = NULL, *aligned = NULL, *crossed = NULL;
-    CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &right));
-    CHECK_OK(batten_surface_skin(4, (curves)turned, &options, NULL, NULL, NULL, &crossed));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL, NULL,
+                                 NULL, &right));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)turned}, &options, NULL, NULL,
+                                 NULL, &crossed));
     options.align = true;
-    CHECK_OK(batten_surface_skin(4, (curves)turned, &options, NULL, NULL, NULL, &aligned));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)turned}, &options, NULL, NULL,
+                                 NULL, &aligned));
     CHECK_MESSAGE("section 2 was reversed");
     CHECK(distance_on(right, aligned) < 1e-13 * 25);
     CHECK(distance_on(right, crossed) > 0.1);
@@ -227,8 +236,10 @@ TEST(G10_sections_in_reverse_order_reverse_v)
     for (int k = 0; k < 6; k++)
         backward[5 - k] = sections[k] = jittered(&random, 8, k, airfoil);
     batten_surface *a = NULL, *b = NULL;
-    CHECK_OK(batten_surface_skin(6, (curves)sections, NULL, NULL, NULL, NULL, &a));
-    CHECK_OK(batten_surface_skin(6, (curves)backward, NULL, NULL, NULL, NULL, &b));
+    CHECK_OK(batten_surface_skin((batten_curve_row){6, (curves)sections}, NULL, NULL, NULL,
+                                 NULL, &a));
+    CHECK_OK(batten_surface_skin((batten_curve_row){6, (curves)backward}, NULL, NULL, NULL,
+                                 NULL, &b));
     for (int i = 0; i <= 20; i++)
         for (int j = 0; j <= 20; j++) {
             double p[3], q[3];
@@ -253,10 +264,12 @@ TEST(equal_sections_on_a_straight_spine_make_a_cylinder)
     batten_surface_skin_options options = batten_surface_skin_defaults();
     options.spine = spine;
     batten_surface *cylinder = NULL, *screw = NULL;
-    CHECK_OK(batten_surface_skin(4, sections, &options, NULL, NULL, NULL, &cylinder));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, sections}, &options, NULL, NULL, NULL,
+                                 &cylinder));
     options.twist = twist;
     options.scale = scale;
-    CHECK_OK(batten_surface_skin(4, sections, &options, NULL, NULL, NULL, &screw));
+    CHECK_OK(batten_surface_skin((batten_curve_row){4, sections}, &options, NULL, NULL, NULL,
+                                 &screw));
     for (int i = 0; i <= 50; i++) {
         double out[3];
         CHECK_OK(batten_surface_evaluate(cylinder, i / 50.0, (i * 7 % 50) / 50.0, 0, out));
@@ -311,10 +324,11 @@ TEST(weights_that_would_fall_below_zero_are_refused_with_their_number)
     for (int k = 0; k < 6; k++) {
         const double points[] = {k, 0, 0, k, 1, 1, k, 2, 0}, w[] = {1, weights[k], 1};
         sections[k] = NULL;
-        CHECK_OK(batten_curve_create(3, 2, 3, points, w, knots, &sections[k]));
+        CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, w, knots, &sections[k]));
     }
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_skin(6, (curves)sections, NULL, NULL, NULL, NULL, &surface),
+    CHECK_STATUS(batten_surface_skin((batten_curve_row){6, (curves)sections}, NULL, NULL, NULL,
+                                     NULL, &surface),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("the weight of control point (1, ");
     CHECK(surface == NULL);
@@ -329,7 +343,8 @@ TEST(K7_the_knots_of_all_sections_are_in_the_union)
         sections[k] = jittered(&random, 10, k, airfoil);
     batten_surface_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(3, (curves)sections, NULL, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, NULL, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.knot_count == 18 && report.exact_knot_count == 18);
     CHECK(report.span_ratio > 0 && report.span_ratio < 1 && report.normal_jump == 0);
     batten_surface_unref(surface);
@@ -343,8 +358,9 @@ TEST(G1_sections_that_coincide_are_named)
                  *two = jittered(&random, 8, 1, airfoil);
     const batten_curve *sections[] = {one, two, two};
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_skin(3, sections, NULL, NULL, NULL, NULL, &surface),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        batten_surface_skin((batten_curve_row){3, sections}, NULL, NULL, NULL, NULL, &surface),
+        BATTEN_COINCIDENT);
     CHECK_MESSAGE("sections 1 and 2 coincide");
     batten_curve_unref(two);
     batten_curve_unref(one);
@@ -363,11 +379,12 @@ TEST(S5_skins_that_would_be_too_large_are_refused_before_the_work)
     batten_surface_skin_options options = batten_surface_skin_defaults();
     options.parameters = BATTEN_UNIFORM;
     if (count > 10) {
-        CHECK_STATUS(batten_surface_skin(count, sections, &options, NULL, NULL, NULL, &surface),
+        CHECK_STATUS(batten_surface_skin((batten_curve_row){count, sections}, &options, NULL,
+                                         NULL, NULL, &surface),
                      BATTEN_TOO_LARGE);
-        CHECK_STATUS(
-            batten_surface_skin(2000000, sections, &options, NULL, NULL, NULL, &surface),
-            BATTEN_TOO_LARGE);
+        CHECK_STATUS(batten_surface_skin((batten_curve_row){2000000, sections}, &options, NULL,
+                                         NULL, NULL, &surface),
+                     BATTEN_TOO_LARGE);
     }
     CHECK(surface == NULL);
     batten_curve_unref(section);
@@ -381,8 +398,9 @@ TEST(skins_that_make_no_sense_are_refused)
     CHECK_OK(batten_curve_line(3, a, b, &section));
     const batten_curve *sections[] = {section, section};
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_skin(1, sections, NULL, NULL, NULL, NULL, &surface),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_surface_skin((batten_curve_row){1, sections}, NULL, NULL, NULL, NULL, &surface),
+        BATTEN_TOO_FEW_POINTS);
     for (int c = 0; c < 10; c++) {
         batten_surface_skin_options options = batten_surface_skin_defaults();
         options.spine = c >= 6 ? section : NULL;
@@ -404,7 +422,8 @@ TEST(skins_that_make_no_sense_are_refused)
                                        : c == 5 || c == 7 || c == 8 ? BATTEN_NOT_FINITE
                                        : c == 9                     ? BATTEN_NOT_INCREASING
                                                                     : BATTEN_BAD_ARGUMENT;
-        CHECK_STATUS(batten_surface_skin(2, sections, &options, NULL, NULL, NULL, &surface),
+        CHECK_STATUS(batten_surface_skin((batten_curve_row){2, sections}, &options, NULL, NULL,
+                                         NULL, &surface),
                      expected);
     }
     CHECK(surface == NULL);
@@ -421,7 +440,7 @@ TEST(curves_far_along_their_parameter_are_extruded)
         const batten_vec3 up = {0, 0, 10};
         batten_curve *curve = NULL;
         batten_surface *wall = NULL;
-        CHECK_OK(batten_curve_create(3, 3, 5, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create((batten_points){3, 5, points}, 3, NULL, knots, &curve));
         CHECK_OK(batten_surface_extruded(curve, up, &wall));
         for (int k = 0; k <= 32; k++) {
             double given[3], found[3];
@@ -450,12 +469,13 @@ TEST(sections_with_rounded_parameters_are_skinned)
             placed[3 * i + 1] = points[2 * i + 1];
             placed[3 * i + 2] = k;
         }
-        CHECK_OK(batten_curve_create(3, 3, 5, placed, NULL, k == 1 ? sevenths : thirds,
-                                     &sections[k]));
+        CHECK_OK(batten_curve_create((batten_points){3, 5, placed}, 3, NULL,
+                                     k == 1 ? sevenths : thirds, &sections[k]));
     }
     batten_surface *surface = NULL;
     batten_surface_skin_report report;
-    CHECK_OK(batten_surface_skin(3, (curves)sections, NULL, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin((batten_curve_row){3, (curves)sections}, NULL, NULL, NULL,
+                                 &report, &surface));
     CHECK_INT(report.knot_count, 2);
     batten_surface_unref(surface);
     unref_all(3, sections);

@@ -52,7 +52,8 @@ TEST(every_edge_goes_on_straight_and_naturally)
         const batten_extension kind = kinds[i / 4];
         batten_surface_extend_report report;
         batten_surface *longer = NULL;
-        CHECK_OK(batten_surface_extend(dome, edges[i % 4], kind, 0.3, 1e-7, &report, &longer));
+        CHECK_OK(batten_surface_extend(dome, edges[i % 4], (batten_lengthening){kind, 1e-7},
+                                       0.3, &report, &longer));
         check_old_part(dome, longer, kind == BATTEN_EXTEND_ARC ? 1e-7 : 1e-14);
         CHECK_NEAR(report.least, 0.3, kind == BATTEN_EXTEND_ARC ? 1e-5 : 1e-11);
         CHECK(report.most >= report.least && report.most < 1);
@@ -86,7 +87,8 @@ TEST(a_sphere_goes_on_as_a_sphere)
     CHECK_OK(batten_surface_subrange(whole, BATTEN_V, 0.3, 0.45, &part));
     for (int i = 0; i < 4; i++) {
         batten_surface_extend_report report;
-        CHECK_OK(batten_surface_extend(part, edges[i], BATTEN_EXTEND_NATURAL, 0.2, 1e-6,
+        CHECK_OK(batten_surface_extend(part, edges[i],
+                                       (batten_lengthening){BATTEN_EXTEND_NATURAL, 1e-6}, 0.2,
                                        &report, &longer));
         CHECK(report.curvature < 1e-10 && report.angle < 1e-12);
         for (int k = 0; k < 40; k++) {
@@ -116,7 +118,8 @@ TEST(an_arc_goes_on_along_the_circle_of_curvature)
     batten_surface *bowl = NULL, *longer = NULL;
     batten_surface_extend_report report;
     CHECK_OK(batten_surface_create(3, &axes[0], &axes[1], points, NULL, &bowl));
-    CHECK_OK(batten_surface_extend(bowl, BATTEN_EDGE_U1, BATTEN_EXTEND_ARC, 3, 1e-8, &report,
+    CHECK_OK(batten_surface_extend(bowl, BATTEN_EDGE_U1,
+                                   (batten_lengthening){BATTEN_EXTEND_ARC, 1e-8}, 3, &report,
                                    &longer));
     CHECK_NEAR(report.least, 3, 1e-7);
     CHECK_NEAR(report.most, 3, 1e-7);
@@ -139,7 +142,8 @@ TEST(rational_surfaces_go_on_straight)
     batten_surface_extend_report report;
     CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
     CHECK_OK(batten_surface_subrange(sphere, BATTEN_V, 0.1, 0.4, &part));
-    CHECK_OK(batten_surface_extend(part, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, 9, 1, &report,
+    CHECK_OK(batten_surface_extend(part, BATTEN_EDGE_V1,
+                                   (batten_lengthening){BATTEN_EXTEND_LINE, 1}, 9, &report,
                                    &longer));
     CHECK_NEAR(report.least, 9, 1e-9);
     CHECK_NEAR(report.most, 9, 1e-9);
@@ -156,22 +160,27 @@ TEST(G7_edges_that_cannot_go_on_are_refused)
     const batten_frame frame = batten_frame_world();
     batten_surface *sphere = NULL, *dome = make_dome(1), *made = NULL;
     CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
-    CHECK_STATUS(
-        batten_surface_extend(sphere, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, 1, 1, NULL, &made),
-        BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_surface_extend(sphere, BATTEN_EDGE_V1,
+                                       (batten_lengthening){BATTEN_EXTEND_LINE, 1}, 1, NULL,
+                                       &made),
+                 BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("is a point");
-    CHECK_STATUS(
-        batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, -1, 1, NULL, &made),
-        BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, (double)NAN, 1,
+    CHECK_STATUS(batten_surface_extend(dome, BATTEN_EDGE_V1,
+                                       (batten_lengthening){BATTEN_EXTEND_LINE, 1}, -1, NULL,
+                                       &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_extend(dome, BATTEN_EDGE_V1,
+                                       (batten_lengthening){BATTEN_EXTEND_LINE, 1}, (double)NAN,
                                        NULL, &made),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(
-        batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_SPIRAL, 1, 1, NULL, &made),
-        BATTEN_UNSUPPORTED);
-    CHECK_STATUS(
-        batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_ARC, 1e3, 1, NULL, &made),
-        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_extend(dome, BATTEN_EDGE_V1,
+                                       (batten_lengthening){BATTEN_EXTEND_SPIRAL, 1}, 1, NULL,
+                                       &made),
+                 BATTEN_UNSUPPORTED);
+    CHECK_STATUS(batten_surface_extend(dome, BATTEN_EDGE_V1,
+                                       (batten_lengthening){BATTEN_EXTEND_ARC, 1}, 1e3, NULL,
+                                       &made),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("more than once");
     CHECK(made == NULL);
     batten_surface_unref(sphere);
@@ -184,13 +193,15 @@ TEST(K7_huge_and_tiny_surfaces_go_on)
     for (int i = 0; i < 2; i++) {
         batten_surface_extend_report report;
         batten_surface *dome = make_dome(scales[i]), *made = NULL;
-        CHECK_OK(batten_surface_extend(dome, BATTEN_EDGE_U0, BATTEN_EXTEND_LINE,
-                                       0.5 * scales[i], 1, &report, &made));
+        CHECK_OK(batten_surface_extend(dome, BATTEN_EDGE_U0,
+                                       (batten_lengthening){BATTEN_EXTEND_LINE, 1},
+                                       0.5 * scales[i], &report, &made));
         CHECK_NEAR(report.least / scales[i], 0.5, 1e-11);
         batten_surface_unref(made);
         made = NULL;
-        CHECK_OK(batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_ARC, 0.5 * scales[i],
-                                       1e-6 * scales[i], &report, &made));
+        CHECK_OK(batten_surface_extend(
+            dome, BATTEN_EDGE_V1, (batten_lengthening){BATTEN_EXTEND_ARC, 1e-6 * scales[i]},
+            0.5 * scales[i], &report, &made));
         CHECK_NEAR(report.least / scales[i], 0.5, 1e-5);
         batten_surface_unref(made);
         batten_surface_unref(dome);

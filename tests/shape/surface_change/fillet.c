@@ -52,7 +52,7 @@ TEST(a_ball_around_a_pipe_on_a_plane_leaves_a_torus)
     CHECK_OK(batten_surface_cylinder(&frame, 1, 3, &pipe));
     CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &plane));
     batten_vec3 n;
-    CHECK_OK(batten_surface_normal(pipe, 0.1, 0.5, &n, NULL));
+    CHECK_OK(batten_surface_normal(pipe, 0.1, 0.5, NULL, &n));
     const batten_surface *const pair[2] = {pipe, plane};
     const double radii[2] = {n.x > 0 ? 0.5 : -0.5, 0.5};
     batten_surface_fillet fillet;
@@ -90,7 +90,7 @@ TEST(G5_balls_that_do_not_fit_are_refused)
     CHECK_OK(batten_surface_cylinder(&frame, 1, 3, &pipe));
     CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &b));
     batten_vec3 n;
-    CHECK_OK(batten_surface_normal(pipe, 0.1, 0.5, &n, NULL));
+    CHECK_OK(batten_surface_normal(pipe, 0.1, 0.5, NULL, &n));
     const batten_surface *const inside[2] = {pipe, b};
     const double radii[2] = {n.x > 0 ? -1.2 : 1.2, 1.2};
     CHECK_STATUS(batten_surfaces_fillet(inside, radii, NULL, 1e-6, &fillet),
@@ -146,8 +146,8 @@ TEST(a_fillet_is_tangent_to_both_surfaces)
             batten_vec3 n, m;
             double on[2];
             CHECK_OK(batten_curve_evaluate(fillet.on[k], s, 0, on));
-            CHECK_OK(batten_surface_normal(fillet.surface, s, k, &n, NULL));
-            CHECK_OK(batten_surface_normal(pair[k], on[0], on[1], &m, NULL));
+            CHECK_OK(batten_surface_normal(fillet.surface, s, k, NULL, &n));
+            CHECK_OK(batten_surface_normal(pair[k], on[0], on[1], NULL, &m));
             CHECK_NEAR(fabs(n.x * m.x + n.y * m.y + n.z * m.z), 1, 1e-6);
         }
     }

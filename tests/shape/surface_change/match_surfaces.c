@@ -17,8 +17,8 @@ static batten_surface *wavy(double x0, double phase, int count_v)
             p[1] = 3.0 * j / (count_v - 1) + 0.05 * sin(phase + i);
             p[2] = 0.3 * sin(phase + 0.8 * p[0] + 1.3 * p[1]);
         }
-    CHECK_OK(batten_surface_interpolate(3, 6, count_v, points, NULL, NULL, NULL, NULL, NULL,
-                                        &surface));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, 6, count_v, points}, NULL, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &surface));
     return surface;
 }
 
@@ -27,7 +27,9 @@ static void check_match(const batten_surface *first, batten_edge e1,
 {
     batten_surface *made = NULL;
     batten_surface_match_report report;
-    CHECK_OK(batten_surface_match(first, e1, second, e2, order, 1e-9, &report, &made));
+    CHECK_OK(batten_surface_match((batten_surface_edge){first, e1},
+                                  (batten_surface_edge){second, e2}, order, 1e-9, &report,
+                                  &made));
     CHECK(report.reversed == reversed);
     CHECK(report.moved > 0 && report.moved < 1);
     CHECK_NEAR(report.gap, 0, 1e-14);
@@ -95,7 +97,8 @@ TEST(a_surface_that_is_cut_and_matched_again_stays)
     batten_surface *whole = wavy(0, 0, 6), *low = NULL, *high = NULL, *made = NULL;
     batten_surface_match_report report;
     CHECK_OK(batten_surface_split(whole, BATTEN_U, 0.45, &low, &high));
-    CHECK_OK(batten_surface_match(high, BATTEN_EDGE_U0, low, BATTEN_EDGE_U1, 2, 1e-9, &report,
+    CHECK_OK(batten_surface_match((batten_surface_edge){high, BATTEN_EDGE_U0},
+                                  (batten_surface_edge){low, BATTEN_EDGE_U1}, 2, 1e-9, &report,
                                   &made));
     CHECK_NEAR(report.moved, 0, 1e-13);
     batten_surface_unref(whole);
@@ -118,13 +121,14 @@ TEST(a_rational_edge_is_met_within_the_tolerance)
             p[1] = r * sin(a);
             p[2] = 2.05 + 0.3 * j;
         }
-    CHECK_OK(
-        batten_surface_interpolate(3, 5, 4, points, NULL, NULL, NULL, NULL, NULL, &flange));
+    CHECK_OK(batten_surface_interpolate((batten_grid){3, 5, 4, points}, NULL, NULL,
+                                        (batten_uv_out){NULL, NULL}, NULL, &flange));
     CHECK_OK(batten_surface_cylinder(&frame, 1, 2, &tube));
     CHECK_OK(batten_surface_subrange(tube, BATTEN_U, 0, 0.25, &quarter));
     for (double tolerance = 1e-3; tolerance > 1e-9; tolerance *= 1e-2) {
         batten_surface_match_report report;
-        CHECK_OK(batten_surface_match(flange, BATTEN_EDGE_V0, quarter, BATTEN_EDGE_V1, 1,
+        CHECK_OK(batten_surface_match((batten_surface_edge){flange, BATTEN_EDGE_V0},
+                                      (batten_surface_edge){quarter, BATTEN_EDGE_V1}, 1,
                                       tolerance, &report, &made));
         CHECK(report.gap <= tolerance && report.angle <= 100 * tolerance);
         batten_surface_unref(made);
@@ -150,11 +154,12 @@ TEST(closed_edges_that_run_against_each_other_are_seen)
             }
         batten_surface_interpolate_options o = batten_surface_interpolate_defaults();
         o.closed_u = true;
-        CHECK_OK(
-            batten_surface_interpolate(3, 8, 4, points, &o, NULL, NULL, NULL, NULL, &tubes[t]));
+        CHECK_OK(batten_surface_interpolate((batten_grid){3, 8, 4, points}, &o, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &tubes[t]));
     }
     batten_surface_match_report report;
-    CHECK_OK(batten_surface_match(tubes[1], BATTEN_EDGE_V0, tubes[0], BATTEN_EDGE_V0, 1, 1e-9,
+    CHECK_OK(batten_surface_match((batten_surface_edge){tubes[1], BATTEN_EDGE_V0},
+                                  (batten_surface_edge){tubes[0], BATTEN_EDGE_V0}, 1, 1e-9,
                                   &report, &made));
     CHECK(report.reversed && report.moved < 0.3);
     CHECK(report.gap < 1e-12 && report.angle < 1e-10);
@@ -167,23 +172,28 @@ TEST(what_cannot_be_matched_is_refused)
 {
     batten_surface *left = wavy(0, 0, 5), *ball = NULL, *made = NULL, *linear = NULL;
     CHECK_OK(batten_surface_sphere(&(batten_frame){.z = {0, 0, 1}, .x = {1, 0, 0}}, 1, &ball));
-    CHECK_STATUS(
-        batten_surface_match(ball, BATTEN_EDGE_U0, left, BATTEN_EDGE_U1, 1, 1e-9, NULL, &made),
-        BATTEN_UNSUPPORTED);
-    CHECK_STATUS(
-        batten_surface_match(left, BATTEN_EDGE_U0, ball, BATTEN_EDGE_V0, 1, 1e-9, NULL, &made),
-        BATTEN_NOT_COMPATIBLE);
-    CHECK_STATUS(
-        batten_surface_match(left, BATTEN_EDGE_U0, left, BATTEN_EDGE_U1, 3, 1e-9, NULL, &made),
-        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_match((batten_surface_edge){ball, BATTEN_EDGE_U0},
+                                      (batten_surface_edge){left, BATTEN_EDGE_U1}, 1, 1e-9,
+                                      NULL, &made),
+                 BATTEN_UNSUPPORTED);
+    CHECK_STATUS(batten_surface_match((batten_surface_edge){left, BATTEN_EDGE_U0},
+                                      (batten_surface_edge){ball, BATTEN_EDGE_V0}, 1, 1e-9,
+                                      NULL, &made),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_surface_match((batten_surface_edge){left, BATTEN_EDGE_U0},
+                                      (batten_surface_edge){left, BATTEN_EDGE_U1}, 3, 1e-9,
+                                      NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
     const double corners[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0};
     const double knots[4] = {0, 0, 1, 1};
     const batten_axis axis = {1, 2, knots, false};
     CHECK_OK(batten_surface_create(3, &axis, &axis, corners, NULL, &linear));
-    CHECK_STATUS(batten_surface_match(linear, BATTEN_EDGE_U0, left, BATTEN_EDGE_U1, 2, 1e-9,
+    CHECK_STATUS(batten_surface_match((batten_surface_edge){linear, BATTEN_EDGE_U0},
+                                      (batten_surface_edge){left, BATTEN_EDGE_U1}, 2, 1e-9,
                                       NULL, &made),
                  BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_surface_match(linear, BATTEN_EDGE_U0, left, BATTEN_EDGE_U1, 1, 1e-9,
+    CHECK_STATUS(batten_surface_match((batten_surface_edge){linear, BATTEN_EDGE_U0},
+                                      (batten_surface_edge){left, BATTEN_EDGE_U1}, 1, 1e-9,
                                       NULL, &made),
                  BATTEN_TOO_FEW_POINTS);
     batten_surface_unref(left);

@@ -215,7 +215,7 @@ TEST(G5_offsets_beyond_the_radius_of_curvature_are_refused)
     batten_surface *bowl = NULL, *made = NULL;
     CHECK_OK(batten_surface_paraboloid(&frame, 1, 1, 1, &bowl));
     batten_vec3 n;
-    CHECK_OK(batten_surface_normal(bowl, 0.3, 0.5, &n, NULL));
+    CHECK_OK(batten_surface_normal(bowl, 0.3, 0.5, NULL, &n));
     const double up = n.z > 0 ? 1 : -1;
     options.tolerance = 1e-3;
     CHECK_OK(batten_surface_offset(bowl, up * 0.45, &options, &report, &made));

@@ -128,11 +128,11 @@ TEST(G5_a_cone_to_an_apex_has_a_pole_with_a_normal)
         CHECK_OK(batten_surface_evaluate(surface, i / 8.0, 1, 0, s));
         CHECK_NEAR(hypot(s[0], s[1]), 0, 0);
         CHECK_NEAR(s[2], 2, 0);
-        CHECK_OK(batten_surface_normal(surface, i / 8.0, 0.5, &normal, NULL));
+        CHECK_OK(batten_surface_normal(surface, i / 8.0, 0.5, NULL, &normal));
         CHECK_NEAR(normal.z, 1 / sqrt(5), 1e-14);
     }
     const double same[6] = {0, 0, 2, 0, 0, 2}, knots[4] = {0, 0, 1, 1};
-    CHECK_OK(batten_curve_create(3, 1, 2, same, NULL, knots, &point));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, same}, 1, NULL, knots, &point));
     batten_surface *none = NULL;
     CHECK_STATUS(batten_surface_conical(point, apex, &none), BATTEN_COINCIDENT);
     CHECK_STATUS(batten_surface_translational(circle, point, &none), BATTEN_COINCIDENT);
@@ -151,8 +151,8 @@ TEST(a_ruled_surface_by_length_joins_equal_shares_of_length)
     batten_curve *first = NULL, *second = NULL;
     batten_surface *surface = NULL;
     double error = 1;
-    CHECK_OK(batten_curve_create(3, 1, 3, low, NULL, knots, &first));
-    CHECK_OK(batten_curve_create(3, 1, 2, high, NULL, line, &second));
+    CHECK_OK(batten_curve_create((batten_points){3, 3, low}, 1, NULL, knots, &first));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, high}, 1, NULL, line, &second));
     CHECK_OK(batten_surface_ruled_by_length(first, second, 1e-9, &error, &surface));
     CHECK_NEAR(error, 0, 0);
     for (int i = 0; i <= 16; i++) {
@@ -168,8 +168,8 @@ TEST(a_ruled_surface_by_length_joins_equal_shares_of_length)
     double length, part;
     batten_curve *rim = NULL;
     CHECK_OK(batten_surface_isocurve(surface, BATTEN_V, 0, &rim));
-    CHECK_OK(batten_curve_length(rim, 1e-9, &length, NULL));
-    CHECK_OK(batten_curve_length_between(rim, 0, 0.3, 1e-9, &part, NULL));
+    CHECK_OK(batten_curve_length(rim, 1e-9, NULL, &length));
+    CHECK_OK(batten_curve_length_between(rim, 0, 0.3, 1e-9, NULL, &part));
     CHECK_NEAR(part / length, 0.3, 1e-6);
     batten_curve_unref(rim);
     batten_surface_unref(surface);

@@ -21,7 +21,7 @@ static batten_curve *circle(double radius)
 static batten_curve *through(int count, const double *points)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(3, count, points, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, count, points}, NULL, NULL, &curve));
     return curve;
 }
 
@@ -59,8 +59,8 @@ TEST(a_circle_along_a_circle_is_a_torus_within_the_tolerance)
         options.tolerance = tolerances[k];
         batten_surface_sweep_report report;
         batten_surface *surface = NULL;
-        CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
-                                      &surface));
+        CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, &report, &surface));
         double worst = 0;
         for (int i = 0; i <= 16; i++)
             for (int j = 0; j <= 64; j++) {
@@ -86,7 +86,8 @@ TEST(a_section_on_a_straight_spine_is_a_cylinder_to_rounding)
     batten_surface *surface = NULL;
     batten_surface_sweep_report report;
     CHECK_OK(batten_curve_line(3, a, b, &spine));
-    CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, NULL, NULL,
+                                  &report, &surface));
     CHECK_INT(report.section_count, 2);
     CHECK_INT(batten_surface_degree(surface, BATTEN_V), 1);
     for (int i = 0; i <= 16; i++) {
@@ -109,7 +110,8 @@ static batten_curve *law(int count, const double *values)
     options.given = at;
     for (int i = 0; i < count; i++)
         at[i] = i;
-    CHECK_OK(batten_curve_interpolate(1, count, values, &options, NULL, &curve));
+    CHECK_OK(
+        batten_curve_interpolate((batten_points){1, count, values}, &options, NULL, &curve));
     return curve;
 }
 
@@ -132,9 +134,10 @@ TEST(the_surface_keeps_its_tolerance_with_all_frames_and_laws)
         options.twist = kind >= 5 ? twist : NULL;
         batten_surface_sweep_report report;
         batten_surface *surface = NULL, *truth = NULL;
-        CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
-                                      &surface));
-        CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
+        CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, &report, &surface));
+        CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){1, (curves)&section}, spine,
+                                                 &options, &truth));
         CHECK(deviation(surface, truth, 40) <= 1e-5);
         CHECK(report.error <= 1e-5 && report.section_count < 300);
         batten_surface_unref(truth);
@@ -196,10 +199,10 @@ TEST(the_error_that_a_sweep_reports_is_not_below_the_truth)
             options.allow_folds = true;
             batten_surface_sweep_report report;
             batten_surface *surface = NULL, *truth = NULL;
-            CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
-                                          &surface));
-            CHECK_OK(
-                batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
+            CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine,
+                                          &options, NULL, &report, &surface));
+            CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){1, (curves)&section},
+                                                     spine, &options, &truth));
             const double worst = worst_of(surface, truth);
             CHECK(worst <= report.error && report.error <= options.tolerance);
             batten_surface_unref(truth);
@@ -226,7 +229,8 @@ TEST(the_derivatives_of_the_true_sweep_are_those_of_its_points)
         options.guide = kind == 2 ? section : NULL;
         options.allow_folds = true;
         batten_surface *truth = NULL;
-        CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
+        CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){1, (curves)&section}, spine,
+                                                 &options, &truth));
         CHECK_TEXT(batten_surface_kind(truth), "sweep");
         const batten_interval v = batten_surface_domain(truth, BATTEN_V);
         const double at = v.a + 0.37 * (v.b - v.a), h = 1e-4 * (v.b - v.a);
@@ -255,37 +259,34 @@ TEST(a_pipe_has_the_area_of_its_torus)
     batten_curve *spine = circle(2);
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.tolerance = 1e-7;
-    batten_surface **made = NULL;
-    int count = 0;
-    CHECK_OK(batten_surfaces_pipe(0.5, spine, &options, NULL, NULL, &count, &made));
-    CHECK_INT(count, 1);
+    batten_surfaces made = {0, NULL};
+    CHECK_OK(batten_surfaces_pipe(0.5, spine, &options, NULL, NULL, &made));
+    CHECK_INT(made.count, 1);
     /* Midpoints at two steps: their errors are as 4 to 1. */
     double area[2] = {0, 0};
     for (int k = 0; k < 2; k++)
         for (int n = 32 << k, i = 0; i < n * n; i++) {
             double s[9];
-            CHECK_OK(
-                batten_surface_evaluate(made[0], (i / n + 0.5) / n, (i % n + 0.5) / n, 1, s));
+            CHECK_OK(batten_surface_evaluate(made.at[0], (i / n + 0.5) / n, (i % n + 0.5) / n,
+                                             1, s));
             const double x = s[4] * s[8] - s[5] * s[7], y = s[5] * s[6] - s[3] * s[8],
                          z = s[3] * s[7] - s[4] * s[6];
             area[k] += hypot(hypot(x, y), z) / n / n;
         }
     CHECK_NEAR((4 * area[1] - area[0]) / 3, 4 * PI * PI * 2 * 0.5, 1e-4);
     double first[3], last[3];
-    CHECK_OK(batten_surface_evaluate(made[0], 0.2, 0, 0, first));
-    CHECK_OK(batten_surface_evaluate(made[0], 0.2, 1, 0, last));
+    CHECK_OK(batten_surface_evaluate(made.at[0], 0.2, 0, 0, first));
+    CHECK_OK(batten_surface_evaluate(made.at[0], 0.2, 1, 0, last));
     CHECK_NEAR(distance(first, last), 0, 0);
-    batten_surface_unref(made[0]);
-    batten_release(made);
-    CHECK_STATUS(batten_surfaces_pipe(2, spine, &options, NULL, NULL, &count, &made),
+    batten_surfaces_release(&made);
+    CHECK_STATUS(batten_surfaces_pipe(2, spine, &options, NULL, NULL, &made),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("run into each other from 0 to 1 of the spine");
     options.allow_folds = true;
     batten_surface_sweep_report report;
-    CHECK_OK(batten_surfaces_pipe(2.5, spine, &options, NULL, &report, &count, &made));
+    CHECK_OK(batten_surfaces_pipe(2.5, spine, &options, NULL, &report, &made));
     CHECK_NEAR(report.clearance, -0.25, 1e-12);
-    batten_surface_unref(made[0]);
-    batten_release(made);
+    batten_surfaces_release(&made);
     batten_curve_unref(spine);
 }
 
@@ -298,8 +299,10 @@ TEST(another_parameter_of_the_spine_leaves_the_image_alone)
     CHECK_OK(batten_curve_moebius(spine, 2, 0, 0.1, 1.7, &other));
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.scale = scale;
-    CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth[0]));
-    CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, other, &options, &truth[1]));
+    CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){1, (curves)&section}, spine,
+                                             &options, &truth[0]));
+    CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){1, (curves)&section}, other,
+                                             &options, &truth[1]));
     const batten_interval v = batten_curve_domain(spine);
     for (int j = 0; j <= 20; j++) {
         const double at = v.a + (v.b - v.a) * j / 20;
@@ -329,11 +332,13 @@ TEST(a_moved_and_turned_spine_makes_the_moved_and_turned_surface)
     CHECK_OK(batten_curve_transform(spine, &map, &other));
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.x = (batten_vec3){0, 0, 1};
-    CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &plain));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                  NULL, NULL, &plain));
     const double *m = map.m[0];
     options.x = (batten_vec3){m[2], m[5], m[8]};
     options.tolerance = 3e-6;
-    CHECK_OK(batten_surface_sweep(1, (curves)&large, other, &options, NULL, NULL, &image));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&large}, other, &options, NULL,
+                                  NULL, &image));
     CHECK_OK(batten_surface_transform(plain, &map, &expected));
     CHECK_NEAR(deviation(expected, image, 20), 0, 1e-8);
     batten_surface_unref(expected);
@@ -357,7 +362,7 @@ TEST(G6_closing_frames_close_a_sweep_along_a_closed_space_curve)
     batten_curve *spine = NULL, *section = NULL;
     batten_curve_interpolate_options periodic = batten_curve_interpolate_defaults();
     periodic.closed = true;
-    CHECK_OK(batten_curve_interpolate(3, 12, points, &periodic, NULL, &spine));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, 12, points}, &periodic, NULL, &spine));
     CHECK_OK(batten_curve_ellipse(0.5, 0.2, 0, 2 * PI, &section));
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.frames = BATTEN_FRAME_CLOSING;
@@ -365,9 +370,9 @@ TEST(G6_closing_frames_close_a_sweep_along_a_closed_space_curve)
     batten_surface_sweep_report report;
     batten_surface *surface = NULL;
     double angle;
-    CHECK_OK(
-        batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report, &surface));
-    CHECK_OK(batten_curve_holonomy(spine, 1e-9, &angle, NULL));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                  NULL, &report, &surface));
+    CHECK_OK(batten_curve_holonomy(spine, 1e-9, NULL, &angle));
     CHECK_NEAR(report.turn, angle, 1e-8);
     CHECK(fabs(angle) > 0.1);
     CHECK(batten_surface_is_closed(surface, BATTEN_V, 0));
@@ -382,7 +387,7 @@ static batten_curve *frame_around(void)
 {
     static const double points[15] = {0, 0, 0, 4, 0, 0, 4, 3, 0, 0, 3, 0, 0, 0, 0};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_polyline(3, 5, points, &curve));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 5, points}, &curve));
     return curve;
 }
 
@@ -391,18 +396,18 @@ TEST(mitred_corners_of_straight_sides_are_exact_and_close)
     static const double square[15] = {0.2, 0.2, 0,    -0.2, 0.2, 0,   -0.2, -0.2,
                                       0,   0.2, -0.2, 0,    0.2, 0.2, 0};
     batten_curve *section = NULL, *spine = frame_around();
-    CHECK_OK(batten_curve_polyline(3, 5, square, &section));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 5, square}, &section));
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface *surface = NULL;
     batten_surface_sweep_report report;
-    CHECK_STATUS(
-        batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &surface),
-        BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, NULL, &surface),
+                 BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("a corner of 90 degrees at");
     options.corners = BATTEN_CORNER_MITRE;
     options.x = (batten_vec3){0, 0, 1};
-    CHECK_OK(
-        batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report, &surface));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                  NULL, &report, &surface));
     CHECK_INT(report.section_count, 5);
     CHECK(report.error < 1e-14);
     CHECK(batten_surface_is_closed(surface, BATTEN_V, 1e-14));
@@ -414,14 +419,11 @@ TEST(mitred_corners_of_straight_sides_are_exact_and_close)
     CHECK_NEAR(box.high.z, 0.2, 1e-14);
     batten_surface_unref(surface);
     options.corners = BATTEN_CORNER_SPLIT;
-    int count = 0;
-    batten_surface **made = NULL;
-    CHECK_OK(batten_surfaces_sweep(1, (curves)&section, spine, &options, NULL, &report, &count,
-                                   &made));
-    CHECK_INT(count, 4);
-    for (int k = 0; k < count; k++)
-        batten_surface_unref(made[k]);
-    batten_release(made);
+    batten_surfaces made = {0, NULL};
+    CHECK_OK(batten_surfaces_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                   NULL, &report, &made));
+    CHECK_INT(made.count, 4);
+    batten_surfaces_release(&made);
     batten_curve_unref(spine);
     batten_curve_unref(section);
 }
@@ -438,8 +440,10 @@ TEST(several_sections_are_met_where_they_stand)
     options.tolerance = 1e-5;
     options.x = (batten_vec3){0, 0, 1};
     batten_surface *surface = NULL, *truth = NULL;
-    CHECK_OK(batten_surface_sweep(3, (curves)sections, spine, &options, NULL, NULL, &surface));
-    CHECK_OK(batten_surface_sweep_procedural(3, (curves)sections, spine, &options, &truth));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){3, (curves)sections}, spine, &options,
+                                  NULL, NULL, &surface));
+    CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){3, (curves)sections}, spine,
+                                             &options, &truth));
     CHECK(deviation(surface, truth, 24) <= 1e-5);
     for (int i = 0; i <= 16; i++) {
         double p[3], q[3];
@@ -466,8 +470,8 @@ TEST(a_helical_surface_is_its_formula_within_the_tolerance)
     batten_surface_sweep_report report;
     const batten_vec3 origin = {0, 0, 0}, axis = {0, 0, 2};
     CHECK_OK(batten_curve_line(3, a, b, &line));
-    CHECK_OK(
-        batten_surface_helical(line, origin, axis, 1.5, 5 * PI, 1e-6, NULL, &report, &surface));
+    CHECK_OK(batten_surface_helical(line, (batten_screw){origin, axis, 1.5, 5 * PI}, 1e-6, NULL,
+                                    &report, &surface));
     for (int i = 0; i <= 8; i++)
         for (int j = 0; j <= 80; j++) {
             const double r = 1 + 2 * i / 8.0, v = 5 * PI * j / 80;
@@ -478,15 +482,20 @@ TEST(a_helical_surface_is_its_formula_within_the_tolerance)
             CHECK_NEAR(distance(p, expected), 0, 1e-6);
         }
     CHECK(report.error <= 1e-6 && report.section_count < 200);
-    CHECK_STATUS(batten_surface_helical(line, origin, axis, 1, 0, 1e-6, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_helical(line, (batten_screw){origin, axis, 1, 0}, 1e-6, NULL,
+                                        NULL, &none),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_helical(line, origin, origin, 1, 1, 1e-6, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_helical(line, (batten_screw){origin, origin, 1, 1}, 1e-6, NULL,
+                                        NULL, &none),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_helical(line, origin, axis, NAN, 1, 1e-6, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_helical(line, (batten_screw){origin, axis, NAN, 1}, 1e-6, NULL,
+                                        NULL, &none),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_surface_helical(line, origin, axis, 1, 1e5, 1e-6, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_helical(line, (batten_screw){origin, axis, 1, 1e5}, 1e-6, NULL,
+                                        NULL, &none),
                  BATTEN_TOO_LARGE);
-    CHECK_STATUS(batten_surface_helical(line, origin, axis, 1, 6000, 1e-6, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_helical(line, (batten_screw){origin, axis, 1, 6000}, 1e-6, NULL,
+                                        NULL, &none),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("the limit is 2000");
     CHECK(none == NULL);
@@ -506,41 +515,50 @@ TEST(sweeps_refuse_what_they_cannot_do_with_the_place)
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_curve *scale = law(3, falling);
     options.scale = scale;
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("it must stay above 0");
     options = batten_surface_sweep_defaults();
     CHECK_OK(batten_curve_line(3, points, points + 3, &bad));
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, bad, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, bad, &options,
+                                      NULL, NULL, &none),
                  BATTEN_COINCIDENT);
     CHECK_MESSAGE("the spine is 1e-09 long, no more than the tolerance of 1e-06");
     batten_curve_unref(bad);
-    CHECK_OK(batten_curve_create(3, 3, 4, still, NULL, knots, &bad));
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, bad, &options, NULL, NULL, &none),
+    CHECK_OK(batten_curve_create((batten_points){3, 4, still}, 3, NULL, knots, &bad));
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, bad, &options,
+                                      NULL, NULL, &none),
                  BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("no tangent at 0");
     const batten_vec3 up = {1, 0, 0};
     options.up = &up;
     batten_curve *line = NULL;
     CHECK_OK(batten_curve_line(3, (double[3]){0, 0, 0}, (double[3]){3, 0, 0}, &line));
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, line, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, line, &options,
+                                      NULL, NULL, &none),
                  BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("runs along its upward direction");
     options = batten_surface_sweep_defaults();
     options.frames = BATTEN_FRAME_FRENET;
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, line, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, line, &options,
+                                      NULL, NULL, &none),
                  BATTEN_SINGULAR_HERE);
     options.frames = BATTEN_FRAME_CLOSING;
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, line, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, line, &options,
+                                      NULL, NULL, &none),
                  BATTEN_NOT_COMPATIBLE);
     options = batten_surface_sweep_defaults();
     options.tolerance = 1e-16;
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, NULL, &none),
                  BATTEN_TOLERANCE_NOT_MET);
     options.tolerance = 0;
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_sweep(0, (curves)&section, spine, NULL, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){0, (curves)&section}, spine, NULL,
+                                      NULL, NULL, &none),
                  BATTEN_TOO_FEW_POINTS);
     CHECK(none == NULL);
     batten_curve_unref(line);
@@ -559,12 +577,12 @@ TEST(a_scale_that_touches_zero_is_refused_wherever_it_does)
         const double c = i / 20.0 - 0.0137, knots[6] = {0, 0, 0, 1, 1, 1};
         const double points[3] = {c * c, c * c - c, (1 - c) * (1 - c)};
         char place[60];
-        CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots, &scale));
+        CHECK_OK(batten_curve_create((batten_points){1, 3, points}, 2, NULL, knots, &scale));
         batten_surface_sweep_options options = batten_surface_sweep_defaults();
         options.scale = scale;
-        CHECK_STATUS(
-            batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
-            BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine,
+                                          &options, NULL, NULL, &none),
+                     BATTEN_BAD_ARGUMENT);
         snprintf(place, sizeof place, "the scale is 0 at %g of the spine", c);
         CHECK_MESSAGE(place);
         batten_curve_unref(scale);
@@ -581,17 +599,20 @@ TEST(N6_a_sweep_within_less_than_rounding_is_refused)
     batten_curve *line = NULL, *section = circle(0.3), *spine = through(5, bend_points);
     batten_surface *none = NULL;
     CHECK_OK(batten_curve_line(3, a, b, &line));
-    CHECK_STATUS(batten_surface_helical(line, origin, axis, 1e300, 9, 1e-3, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_helical(line, (batten_screw){origin, axis, 1e300, 9}, 1e-3,
+                                        NULL, NULL, &none),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("the sweep cannot be within 0.001: its coordinates");
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.tolerance = 1e-16;
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, NULL, &none),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("the sweep cannot be within 1e-16");
     options.tolerance = 3e-14;
     options.degree = 1;
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, NULL, &none),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("sections, and would need about");
     CHECK(none == NULL);
@@ -612,8 +633,9 @@ TEST(S5_a_sweep_that_would_be_too_large_is_refused_before_the_work)
     batten_surface *none = NULL;
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.tolerance = 1e-7;
-    CHECK_OK(batten_curve_polyline(3, POINTS, points, &section));
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+    CHECK_OK(batten_curve_polyline((batten_points){3, POINTS, points}, &section));
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, NULL, &none),
                  BATTEN_TOO_LARGE);
     CHECK_MESSAGE("sections of 20000 control points make a surface of");
     CHECK_STATUS(batten_surface_translational(section, section, &none), BATTEN_TOO_LARGE);
@@ -629,7 +651,8 @@ TEST(N2_a_sweep_of_huge_or_tiny_size_is_the_scaled_one)
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface *plain = NULL;
     options.tolerance = 1e-4;
-    CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &plain));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                  NULL, NULL, &plain));
     for (int k = 0; k < COUNT(sizes); k++) {
         const batten_affine map = batten_affine_scaling(sizes[k], sizes[k], sizes[k]);
         batten_curve *big = NULL, *way = NULL;
@@ -637,7 +660,8 @@ TEST(N2_a_sweep_of_huge_or_tiny_size_is_the_scaled_one)
         CHECK_OK(batten_curve_transform(section, &map, &big));
         CHECK_OK(batten_curve_transform(spine, &map, &way));
         options.tolerance = 1e-4 * sizes[k];
-        CHECK_OK(batten_surface_sweep(1, (curves)&big, way, &options, NULL, NULL, &surface));
+        CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&big}, way, &options, NULL,
+                                      NULL, &surface));
         const batten_interval v = batten_curve_domain(spine);
         for (int i = 0; i <= 10; i++) {
             double p[3], q[3];
@@ -660,22 +684,20 @@ TEST(where_a_pipe_is_too_thick_is_said)
     /* The least radius of curvature of this ellipse is b b / a = 0.5, at both
      * ends of its length. */
     batten_curve *flat = NULL, *spine = NULL;
-    int count = 0;
-    batten_surface **made = NULL;
+    batten_surfaces made = {0, NULL};
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface_sweep_report report;
     options.tolerance = 1e-4;
     CHECK_OK(batten_curve_ellipse(2, 1, -PI / 2, PI, &flat));
     CHECK_OK(batten_curve_to_dimension(flat, 3, &spine));
-    CHECK_STATUS(batten_surfaces_pipe(0.6, spine, &options, NULL, NULL, &count, &made),
+    CHECK_STATUS(batten_surfaces_pipe(0.6, spine, &options, NULL, NULL, &made),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("run into each other from 0.4375 to 0.5625 of the spine");
     CHECK_MESSAGE("is up to 1.2 there");
-    CHECK_OK(batten_surfaces_pipe(0.45, spine, &options, NULL, &report, &count, &made));
+    CHECK_OK(batten_surfaces_pipe(0.45, spine, &options, NULL, &report, &made));
     CHECK_NEAR(report.clearance, 0.1, 1e-9);
     CHECK_NEAR(report.clearance_at, 0.5, 0);
-    batten_surface_unref(made[0]);
-    batten_release(made);
+    batten_surfaces_release(&made);
     batten_curve_unref(spine);
     batten_curve_unref(flat);
 }
@@ -684,23 +706,21 @@ TEST(the_volume_of_a_pipe_around_a_circle_is_that_of_the_torus)
 {
     batten_curve *spine = circle(2);
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
-    batten_surface **made = NULL;
-    int count = 0;
+    batten_surfaces made = {0, NULL};
     options.tolerance = 1e-7;
-    CHECK_OK(batten_surfaces_pipe(0.5, spine, &options, NULL, NULL, &count, &made));
+    CHECK_OK(batten_surfaces_pipe(0.5, spine, &options, NULL, NULL, &made));
     double volume[2] = {0, 0};
     for (int k = 0; k < 2; k++)
         for (int n = 32 << k, i = 0; i < n * n; i++) {
             double s[9];
-            CHECK_OK(
-                batten_surface_evaluate(made[0], (i / n + 0.5) / n, (i % n + 0.5) / n, 1, s));
+            CHECK_OK(batten_surface_evaluate(made.at[0], (i / n + 0.5) / n, (i % n + 0.5) / n,
+                                             1, s));
             const double x = s[4] * s[8] - s[5] * s[7], y = s[5] * s[6] - s[3] * s[8],
                          z = s[3] * s[7] - s[4] * s[6];
             volume[k] += (s[0] * x + s[1] * y + s[2] * z) / 3 / n / n;
         }
     CHECK_NEAR(fabs(4 * volume[1] - volume[0]) / 3, 2 * PI * PI * 2 * 0.25, 1e-4);
-    batten_surface_unref(made[0]);
-    batten_release(made);
+    batten_surfaces_release(&made);
     batten_curve_unref(spine);
 }
 
@@ -708,7 +728,8 @@ TEST(every_degree_along_the_spine_keeps_the_tolerance_with_fewer_sections_the_hi
 {
     batten_curve *section = circle(0.3), *spine = through(5, bend_points);
     batten_surface *truth = NULL;
-    CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, NULL, &truth));
+    CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){1, (curves)&section}, spine,
+                                             NULL, &truth));
     int before = 10000;
     for (int degree = 2; degree <= 5; degree++) {
         batten_surface_sweep_options options = batten_surface_sweep_defaults();
@@ -716,8 +737,8 @@ TEST(every_degree_along_the_spine_keeps_the_tolerance_with_fewer_sections_the_hi
         batten_surface *surface = NULL;
         options.tolerance = 1e-5;
         options.degree = degree;
-        CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
-                                      &surface));
+        CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, &report, &surface));
         CHECK(deviation(surface, truth, 30) <= 1e-5);
         CHECK(report.section_count < before);
         before = report.section_count;
@@ -725,7 +746,7 @@ TEST(every_degree_along_the_spine_keeps_the_tolerance_with_fewer_sections_the_hi
     }
     batten_surface *nurbs = NULL;
     double error = 1;
-    CHECK_OK(batten_surface_to_nurbs(truth, 1e-4, &nurbs, &error));
+    CHECK_OK(batten_surface_to_nurbs(truth, 1e-4, &error, &nurbs));
     CHECK(error <= 1e-4);
     CHECK(deviation(nurbs, truth, 30) <= 1e-4);
     batten_surface_unref(nurbs);
@@ -749,12 +770,13 @@ TEST(sections_stand_across_the_spine_and_look_where_they_are_told)
             options.frames = BATTEN_FRAME_CLOSING;
         batten_surface *truth = NULL;
         if (kind == 2) {
-            CHECK_STATUS(
-                batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth),
-                BATTEN_NOT_COMPATIBLE);
+            CHECK_STATUS(batten_surface_sweep_procedural(
+                             (batten_curve_row){1, (curves)&section}, spine, &options, &truth),
+                         BATTEN_NOT_COMPATIBLE);
             continue;
         }
-        CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
+        CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){1, (curves)&section}, spine,
+                                                 &options, &truth));
         const batten_interval v = batten_curve_domain(spine);
         for (int j = 0; j <= 16; j++) {
             const double at = v.a + (v.b - v.a) * j / 16;
@@ -799,7 +821,8 @@ TEST(mitres_between_bent_parts_meet_in_the_plane_halfway)
     batten_surface *surface = NULL;
     options.corners = BATTEN_CORNER_MITRE;
     options.tolerance = 1e-5;
-    CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &surface));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                  NULL, NULL, &surface));
     const batten_interval v = batten_curve_domain(spine);
     const int count = batten_surface_spans(surface, BATTEN_V, NULL);
     double *knots = test_array((size_t)count, sizeof *knots), c[3], corner = v.a;
@@ -828,12 +851,15 @@ TEST(a_section_that_is_a_point_is_refused)
     const double points[6] = {1, 2, 0, 1, 2, 0}, knots[4] = {0, 0, 1, 1};
     batten_curve *point = NULL, *spine = circle(2);
     batten_surface *none = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &point));
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&point, spine, NULL, NULL, NULL, &none),
+    CHECK_OK(batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, &point));
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&point}, spine, NULL, NULL,
+                                      NULL, &none),
                  BATTEN_COINCIDENT);
     CHECK_MESSAGE("the section is a point, (1, 2, 0)");
-    CHECK_STATUS(batten_surface_helical(point, (batten_vec3){0, 0, 0}, (batten_vec3){0, 0, 1},
-                                        1, 1, 1e-6, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_helical(
+                     point,
+                     (batten_screw){(batten_vec3){0, 0, 0}, (batten_vec3){0, 0, 1}, 1, 1}, 1e-6,
+                     NULL, NULL, &none),
                  BATTEN_COINCIDENT);
     CHECK(none == NULL);
     batten_curve_unref(spine);
@@ -848,7 +874,8 @@ TEST(frenet_frames_look_to_the_centre_of_a_circle)
     batten_surface *truth = NULL;
     options.frames = BATTEN_FRAME_FRENET;
     CHECK_OK(batten_curve_line(3, a, b, &section));
-    CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
+    CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){1, (curves)&section}, spine,
+                                             &options, &truth));
     for (int j = 0; j <= 16; j++) {
         double p[3], c[3];
         CHECK_OK(batten_curve_evaluate(spine, j / 16.0, 0, c));
@@ -864,7 +891,8 @@ TEST(frenet_frames_look_to_the_centre_of_a_circle)
     batten_surface *none = NULL;
     section = circle(0.01);
     spine = through(4, wave);
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, NULL, &none),
                  BATTEN_SINGULAR_HERE);
     CHECK(none == NULL);
     batten_curve_unref(spine);
@@ -882,9 +910,9 @@ TEST(G6_a_skew_loop_of_straight_sides_closes_with_mitres_and_closing_frames)
     options.frames = BATTEN_FRAME_CLOSING;
     options.tolerance = 1e-4;
     CHECK_OK(batten_curve_ellipse(0.3, 0.1, 0, 2 * PI, &section));
-    CHECK_OK(batten_curve_polyline(3, 5, corners, &spine));
-    CHECK_OK(
-        batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report, &surface));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 5, corners}, &spine));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                  NULL, &report, &surface));
     CHECK(fabs(report.turn) > 0.1);
     CHECK(report.error <= 1e-4);
     CHECK(batten_surface_is_closed(surface, BATTEN_V, 0));
@@ -900,8 +928,9 @@ TEST(a_spine_that_turns_back_has_no_mitre)
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface *none = NULL;
     options.corners = BATTEN_CORNER_MITRE;
-    CHECK_OK(batten_curve_polyline(3, 3, points, &spine));
-    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+    CHECK_OK(batten_curve_polyline((batten_points){3, 3, points}, &spine));
+    CHECK_STATUS(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, NULL, &none),
                  BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("the spine turns back at 3");
     CHECK(none == NULL);
@@ -919,7 +948,8 @@ TEST(K7_sections_of_different_knots_are_blended_exactly_where_they_stand)
     batten_surface *surface = NULL;
     options.x = (batten_vec3){1, 0, 0};
     options.tolerance = 1e-5;
-    CHECK_OK(batten_surface_sweep(2, (curves)sections, spine, &options, NULL, NULL, &surface));
+    CHECK_OK(batten_surface_sweep((batten_curve_row){2, (curves)sections}, spine, &options,
+                                  NULL, NULL, &surface));
     for (int end = 0; end < 2; end++) {
         const batten_interval u = batten_curve_domain(sections[end]);
         for (int i = 0; i <= 16; i++) {
@@ -950,7 +980,7 @@ static batten_curve *flower(double radius)
     batten_curve *curve = NULL;
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.closed = true;
-    CHECK_OK(batten_curve_interpolate(3, 10, points, &options, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, 10, points}, &options, NULL, &curve));
     return curve;
 }
 
@@ -963,10 +993,10 @@ TEST(K5_periodic_sections_and_shifted_domains_are_swept_as_they_are)
         batten_surface_sweep_options options = batten_surface_sweep_defaults();
         batten_surface *surface = NULL, *truth = NULL;
         options.tolerance = 1e-4;
-        CHECK_OK(batten_surface_sweep(count, (curves)sections, shifted, &options, NULL, NULL,
-                                      &surface));
-        CHECK_OK(batten_surface_sweep_procedural(count, (curves)sections, shifted, &options,
-                                                 &truth));
+        CHECK_OK(batten_surface_sweep((batten_curve_row){count, (curves)sections}, shifted,
+                                      &options, NULL, NULL, &surface));
+        CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){count, (curves)sections},
+                                                 shifted, &options, &truth));
         CHECK(batten_surface_is_periodic(surface, BATTEN_U));
         CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).a, -7, 0);
         CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).b, -2, 0);
@@ -984,24 +1014,22 @@ TEST(G10_a_reversed_spine_makes_the_same_pipe)
 {
     batten_curve *spine = through(5, bend_points), *back = NULL;
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
-    batten_surface **made = NULL;
-    int count = 0;
+    batten_surfaces made = {0, NULL};
     options.tolerance = 1e-6;
     CHECK_OK(batten_curve_reverse(spine, &back));
-    CHECK_OK(batten_surfaces_pipe(0.3, back, &options, NULL, NULL, &count, &made));
+    CHECK_OK(batten_surfaces_pipe(0.3, back, &options, NULL, NULL, &made));
     const batten_interval v = batten_curve_domain(spine);
     for (int j = 0; j <= 32; j++) {
         const double at = v.a + (v.b - v.a) * j / 32;
         double p[3], c[6], along = 0;
         CHECK_OK(batten_curve_evaluate(spine, at, 1, c));
-        CHECK_OK(batten_surface_evaluate(made[0], j / 32.0, -at, 0, p));
+        CHECK_OK(batten_surface_evaluate(made.at[0], j / 32.0, -at, 0, p));
         CHECK_NEAR(distance(p, c), 0.3, 1e-6);
         for (int k = 0; k < 3; k++)
             along += (p[k] - c[k]) * c[3 + k];
         CHECK_NEAR(along, 0, 1e-5);
     }
-    batten_surface_unref(made[0]);
-    batten_release(made);
+    batten_surfaces_release(&made);
     batten_curve_unref(back);
     batten_curve_unref(spine);
 }

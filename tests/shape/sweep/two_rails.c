@@ -8,7 +8,7 @@
 static batten_curve *through(int count, const double *points)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_interpolate(3, count, points, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_interpolate((batten_points){3, count, points}, NULL, NULL, &curve));
     return curve;
 }
 
@@ -39,8 +39,8 @@ TEST(the_ends_of_the_section_run_on_the_rails)
         batten_surface *surface = NULL;
         options.tolerance = 1e-5;
         options.fixed_height = fixed;
-        CHECK_OK(
-            batten_surface_two_rails(section, left, right, &options, NULL, &report, &surface));
+        CHECK_OK(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                          &options, NULL, &report, &surface));
         CHECK(report.error <= 1e-5);
         const batten_interval l = batten_curve_domain(left), r = batten_curve_domain(right);
         for (int j = 0; j <= 40; j++) {
@@ -71,7 +71,8 @@ TEST(parallel_straight_rails_make_a_cylinder_to_rounding)
     batten_surface_sweep_report report;
     CHECK_OK(batten_curve_line(3, (double[3]){0, 0, 0}, (double[3]){5, 0, 0}, &left));
     CHECK_OK(batten_curve_line(3, (double[3]){0, 2, 0}, (double[3]){5, 2, 0}, &right));
-    CHECK_OK(batten_surface_two_rails(section, left, right, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                      NULL, NULL, &report, &surface));
     CHECK_INT(report.section_count, 2);
     for (int i = 0; i <= 8; i++) {
         double c[3], p[3];
@@ -94,7 +95,8 @@ TEST(G5_rails_that_touch_at_an_end_make_a_pole)
     batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
     batten_surface *surface = NULL;
     options.tolerance = 1e-4;
-    CHECK_OK(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &surface));
+    CHECK_OK(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                      &options, NULL, NULL, &surface));
     for (int i = 0; i <= 8; i++)
         for (int end = 0; end < 2; end++) {
             double p[3];
@@ -102,7 +104,7 @@ TEST(G5_rails_that_touch_at_an_end_make_a_pole)
             CHECK_OK(batten_surface_evaluate(surface, i / 8.0, end, 0, p));
             CHECK_NEAR(distance(p, end ? l + 9 : l), 0, 1e-12);
             CHECK_OK(
-                batten_surface_normal(surface, i / 8.0, end ? 0.999 : 0.001, &normal, NULL));
+                batten_surface_normal(surface, i / 8.0, end ? 0.999 : 0.001, NULL, &normal));
         }
     batten_surface_unref(surface);
     batten_curve_unref(right);
@@ -120,7 +122,8 @@ TEST(rails_are_matched_by_length_and_by_planes)
     batten_surface_sweep_report report;
     options.match = BATTEN_RAILS_BY_PLANES;
     options.across = (batten_vec3){2, 0, 0};
-    CHECK_OK(batten_surface_two_rails(section, left, right, &options, NULL, &report, &surface));
+    CHECK_OK(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                      &options, NULL, &report, &surface));
     for (int j = 0; j <= 40; j++) {
         double p[3], q[3];
         CHECK_OK(batten_surface_evaluate(surface, 0, j / 40.0, 0, p));
@@ -130,10 +133,11 @@ TEST(rails_are_matched_by_length_and_by_planes)
     }
     batten_surface_unref(surface);
     options.match = BATTEN_RAILS_BY_LENGTH;
-    CHECK_OK(batten_surface_two_rails(section, left, right, &options, NULL, &report, &surface));
+    CHECK_OK(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                      &options, NULL, &report, &surface));
     CHECK(report.error <= 1e-4);
     double whole;
-    CHECK_OK(batten_curve_length(left, 1e-9, &whole, NULL));
+    CHECK_OK(batten_curve_length(left, 1e-9, NULL, &whole));
     for (int j = 0; j <= 10; j++) {
         double p[9];
         CHECK_OK(batten_surface_evaluate(surface, 0, j / 10.0, 1, p));
@@ -155,33 +159,42 @@ TEST(G7_rails_that_cross_are_refused_with_the_place)
                  *turning = through(4, back), *point = NULL, *ring = NULL;
     batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
     batten_surface *none = NULL;
-    CHECK_STATUS(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                          &options, NULL, NULL, &none),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("the rails cross or meet at 0.5");
-    CHECK_STATUS(batten_surface_two_rails(section, left, left, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_two_rails(section, (const batten_curve *const[2]){left, left},
+                                          &options, NULL, NULL, &none),
                  BATTEN_COINCIDENT);
     CHECK_MESSAGE("the rails coincide");
     options.match = BATTEN_RAILS_BY_PLANES;
-    CHECK_STATUS(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                          &options, NULL, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
     options.across = (batten_vec3){1, 0, 0};
-    CHECK_STATUS(batten_surface_two_rails(section, left, turning, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_two_rails(section,
+                                          (const batten_curve *const[2]){left, turning},
+                                          &options, NULL, NULL, &none),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("rail 2 turns back");
     options.across = (batten_vec3){-1, 0, 0};
-    CHECK_STATUS(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                          &options, NULL, NULL, &none),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("rail 1 goes from height 0 to -6");
     options = batten_surface_two_rails_defaults();
     CHECK_OK(batten_curve_line(3, l, (double[3]){1e-9, 0, 0}, &point));
-    CHECK_STATUS(batten_surface_two_rails(section, left, point, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_two_rails(section, (const batten_curve *const[2]){left, point},
+                                          &options, NULL, NULL, &none),
                  BATTEN_COINCIDENT);
     CHECK_MESSAGE("rail 2 reaches 1e-09");
     CHECK_OK(batten_curve_arc(1, 4 * acos(0), &ring));
-    CHECK_STATUS(batten_surface_two_rails(ring, left, right, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_two_rails(ring, (const batten_curve *const[2]){left, right},
+                                          &options, NULL, NULL, &none),
                  BATTEN_COINCIDENT);
     options.tolerance = NAN;
-    CHECK_STATUS(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &none),
+    CHECK_STATUS(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                          &options, NULL, NULL, &none),
                  BATTEN_NOT_FINITE);
     CHECK(none == NULL);
     batten_curve_unref(ring);
@@ -200,7 +213,8 @@ TEST(N2_rails_of_huge_or_tiny_size_make_the_scaled_surface)
     batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
     batten_surface *plain = NULL;
     options.tolerance = 1e-4;
-    CHECK_OK(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &plain));
+    CHECK_OK(batten_surface_two_rails(section, (const batten_curve *const[2]){left, right},
+                                      &options, NULL, NULL, &plain));
     for (int k = 0; k < COUNT(sizes); k++) {
         const batten_affine map = batten_affine_scaling(sizes[k], sizes[k], sizes[k]);
         batten_curve *images[3] = {NULL, NULL, NULL};
@@ -209,8 +223,9 @@ TEST(N2_rails_of_huge_or_tiny_size_make_the_scaled_surface)
         CHECK_OK(batten_curve_transform(left, &map, &images[1]));
         CHECK_OK(batten_curve_transform(right, &map, &images[2]));
         options.tolerance = 1e-4 * sizes[k];
-        CHECK_OK(batten_surface_two_rails(images[0], images[1], images[2], &options, NULL, NULL,
-                                          &surface));
+        CHECK_OK(batten_surface_two_rails(images[0],
+                                          (const batten_curve *const[2]){images[1], images[2]},
+                                          &options, NULL, NULL, &surface));
         for (int i = 0; i <= 10; i++) {
             double p[3], q[3];
             CHECK_OK(batten_surface_evaluate(plain, 0.3, i / 10.0, 0, p));

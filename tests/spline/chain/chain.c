@@ -42,7 +42,8 @@ static batten_chain *harbour_chain(const double *breaks)
     batten_span spans[4];
     batten_chain *chain = NULL;
     harbour(spans);
-    CHECK_OK(batten_chain_create(2, 4, spans, breaks, false, 1e-12, &chain));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, breaks, false}, 1e-12, &chain));
     return chain;
 }
 
@@ -53,7 +54,8 @@ static batten_chain *circle_chain(double radius)
     spans[0] = arc(radius, 0, PI / 2, 1 / radius, radius * 2 * PI / 3);
     spans[1] = arc_after(&spans[0], 1 / radius, radius * 2 * PI / 3);
     spans[2] = arc_after(&spans[1], 1 / radius, radius * 2 * PI / 3);
-    CHECK_OK(batten_chain_create(2, 3, spans, NULL, true, 1e-14 * radius, &chain));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 3, spans, NULL, true}, 1e-14 * radius,
+                                 &chain));
     return chain;
 }
 
@@ -73,7 +75,8 @@ static batten_chain *tense_chain(test_random *random, int dimension, int count, 
                 spans[i].bend[e][k] = test_random_in(random, -5, 5);
         }
     }
-    CHECK_OK(batten_chain_create(dimension, count, spans, NULL, false, 0, &chain));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){dimension, count, spans, NULL, false}, 0,
+                                 &chain));
     return chain;
 }
 
@@ -114,8 +117,8 @@ TEST(an_arc_of_tiny_curvature_is_a_line)
 {
     const batten_span straight = arc(0, 0, 0.5, 1e-200, 4), bent = arc(0, 0, 0.5, 1e-9, 4);
     batten_chain *a = NULL, *b = NULL;
-    CHECK_OK(batten_chain_create(2, 1, &straight, NULL, false, 0, &a));
-    CHECK_OK(batten_chain_create(2, 1, &bent, NULL, false, 0, &b));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &straight, NULL, false}, 0, &a));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &bent, NULL, false}, 0, &b));
     double p[2], q[2];
     CHECK_OK(batten_chain_evaluate(a, 4, 0, p));
     CHECK_OK(batten_chain_evaluate(b, 4, 0, q));
@@ -221,14 +224,19 @@ TEST(n1_a_chain_refuses_what_is_not_finite)
                                   &bad[2].curvature[3], &bad[2].chord,    &bad[2].end[2],
                                   &bad[2].bend[1][0],   &bad[2].tension};
         *places[field] = field % 2 ? NAN : INFINITY;
-        CHECK_STATUS(batten_chain_create(2, 4, bad, NULL, false, 1, &none), BATTEN_NOT_FINITE);
+        CHECK_STATUS(
+            batten_chain_create(&(batten_chain_parts){2, 4, bad, NULL, false}, 1, &none),
+            BATTEN_NOT_FINITE);
         CHECK_MESSAGE("span 2");
     }
     const double breaks[] = {0, 1, NAN, 3, 4};
-    CHECK_STATUS(batten_chain_create(2, 4, spans, breaks, false, 1, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, breaks, false}, 1, &none),
+        BATTEN_NOT_FINITE);
     CHECK_MESSAGE("break 2");
-    CHECK_STATUS(batten_chain_create(2, 4, spans, NULL, false, NAN, &none),
-                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, NULL, false}, NAN, &none),
+        BATTEN_BAD_ARGUMENT);
     CHECK(none == NULL);
 }
 
@@ -236,9 +244,10 @@ TEST(n6_a_tolerance_below_0_is_refused_by_chains)
 {
     const batten_span line = arc(0, 0, 0, 0, 1);
     batten_chain *chain = NULL;
-    CHECK_STATUS(batten_chain_create(2, 1, &line, NULL, false, -1e-9, &chain),
-                 BATTEN_BAD_ARGUMENT);
-    CHECK_OK(batten_chain_create(2, 1, &line, NULL, false, 0, &chain));
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 1, &line, NULL, false}, -1e-9, &chain),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &line, NULL, false}, 0, &chain));
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_chain_to_curve(chain, 0, NULL, &curve), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_chain_to_curve(chain, INFINITY, NULL, &curve), BATTEN_BAD_ARGUMENT);
@@ -252,14 +261,17 @@ TEST(a_chain_names_the_gap_it_refuses)
     batten_chain *chain = NULL;
     harbour(spans);
     spans[2].start[0] += 1e-3;
-    CHECK_STATUS(batten_chain_create(2, 4, spans, NULL, false, 9e-4, &chain),
-                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, NULL, false}, 9e-4, &chain),
+        BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("span 1 ends 0.001 from where span 2 begins");
     spans[2].start[0] -= 1e-3;
-    CHECK_STATUS(batten_chain_create(2, 4, spans, NULL, true, 1e-3, &chain),
-                 BATTEN_NOT_COMPATIBLE); /* it is not closed */
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, NULL, true}, 1e-3, &chain),
+        BATTEN_NOT_COMPATIBLE); /* it is not closed */
     CHECK_MESSAGE("span 0 begins");
-    CHECK_OK(batten_chain_create(2, 4, spans, NULL, true, INFINITY, &chain));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, NULL, true}, INFINITY, &chain));
     batten_chain_unref(chain);
 }
 
@@ -268,13 +280,18 @@ TEST(a_chain_refuses_spans_that_cannot_be)
     batten_span spans[4], bad;
     batten_chain *none = NULL;
     harbour(spans);
-    CHECK_STATUS(batten_chain_create(2, 0, spans, NULL, false, 1, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_chain_create(0, 4, spans, NULL, false, 1, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_chain_create(4, 4, spans, NULL, false, 1, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_chain_create(3, 4, spans, NULL, false, 1, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_create(&(batten_chain_parts){2, 0, spans, NULL, false}, 1, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_create(&(batten_chain_parts){0, 4, spans, NULL, false}, 1, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_create(&(batten_chain_parts){4, 4, spans, NULL, false}, 1, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_create(&(batten_chain_parts){3, 4, spans, NULL, false}, 1, &none),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("arc");
-    CHECK_STATUS(batten_chain_create(2, 2000000000, spans, NULL, false, 1, &none),
-                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 2000000000, spans, NULL, false}, 1, &none),
+        BATTEN_TOO_LARGE);
     for (int i = 0; i < 5; i++) {
         bad = spans[0];
         if (i == 0)
@@ -287,17 +304,22 @@ TEST(a_chain_refuses_spans_that_cannot_be)
             bad.kind = (batten_span_kind)99;
         if (i == 4)
             bad.kind = (batten_span_kind)-1;
-        CHECK_STATUS(batten_chain_create(2, 1, &bad, NULL, false, 1, &none),
-                     BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(
+            batten_chain_create(&(batten_chain_parts){2, 1, &bad, NULL, false}, 1, &none),
+            BATTEN_BAD_ARGUMENT);
     }
     const double equal[] = {0, 1, 1, 2, 3}, far[] = {-1.5e308, 0, 1, 2, 1.5e308};
-    CHECK_STATUS(batten_chain_create(2, 4, spans, equal, false, 1, &none),
-                 BATTEN_NOT_INCREASING);
-    CHECK_STATUS(batten_chain_create(2, 4, spans, far, false, 1, &none), BATTEN_OVERFLOW);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, equal, false}, 1, &none),
+        BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_chain_create(&(batten_chain_parts){2, 4, spans, far, false}, 1, &none),
+                 BATTEN_OVERFLOW);
     bad = arc(1e308, 0, 0, 0, 1e308);
-    CHECK_STATUS(batten_chain_create(2, 1, &bad, NULL, false, 1, &none), BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_chain_create(&(batten_chain_parts){2, 1, &bad, NULL, false}, 1, &none),
+                 BATTEN_OVERFLOW);
     bad = (batten_span){.kind = BATTEN_SPAN_TENSION, .length = 1e200, .tension = 1e200};
-    CHECK_STATUS(batten_chain_create(1, 1, &bad, NULL, false, 1, &none), BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_chain_create(&(batten_chain_parts){1, 1, &bad, NULL, false}, 1, &none),
+                 BATTEN_OVERFLOW);
     CHECK_MESSAGE("tension");
     CHECK(none == NULL);
 }

@@ -28,12 +28,14 @@ static batten_chain *mixed_chain(void)
         if (chain)
             batten_chain_unref(chain);
         chain = NULL;
-        CHECK_OK(batten_chain_create(2, i + 1, spans, NULL, false, 1e-12, &chain));
+        CHECK_OK(batten_chain_create(&(batten_chain_parts){2, i + 1, spans, NULL, false}, 1e-12,
+                                     &chain));
         CHECK_OK(batten_chain_evaluate(chain, batten_chain_domain(chain).b, 1, at));
     }
     batten_chain_unref(chain);
     chain = NULL;
-    CHECK_OK(batten_chain_create(2, COUNT(rows), spans, breaks, false, 1e-12, &chain));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, COUNT(rows), spans, breaks, false},
+                                 1e-12, &chain));
     return chain;
 }
 
@@ -56,7 +58,7 @@ static batten_chain *tense_chain(void)
         spans[0].bend[0][k] = 3 - k;
     }
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_create(3, 2, spans, NULL, false, 0, &chain));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){3, 2, spans, NULL, false}, 0, &chain));
     return chain;
 }
 
@@ -163,7 +165,7 @@ TEST(a_part_of_a_closed_chain_is_open)
                                    .angle = -pi / 2,
                                    .curvature = {1}}};
     batten_chain *ring = NULL, *part = NULL, *back = NULL;
-    CHECK_OK(batten_chain_create(2, 2, spans, NULL, true, 1e-12, &ring));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 2, spans, NULL, true}, 1e-12, &ring));
     CHECK_OK(batten_chain_subrange(ring, 1, 2 * pi, &part));
     CHECK(!batten_chain_is_closed(part));
     CHECK_INT(batten_chain_span_count(part), 2);

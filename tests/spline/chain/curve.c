@@ -36,7 +36,8 @@ static batten_chain *waves(int d, int count, double tension)
         wave(d, tension, 4.0 * i / count, 4.0 * (i + 1) / count, &spans[i]);
         breaks[i + 1] = 4.0 * (i + 1) / count;
     }
-    CHECK_OK(batten_chain_create(d, count, spans, breaks, false, 0, &chain));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){d, count, spans, breaks, false}, 0, &chain));
     return chain;
 }
 
@@ -67,7 +68,8 @@ TEST(a_circle_of_arcs_becomes_an_exact_circle)
             batten_chain *chain = NULL;
             batten_curve *curve = NULL;
             double error = 1;
-            CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 0, &chain));
+            CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0,
+                                         &chain));
             CHECK_OK(batten_chain_to_curve(chain, 1e-3, &error, &curve));
             CHECK_NEAR(error, 0, 0);
             CHECK_INT(batten_curve_degree(curve), 2);
@@ -94,7 +96,8 @@ TEST(lines_and_arcs_meet_in_one_curve_with_the_breaks_of_the_chain)
     batten_chain *track = NULL;
     batten_curve *curve = NULL;
     double error = 1, p[2];
-    CHECK_OK(batten_chain_create(2, 4, spans, breaks, true, 1e-14, &track));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, breaks, true}, 1e-14, &track));
     CHECK_OK(batten_chain_to_curve(track, 1e-3, &error, &curve));
     CHECK_NEAR(error, 0, 0);
     CHECK(batten_curve_is_closed(curve, 1e-14));
@@ -114,7 +117,7 @@ TEST(a_chain_in_space_becomes_a_curve_in_space)
     const batten_frame frame = {{10, 20, 30}, {0, 3, 0}, {1, 1, 0}};
     batten_chain *flat = NULL, *chain = NULL;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 0, &flat));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0, &flat));
     CHECK_OK(batten_chain_place(flat, &frame, &chain));
     CHECK_OK(batten_chain_to_curve(chain, 1e-3, NULL, &curve));
     CHECK_INT(batten_curve_dimension(curve), 3);
@@ -205,7 +208,7 @@ TEST(a_conversion_counts_the_gaps_that_were_let_pass)
     batten_chain *chain = NULL;
     batten_curve *curve = NULL;
     double error = 0;
-    CHECK_OK(batten_chain_create(2, 2, spans, NULL, false, 0.5, &chain));
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 2, spans, NULL, false}, 0.5, &chain));
     CHECK_OK(batten_chain_to_curve(chain, 1e-3, &error, &curve));
     CHECK_NEAR(error, 0.25, 1e-15);
     batten_curve_unref(curve);
@@ -233,7 +236,8 @@ TEST(n2_chains_of_any_size_convert_with_the_same_relative_error)
         const batten_span span = arc(s, 0, 0.3, 0.25 / s, 9 * s);
         batten_chain *chain = NULL;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 0, &chain));
+        CHECK_OK(
+            batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0, &chain));
         CHECK_OK(batten_chain_to_curve(chain, 1e-6 * s, NULL, &curve));
         double p[2];
         CHECK_OK(batten_curve_evaluate(curve, 4 * s, 0, p));

@@ -140,11 +140,15 @@ TEST(n1_an_elastica_of_too_many_waves_is_refused)
 {
     batten_chain *chain = NULL;
     batten_span span = {.kind = BATTEN_SPAN_ELASTICA, .length = 1e9, .curvature = {1, 0}};
-    CHECK_STATUS(batten_chain_create(2, 1, &span, NULL, false, 1, &chain), BATTEN_TOO_LARGE);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
+        BATTEN_TOO_LARGE);
     CHECK_MESSAGE("span 0");
     span.length = 1;
     span.curvature[1] = NAN;
-    CHECK_STATUS(batten_chain_create(2, 1, &span, NULL, false, 1, &chain), BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
+        BATTEN_NOT_FINITE);
     CHECK(!chain);
 }
 
@@ -155,7 +159,8 @@ TEST(a_chain_of_elastica_converts_to_quintics_and_moves)
     batten_chain *chain = NULL, *moved = NULL;
     batten_curve *curve = NULL;
     double error = 1, a[2], b[2];
-    CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 1e-9, &chain));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1e-9, &chain));
     CHECK_OK(batten_chain_to_curve(chain, 1e-9, &error, &curve));
     CHECK(error <= 1e-9);
     CHECK_OK(batten_chain_evaluate(chain, 1.3, 0, a));

@@ -131,16 +131,22 @@ TEST(n1_a_geometric_span_that_turns_over_is_refused)
 {
     batten_chain *chain = NULL;
     batten_span span = {.kind = BATTEN_SPAN_GEOMETRIC, .length = 1, .angle = 1.6};
-    CHECK_STATUS(batten_chain_create(2, 1, &span, NULL, false, 1, &chain), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("span 0 begins at 1.6 radians");
     /* Steepest between its ends. */
     span.angle = 0.5;
     span.curvature[0] = 4;
     span.curvature[1] = -8;
-    CHECK_STATUS(batten_chain_create(2, 1, &span, NULL, false, 1, &chain), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
+        BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("right angle away from its chord");
     span.chord = NAN;
-    CHECK_STATUS(batten_chain_create(2, 1, &span, NULL, false, 1, &chain), BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
+        BATTEN_NOT_FINITE);
     CHECK(!chain);
 }
 

@@ -9,7 +9,8 @@ static batten_chain *spiral(const double *curvature, double length)
     span.start[0] = 2;
     span.start[1] = -1;
     batten_chain *chain = NULL;
-    CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 1e-12, &chain));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1e-12, &chain));
     return chain;
 }
 
@@ -22,7 +23,8 @@ TEST(a_spiral_without_rate_is_an_arc_and_without_curvature_a_line)
         arc.start[1] = -1;
         arc.curvature[0] = curvatures[n];
         batten_chain *round = NULL, *other = spiral(arc.curvature, 4);
-        CHECK_OK(batten_chain_create(2, 1, &arc, NULL, false, 1e-12, &round));
+        CHECK_OK(
+            batten_chain_create(&(batten_chain_parts){2, 1, &arc, NULL, false}, 1e-12, &round));
         for (int i = 0; i <= 20; i++) {
             double a[8], b[8];
             CHECK_OK(batten_chain_evaluate(round, i * 0.2, 3, a));
@@ -63,12 +65,18 @@ TEST(n1_spirals_that_wind_too_often_are_refused)
     batten_span span = {.kind = BATTEN_SPAN_SPIRAL, .length = 1e6};
     batten_chain *chain = NULL;
     span.curvature[1] = 1;
-    CHECK_STATUS(batten_chain_create(2, 1, &span, NULL, false, 1, &chain), BATTEN_TOO_LARGE);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
+        BATTEN_TOO_LARGE);
     CHECK_MESSAGE("span 0 turns by up to 5e+11 radians");
     span.curvature[1] = 1e300;
-    CHECK_STATUS(batten_chain_create(2, 1, &span, NULL, false, 1, &chain), BATTEN_TOO_LARGE);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
+        BATTEN_TOO_LARGE);
     span.curvature[1] = NAN;
-    CHECK_STATUS(batten_chain_create(2, 1, &span, NULL, false, 1, &chain), BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
+        BATTEN_NOT_FINITE);
 }
 
 TEST(a_spiral_becomes_quintics_within_the_tolerance)

@@ -49,7 +49,8 @@ static batten_curve *curve_of(test_random *random, family kind, int p, bool rati
         weights[i] = test_random_in(random, 0.1, 10);
     }
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(2, p, n, points, rational ? weights : NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, n, points}, p, rational ? weights : NULL,
+                                 knots, &curve));
     return curve;
 }
 

@@ -50,7 +50,7 @@ TEST(N2_batches_of_cubics_report_overflow_and_bad_parameters)
     const double u[] = {0.5, 0.75, 0.25, -1};
     double out[12];
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(1, 3, 4, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 4, points}, 3, NULL, knots, &curve));
     CHECK_STATUS(batten_curve_evaluate_many(curve, 3, u, 2, NULL, out), BATTEN_OVERFLOW);
     CHECK_OK(batten_curve_evaluate_many(curve, 3, u, 0, NULL, out));
     CHECK_STATUS(batten_curve_evaluate_many(curve, 4, u, 0, NULL, out), BATTEN_OUT_OF_DOMAIN);
@@ -87,8 +87,8 @@ TEST(cubics_of_every_kind_have_the_bits_of_single_calls)
         for (int k = 0; k < 5; k++)
             weights[k] = test_random_in(&random, 0.5, 2);
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_create(d, 3, 5, points, i / 3 % 2 ? weights : NULL, knots[i / 6],
-                                     &curve));
+        CHECK_OK(batten_curve_create((batten_points){d, 5, points}, 3,
+                                     i / 3 % 2 ? weights : NULL, knots[i / 6], &curve));
         for (int order = 0; order <= 3; order++)
             check_batch(&random, curve, true, order);
         batten_curve_unref(curve);

@@ -8,7 +8,7 @@ static batten_curve *cubic(void)
 {
     const double breaks[] = {0, 1, 2}, powers[] = {0, -2, 0, 1, -1, 1, 0, 0};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_from_power(1, 3, 2, breaks, powers, 1e-14, &curve));
+    CHECK_OK(batten_curve_from_power(1, (batten_pieces){3, 2, breaks}, powers, 1e-14, &curve));
     return curve;
 }
 

@@ -8,14 +8,16 @@ TEST(K9_degrees_and_counts_at_their_limits)
 {
     const double knots[60] = {0};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_create(2, 0, 4, square, NULL, knots, &curve), BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_curve_create(2, 26, 4, square, NULL, knots, &curve), BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_curve_create(2, 4, 4, square, NULL, knots, &curve),
+    CHECK_STATUS(batten_curve_create((batten_points){2, 4, square}, 0, NULL, knots, &curve),
+                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_create((batten_points){2, 4, square}, 26, NULL, knots, &curve),
+                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_create((batten_points){2, 4, square}, 4, NULL, knots, &curve),
                  BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("4 control points for degree 4; 5 are needed");
-    CHECK_STATUS(batten_curve_create(2, 1, 0, square, NULL, knots, &curve),
+    CHECK_STATUS(batten_curve_create((batten_points){2, 0, square}, 1, NULL, knots, &curve),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_create(4, 1, 2, square, NULL, knots, &curve),
+    CHECK_STATUS(batten_curve_create((batten_points){4, 2, square}, 1, NULL, knots, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK(curve == NULL);
 }
@@ -24,10 +26,11 @@ TEST(S1_counts_that_wrap_are_refused)
 {
     const double knots[60] = {0};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_create(2, 1, -1, square, NULL, knots, &curve),
+    CHECK_STATUS(batten_curve_create((batten_points){2, -1, square}, 1, NULL, knots, &curve),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_create(2, 1, 2147483647, square, NULL, knots, &curve),
-                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(
+        batten_curve_create((batten_points){2, 2147483647, square}, 1, NULL, knots, &curve),
+        BATTEN_TOO_LARGE);
 }
 
 TEST(K8_weights_must_be_positive)
@@ -35,11 +38,11 @@ TEST(K8_weights_must_be_positive)
     const double knots[] = {0, 0, 1, 2, 3, 3};
     double weights[] = {1, 1, 0, 1};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_create(2, 1, 4, square, weights, knots, &curve),
+    CHECK_STATUS(batten_curve_create((batten_points){2, 4, square}, 1, weights, knots, &curve),
                  BATTEN_BAD_WEIGHT);
     CHECK_MESSAGE("weight 2 is 0");
     weights[2] = INFINITY;
-    CHECK_STATUS(batten_curve_create(2, 1, 4, square, weights, knots, &curve),
+    CHECK_STATUS(batten_curve_create((batten_points){2, 4, square}, 1, weights, knots, &curve),
                  BATTEN_NOT_FINITE);
 }
 
@@ -47,7 +50,8 @@ TEST(N1_coordinates_that_are_no_numbers_are_refused)
 {
     const double knots[] = {0, 0, 1, 1}, points[] = {0, 0, 1, NAN};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_create(2, 1, 2, points, NULL, knots, &curve), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_create((batten_points){2, 2, points}, 1, NULL, knots, &curve),
+                 BATTEN_NOT_FINITE);
     CHECK_MESSAGE("coordinate 1 of control point 1");
 }
 
@@ -55,7 +59,7 @@ TEST(a_curve_shows_what_it_was_made_of)
 {
     const double knots[] = {0, 0, 0, 1, 2, 2, 2}, weights[] = {1, 2, 3, 4};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(2, 2, 4, square, weights, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 4, square}, 2, weights, knots, &curve));
     CHECK_INT(batten_curve_dimension(curve), 2);
     CHECK_INT(batten_curve_degree(curve), 2);
     CHECK_INT(batten_curve_point_count(curve), 4);
@@ -87,7 +91,8 @@ TEST(a_periodic_curve_is_one_smooth_round)
 {
     const double knots[] = {0, 0.7, 2, 2.5, 4};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create_periodic(2, 3, 4, square, NULL, knots, &curve));
+    CHECK_OK(
+        batten_curve_create_periodic((batten_points){2, 4, square}, 3, NULL, knots, &curve));
     CHECK(batten_curve_is_periodic(curve) && !batten_curve_is_clamped(curve));
     CHECK_INT(batten_curve_point_count(curve), 7);
     CHECK_BITS(batten_curve_domain(curve).a, 0);
@@ -108,7 +113,8 @@ TEST(a_period_may_have_fewer_points_than_the_degree_asks)
 {
     const double knots[] = {0, 1, 2}, points[] = {1, -1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create_periodic(1, 3, 2, points, NULL, knots, &curve));
+    CHECK_OK(
+        batten_curve_create_periodic((batten_points){1, 2, points}, 3, NULL, knots, &curve));
     CHECK_INT(batten_curve_point_count(curve), 5);
     /* Uniform cubic: (1 4 1) / 6 of alternating values. */
     double value;
@@ -121,12 +127,15 @@ TEST(K1_an_empty_period_is_refused)
 {
     const double knots[] = {1, 1, 1}, bad[] = {0, NAN, 1}, falling[] = {0, 2, 1};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, knots, &curve),
-                 BATTEN_BAD_KNOTS);
-    CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, bad, &curve),
-                 BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, falling, &curve),
-                 BATTEN_BAD_KNOTS);
+    CHECK_STATUS(
+        batten_curve_create_periodic((batten_points){1, 2, square}, 1, NULL, knots, &curve),
+        BATTEN_BAD_KNOTS);
+    CHECK_STATUS(
+        batten_curve_create_periodic((batten_points){1, 2, square}, 1, NULL, bad, &curve),
+        BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_curve_create_periodic((batten_points){1, 2, square}, 1, NULL, falling, &curve),
+        BATTEN_BAD_KNOTS);
 }
 
 TEST(greville_abscissae_are_the_points_of_the_identity)
@@ -139,8 +148,8 @@ TEST(greville_abscissae_are_the_points_of_the_identity)
         const int n = batten_curve_point_count(curve);
         for (int k = 0; k < n; k++)
             points[k] = batten_curve_greville(curve, k);
-        CHECK_OK(batten_curve_create(1, batten_curve_degree(curve), n, points, NULL,
-                                     batten_curve_knots(curve), &identity));
+        CHECK_OK(batten_curve_create((batten_points){1, n, points}, batten_curve_degree(curve),
+                                     NULL, batten_curve_knots(curve), &identity));
         for (int k = 0; k < 10; k++) {
             double value, u = test_parameter(&random, curve);
             CHECK_OK(batten_curve_evaluate(identity, u, 0, &value));
@@ -174,13 +183,16 @@ TEST(K2_a_curve_of_bad_period_or_knots_is_not_made)
 {
     const double knots[] = {0, 0, 1, 2, 2, 2, 3}, period[] = {0, 0, 0, 0, 1};
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_create(2, 2, 4, square, NULL, knots, &none), BATTEN_OK);
+    CHECK_STATUS(batten_curve_create((batten_points){2, 4, square}, 2, NULL, knots, &none),
+                 BATTEN_OK);
     batten_curve_unref(none);
     none = NULL;
-    CHECK_STATUS(batten_curve_create_periodic(1, 2, 4, square, NULL, period, &none),
-                 BATTEN_BAD_KNOTS);
-    CHECK_STATUS(batten_curve_create_periodic(1, 2, 0, square, NULL, period, &none),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_curve_create_periodic((batten_points){1, 4, square}, 2, NULL, period, &none),
+        BATTEN_BAD_KNOTS);
+    CHECK_STATUS(
+        batten_curve_create_periodic((batten_points){1, 0, square}, 2, NULL, period, &none),
+        BATTEN_TOO_FEW_POINTS);
     CHECK(none == NULL);
 }
 
@@ -191,7 +203,7 @@ TEST(clamped_means_at_both_ends)
         {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 2}, {-1, 0, 0, 1, 1, 1}, {-1, 0, 0, 1, 1, 2}};
     for (int i = 0; i < 4; i++) {
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots[i], &curve));
+        CHECK_OK(batten_curve_create((batten_points){1, 3, points}, 2, NULL, knots[i], &curve));
         CHECK(batten_curve_is_clamped(curve) == (i == 0));
         batten_curve_unref(curve);
     }

@@ -7,7 +7,7 @@ TEST(a_bezier_cubic_is_its_polynomial)
     /* The example of the notes: x = 4t^3 + 10t^2 - 30t + 2 on [0, 1] in Bernstein form. */
     const double points[] = {2, -8, -44. / 3, -14}, knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(1, 3, 4, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 4, points}, 3, NULL, knots, &curve));
     for (int i = 0; i <= 16; i++) {
         const double t = i / 16.0;
         double out[6];
@@ -29,7 +29,8 @@ static batten_curve *small(int degree, const double *points, const double *weigh
     for (int i = 0; i < 2 * degree + 2; i++)
         knots[i] = i <= degree ? a : b;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(1, degree, degree + 1, points, weights, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, degree + 1, points}, degree, weights, knots,
+                                 &curve));
     return curve;
 }
 
@@ -110,7 +111,7 @@ TEST(K10_sides_differ_where_the_curve_has_a_corner)
     const double points[] = {0, 1, 0}, knots[] = {0, 0, 1, 2, 2};
     batten_curve *curve = NULL;
     double out[2];
-    CHECK_OK(batten_curve_create(1, 1, 3, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 3, points}, 1, NULL, knots, &curve));
     CHECK_OK(batten_curve_evaluate(curve, 1, 1, out));
     CHECK_BITS(out[1], -1);
     CHECK_OK(batten_curve_evaluate_side(curve, 1, BATTEN_FROM_LEFT, 1, out));
@@ -162,7 +163,8 @@ TEST(curvature_at_the_start_of_a_rational_bezier_curve_is_that_of_the_notes)
         for (int i = 0; i < 2 * n + 2; i++)
             knots[i] = i > n;
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_create(2, n, n + 1, points, weights, knots, &curve));
+        CHECK_OK(
+            batten_curve_create((batten_points){2, n + 1, points}, n, weights, knots, &curve));
         CHECK_OK(batten_curve_evaluate(curve, 0, 2, out));
         const double speed = hypot(out[2], out[3]), edge = hypot(1, 0.5);
         const double kappa = (out[2] * out[5] - out[3] * out[4]) / (speed * speed * speed);
@@ -183,7 +185,8 @@ TEST(the_loop_of_the_notes_meets_itself)
     const double coefficients[] = {x0, (-30 * at - 10) * at + 10, x1, -60 * at - 10, x2, -30, 4,
                                    0};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_from_power(2, 3, 1, breaks, coefficients, 0, &curve));
+    CHECK_OK(
+        batten_curve_from_power(2, (batten_pieces){3, 1, breaks}, coefficients, 0, &curve));
     const double root = sqrt(33) / 2;
     for (int i = -1; i <= 1; i += 2) {
         double p[2];
@@ -203,7 +206,7 @@ static void uniform(const double *vertices, int n, double u, double *out)
     for (int i = 0; i < n + 4; i++)
         knots[i] = i - 3;
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(2, 3, n, vertices, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, n, vertices}, 3, NULL, knots, &curve));
     CHECK_OK(batten_curve_evaluate(curve, u, 2, out));
     batten_curve_unref(curve);
 }
@@ -236,7 +239,8 @@ TEST(N1_periodic_curves_take_any_number_but_no_other_parameter)
     const double *const bad = (const double[]){NAN, INFINITY, -INFINITY};
     batten_curve *curve = NULL;
     double out = 7, start;
-    CHECK_OK(batten_curve_create_periodic(1, 2, 3, points, NULL, knots, &curve));
+    CHECK_OK(
+        batten_curve_create_periodic((batten_points){1, 3, points}, 2, NULL, knots, &curve));
     for (int i = 0; i < 3; i++)
         CHECK_STATUS(batten_curve_evaluate(curve, bad[i], 0, &out), BATTEN_NOT_FINITE);
     CHECK_BITS(out, 7);

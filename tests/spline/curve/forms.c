@@ -79,7 +79,8 @@ TEST(powers_and_back)
         double breaks[40], coefficients[40 * 5 * 2];
         const int pieces = batten_curve_spans(curve, breaks) - 1;
         CHECK_OK(batten_curve_to_power(curve, coefficients));
-        CHECK_OK(batten_curve_from_power(2, 4, pieces, breaks, coefficients, 1e-12, &back));
+        CHECK_OK(batten_curve_from_power(2, (batten_pieces){4, pieces, breaks}, coefficients,
+                                         1e-12, &back));
         for (int k = 0; k < 20; k++) {
             const double u = test_parameter(&random, curve);
             CHECK_NEAR(test_curve_distance(curve, u, back, u, 1), 0, 1e-12);
@@ -99,8 +100,9 @@ TEST(bezier_pieces_and_back_keep_every_point)
         const int pieces = batten_curve_spans(curve, breaks) - 1;
         CHECK_OK(batten_curve_to_bezier(curve, &bezier));
         CHECK_OK(batten_curve_from_bezier(
-            batten_curve_dimension(bezier), batten_curve_degree(bezier), pieces,
-            batten_curve_points(bezier), batten_curve_weights(bezier), breaks, &back));
+            batten_curve_dimension(bezier),
+            (batten_pieces){batten_curve_degree(bezier), pieces, breaks},
+            batten_curve_points(bezier), batten_curve_weights(bezier), &back));
         CHECK_INT(batten_curve_knot_count(back), batten_curve_knot_count(bezier));
         for (int k = 0; k < batten_curve_knot_count(back); k++)
             CHECK_BITS(batten_curve_knots(back)[k], batten_curve_knots(bezier)[k]);
@@ -115,15 +117,19 @@ TEST(forms_refuse_bad_numbers)
     const double rising[] = {0, 1, 2}, falling[] = {0, 2, 1}, bad[] = {0, NAN, 1},
                  values[24] = {0, 1, 0, 5};
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_from_bezier(1, 1, 2, values, NULL, falling, &none),
-                 BATTEN_NOT_INCREASING);
-    CHECK_STATUS(batten_curve_from_bezier(1, 1, 2, values, NULL, bad, &none),
+    CHECK_STATUS(
+        batten_curve_from_bezier(1, (batten_pieces){1, 2, falling}, values, NULL, &none),
+        BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_from_bezier(1, (batten_pieces){1, 2, bad}, values, NULL, &none),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_from_bezier(1, 0, 2, values, NULL, rising, &none),
-                 BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_curve_from_bezier(1, 1, 0, values, NULL, rising, &none),
-                 BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_from_bezier(1, 25, 2147483647, values, NULL, rising, &none),
+    CHECK_STATUS(
+        batten_curve_from_bezier(1, (batten_pieces){0, 2, rising}, values, NULL, &none),
+        BATTEN_BAD_DEGREE);
+    CHECK_STATUS(
+        batten_curve_from_bezier(1, (batten_pieces){1, 0, rising}, values, NULL, &none),
+        BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_from_bezier(1, (batten_pieces){25, 2147483647, rising}, values,
+                                          NULL, &none),
                  BATTEN_TOO_LARGE);
     CHECK_STATUS(batten_curve_from_hermite(1, 2, 5, rising, values, &none),
                  BATTEN_BAD_ARGUMENT);
@@ -135,16 +141,16 @@ TEST(forms_refuse_bad_numbers)
                  BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_from_hermite(1, 2147483647, 2, rising, values, &none),
                  BATTEN_TOO_LARGE);
-    CHECK_STATUS(batten_curve_from_power(1, 1, 2, rising, values, 0.1, &none),
+    CHECK_STATUS(batten_curve_from_power(1, (batten_pieces){1, 2, rising}, values, 0.1, &none),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("pieces 0 and 1 are 1 apart");
-    CHECK_STATUS(batten_curve_from_power(1, 1, 2, falling, values, 0.1, &none),
+    CHECK_STATUS(batten_curve_from_power(1, (batten_pieces){1, 2, falling}, values, 0.1, &none),
                  BATTEN_NOT_INCREASING);
-    CHECK_STATUS(batten_curve_from_power(1, 26, 2, rising, values, 0.1, &none),
+    CHECK_STATUS(batten_curve_from_power(1, (batten_pieces){26, 2, rising}, values, 0.1, &none),
                  BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_curve_from_power(1, 1, 2, rising, values, NAN, &none),
+    CHECK_STATUS(batten_curve_from_power(1, (batten_pieces){1, 2, rising}, values, NAN, &none),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_from_power(0, 1, 2, rising, values, 1, &none),
+    CHECK_STATUS(batten_curve_from_power(0, (batten_pieces){1, 2, rising}, values, 1, &none),
                  BATTEN_BAD_ARGUMENT);
 }
 
@@ -153,7 +159,7 @@ TEST(a_rational_curve_has_no_form_in_powers)
     const double points[] = {0, 1}, weights[] = {1, 2}, knots[] = {0, 0, 1, 1};
     batten_curve *curve = NULL;
     double out[2];
-    CHECK_OK(batten_curve_create(1, 1, 2, points, weights, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 2, points}, 1, weights, knots, &curve));
     CHECK_STATUS(batten_curve_to_power(curve, out), BATTEN_UNSUPPORTED);
     batten_curve_unref(curve);
 }
@@ -169,13 +175,14 @@ TEST(forms_refuse_what_they_cannot_hold)
     for (int d = 0; d <= 4; d += 4) {
         CHECK_STATUS(batten_curve_from_hermite(d, 2, 2, ends, values, &none),
                      BATTEN_BAD_ARGUMENT);
-        CHECK_STATUS(batten_curve_from_power(d, 1, 1, ends, values, 0, &none),
+        CHECK_STATUS(batten_curve_from_power(d, (batten_pieces){1, 1, ends}, values, 0, &none),
                      BATTEN_BAD_ARGUMENT);
         CHECK_MESSAGE("must be 1, 2 or 3");
     }
     for (int i = 0; i < COUNT(bad); i++)
-        CHECK_STATUS(batten_curve_from_power(1, 1, 1, ends, values, bad[i], &none),
-                     BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(
+            batten_curve_from_power(1, (batten_pieces){1, 1, ends}, values, bad[i], &none),
+            BATTEN_BAD_ARGUMENT);
     CHECK(none == NULL);
 }
 
@@ -184,7 +191,7 @@ TEST(N2_coefficients_too_large_for_numbers_are_an_overflow)
     const double points[] = {-1e300, 1e300}, knots[] = {0, 0, 1e-100, 1e-100};
     double coefficients[2];
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(1, 1, 2, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 2, points}, 1, NULL, knots, &curve));
     CHECK_STATUS(batten_curve_to_power(curve, coefficients), BATTEN_OVERFLOW);
     batten_curve_unref(curve);
 }

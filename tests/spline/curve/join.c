@@ -35,8 +35,8 @@ TEST(curves_of_any_degree_and_kind_join)
     const double arc[] = {1, 0, 2, 0, 2, 1}, arc_knots[] = {0, 0, 0, 2, 2, 2},
                  weights[] = {3, 2, 3};
     batten_curve *first = NULL, *second = NULL, *both = NULL;
-    CHECK_OK(batten_curve_create(2, 1, 2, line, NULL, line_knots, &first));
-    CHECK_OK(batten_curve_create(2, 2, 3, arc, weights, arc_knots, &second));
+    CHECK_OK(batten_curve_create((batten_points){2, 2, line}, 1, NULL, line_knots, &first));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, arc}, 2, weights, arc_knots, &second));
     CHECK_OK(batten_curve_join(first, second, 1e-9, &both));
     CHECK_INT(batten_curve_degree(both), 2);
     CHECK(batten_curve_is_rational(both));
@@ -60,8 +60,8 @@ TEST(ends_that_nearly_meet_are_joined_halfway)
 {
     const double a[] = {0, 1}, b[] = {1.25, 2}, knots[] = {0, 0, 1, 1};
     batten_curve *first = NULL, *second = NULL, *both = NULL;
-    CHECK_OK(batten_curve_create(1, 1, 2, a, NULL, knots, &first));
-    CHECK_OK(batten_curve_create(1, 1, 2, b, NULL, knots, &second));
+    CHECK_OK(batten_curve_create((batten_points){1, 2, a}, 1, NULL, knots, &first));
+    CHECK_OK(batten_curve_create((batten_points){1, 2, b}, 1, NULL, knots, &second));
     CHECK_OK(batten_curve_join(first, second, 0.25, &both));
     CHECK_BITS(batten_curve_points(both)[1], 1.125);
     batten_curve_unref(both);
@@ -74,8 +74,8 @@ TEST(K6_knots_that_fall_together_when_moved_are_refused)
     const double a[] = {0, 1}, b[] = {1, 2, 3}, far[] = {1e9, 1e9, 1e9 + 1, 1e9 + 1},
                  fine[] = {0, 0, 1e-9, 1, 1};
     batten_curve *first = NULL, *second = NULL, *none = NULL;
-    CHECK_OK(batten_curve_create(1, 1, 2, a, NULL, far, &first));
-    CHECK_OK(batten_curve_create(1, 1, 3, b, NULL, fine, &second));
+    CHECK_OK(batten_curve_create((batten_points){1, 2, a}, 1, NULL, far, &first));
+    CHECK_OK(batten_curve_create((batten_points){1, 3, b}, 1, NULL, fine, &second));
     CHECK_STATUS(batten_curve_join(first, second, 0, &none), BATTEN_BAD_KNOTS);
     batten_curve_unref(second);
     batten_curve_unref(first);

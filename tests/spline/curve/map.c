@@ -83,7 +83,7 @@ TEST(K6_knots_that_would_fall_together_are_refused)
 {
     const double points[] = {0, 1, 2, 3}, knots[] = {0, 0, 1e-14, 1 + 1e-14, 3, 3};
     batten_curve *curve = NULL, *none = NULL;
-    CHECK_OK(batten_curve_create(1, 1, 4, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 4, points}, 1, NULL, knots, &curve));
     CHECK_STATUS(batten_curve_set_domain(curve, 1e6, 1e6 + 1, &none), BATTEN_BAD_KNOTS);
     CHECK_MESSAGE("knots 1 and 2");
     CHECK_STATUS(batten_curve_set_domain(curve, 1, 1, &none), BATTEN_BAD_ARGUMENT);
@@ -126,7 +126,7 @@ TEST(a_moebius_change_has_the_weights_of_the_notes)
     const double points[] = {0, 0, 1, 2, 3, 1, 4, -1, 6, 0, 7, 2}, w[] = {1, 2, 0.5, 3, 1, 0.7},
                  knots[] = {0, 0, 0, 0, 1, 1.5, 2, 2, 2, 2}, a = 3, b = 1, c = 0.4, d = 0.5;
     batten_curve *curve = NULL, *mapped = NULL;
-    CHECK_OK(batten_curve_create(2, 3, 6, points, w, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 6, points}, 3, w, knots, &curve));
     CHECK_OK(batten_curve_moebius(curve, a, b, c, d, &mapped));
     double factor = 0;
     for (int i = 0; i < 6; i++) {
@@ -155,9 +155,9 @@ TEST(a_common_factor_of_the_weights_changes_no_point)
         const double factor = pow(10, test_random_in(&random, -100, 100));
         for (int k = 0; k < n; k++)
             weights[k] = factor * batten_curve_weights(curve)[k];
-        CHECK_OK(batten_curve_create(batten_curve_dimension(curve), batten_curve_degree(curve),
-                                     n, batten_curve_points(curve), weights,
-                                     batten_curve_knots(curve), &scaled));
+        CHECK_OK(batten_curve_create(
+            (batten_points){batten_curve_dimension(curve), n, batten_curve_points(curve)},
+            batten_curve_degree(curve), weights, batten_curve_knots(curve), &scaled));
         for (int k = 0; k < 20; k++) {
             const double u = test_parameter(&random, curve);
             CHECK_NEAR(test_curve_distance(curve, u, scaled, u, test_curve_size(curve)), 0,
@@ -172,7 +172,7 @@ TEST(a_moebius_change_with_a_pole_is_refused)
 {
     const double points[] = {0, 1}, knots[] = {0, 0, 1, 1};
     batten_curve *curve = NULL, *none = NULL;
-    CHECK_OK(batten_curve_create(1, 1, 2, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 2, points}, 1, NULL, knots, &curve));
     CHECK_STATUS(batten_curve_moebius(curve, 1, 0, -2, 1, &none), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_moebius(curve, 1, 0, 1, 0, &none), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_moebius(curve, -1, 0, 0, 1, &none), BATTEN_BAD_ARGUMENT);
@@ -210,7 +210,8 @@ TEST(a_control_point_is_replaced_with_all_its_copies)
     const double points[] = {0, 1, 2, 3}, knots[] = {0, 1, 2, 3, 4}, moved[] = {9},
                  bad[] = {NAN};
     batten_curve *curve = NULL, *edited = NULL;
-    CHECK_OK(batten_curve_create_periodic(1, 3, 4, points, NULL, knots, &curve));
+    CHECK_OK(
+        batten_curve_create_periodic((batten_points){1, 4, points}, 3, NULL, knots, &curve));
     CHECK_OK(batten_curve_with_point(curve, 5, moved, &edited));
     const double expected[] = {0, 9, 2, 3, 0, 9, 2};
     check_same_bits(batten_curve_points(edited), expected, 7);
@@ -268,7 +269,7 @@ TEST(N2_a_map_to_where_numbers_end_is_an_overflow)
     const batten_affine map = {{{1e300, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
     const batten_affine bad = {{{NAN, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
     batten_curve *curve = NULL, *none = NULL;
-    CHECK_OK(batten_curve_create(1, 1, 2, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 2, points}, 1, NULL, knots, &curve));
     CHECK_STATUS(batten_curve_transform(curve, &map, &none), BATTEN_OVERFLOW);
     CHECK_STATUS(batten_curve_transform(curve, &bad, &none), BATTEN_NOT_FINITE);
     batten_curve_unref(curve);
@@ -278,7 +279,7 @@ TEST(maps_refuse_each_coefficient_that_is_no_number)
 {
     const double points[] = {0, 1, 3}, knots[] = {0, 0, 0, 1, 1, 1};
     batten_curve *curve = NULL, *none = NULL;
-    CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 3, points}, 2, NULL, knots, &curve));
     for (int i = 0; i < 4; i++) {
         double m[] = {1, 0, 0.5, 1};
         m[i] = i % 2 ? NAN : INFINITY;
@@ -307,7 +308,7 @@ TEST(a_rational_curve_keeps_its_points_under_a_moebius_map)
     const double points[] = {0, 1, 3, 2}, weights[] = {1, 3, 0.5, 2},
                  knots[] = {0, 0, 0, 0.25, 1, 1, 1};
     batten_curve *curve = NULL, *moved = NULL;
-    CHECK_OK(batten_curve_create(1, 2, 4, points, weights, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 4, points}, 2, weights, knots, &curve));
     CHECK_OK(batten_curve_moebius(curve, 2, 1, 0.5, 1, &moved));
     for (int i = 0; i <= 64; i++) {
         const double u = i / 64.0;
@@ -326,7 +327,8 @@ TEST(a_curve_in_a_plane_across_an_axis_is_flattened_with_its_weights_and_period)
     const double weights[4] = {1, 2, 1, 3}, knots[5] = {0, 1, 2, 3, 4};
     batten_curve *curve = NULL, *flat = NULL, *same = NULL;
     int axis = 7;
-    CHECK_OK(batten_curve_create_periodic(3, 2, 4, &points[0][0], weights, knots, &curve));
+    CHECK_OK(batten_curve_create_periodic((batten_points){3, 4, &points[0][0]}, 2, weights,
+                                          knots, &curve));
     CHECK_OK(batten_curve_flatten(curve, &axis, &flat));
     CHECK_INT(axis, 0);
     CHECK_INT(batten_curve_dimension(flat), 2);

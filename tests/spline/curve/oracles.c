@@ -83,8 +83,8 @@ static batten_curve *schoenberg(test_random *random, double (*f)(double))
     double points[TEST_MOST_POINTS];
     for (int i = 0; i < n; i++)
         points[i] = f(batten_curve_greville(curve, i));
-    CHECK_OK(
-        batten_curve_create(1, wish.degree, n, points, NULL, batten_curve_knots(curve), &made));
+    CHECK_OK(batten_curve_create((batten_points){1, n, points}, wish.degree, NULL,
+                                 batten_curve_knots(curve), &made));
     batten_curve_unref(curve);
     return made;
 }
@@ -150,7 +150,8 @@ TEST(each_halving_of_the_spans_brings_the_polygon_four_times_nearer)
         for (int i = 0; i < COUNT(knots); i++)
             knots[i] = i;
         /* Periodic, for at a clamped end the ratio is 1/4 only in the limit. */
-        CHECK_OK(batten_curve_create_periodic(2, degree, 9, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create_periodic((batten_points){2, 9, points}, degree, NULL,
+                                              knots, &curve));
         for (int halving = 0; halving <= 6; halving++) {
             const double distance = polygon_distance(curve);
             ratio = halving ? distance / before : 1;

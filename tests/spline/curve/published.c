@@ -11,7 +11,8 @@ static batten_curve *curve_of(int dimension, int degree, int count, const double
                               const double *weights, const double *knots)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(dimension, degree, count, points, weights, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){dimension, count, points}, degree, weights,
+                                 knots, &curve));
     return curve;
 }
 
@@ -141,8 +142,8 @@ TEST(knots_of_nurbs_pythons_curve_are_inserted_and_removed)
         batten_curve *more = NULL, *again = NULL;
         CHECK_INT(json_numbers(json_item(removes, i), 4, row), 2);
         CHECK_OK(batten_curve_insert_knot(curve, row[0], (int)row[1], &more));
-        CHECK_OK(batten_curve_remove_knot(more, row[0], (int)row[1], 1e-12, &removed, &error,
-                                          &again));
+        CHECK_OK(batten_curve_remove_knot(more, (batten_knot){row[0], (int)row[1]}, 1e-12,
+                                          &removed, &error, &again));
         CHECK_INT(removed, (int)row[1]);
         CHECK_INT(batten_curve_point_count(again), 6);
         for (int k = 0; k < 12; k++)
@@ -222,7 +223,8 @@ TEST(k4_tinysplines_curve_of_two_parts_is_two_curves)
         batten_curve *whole = NULL;
         CHECK_INT(json_numbers(json_key(one, "points"), 16, P), 16);
         CHECK_INT(json_numbers(json_key(one, "expected"), 4, expected), 4);
-        CHECK_STATUS(batten_curve_create(2, 3, 8, P, NULL, U, &whole), BATTEN_BAD_KNOTS);
+        CHECK_STATUS(batten_curve_create((batten_points){2, 8, P}, 3, NULL, U, &whole),
+                     BATTEN_BAD_KNOTS);
         batten_curve *first = curve_of(2, 3, 4, P, NULL, U);
         batten_curve *second = curve_of(2, 3, 4, P + 8, NULL, U + 4);
         check_point(first, 0.5, 0, expected, 0);
@@ -269,7 +271,7 @@ static void check_pyspline(const char *expected, const char *name, const batten_
 static void check_length(const batten_curve *curve, double wanted)
 {
     double length = 0, sum = 0, before[3], after[3];
-    CHECK_OK(batten_curve_length(curve, 1e-10, &length, NULL));
+    CHECK_OK(batten_curve_length(curve, 1e-10, NULL, &length));
     CHECK_OK(batten_curve_evaluate(curve, batten_curve_greville(curve, 0), 0, before));
     for (int i = 1; i < batten_curve_point_count(curve); i++) {
         CHECK_OK(batten_curve_evaluate(curve, batten_curve_greville(curve, i), 0, after));
@@ -330,7 +332,8 @@ TEST(bezier_curves_fulfil_their_implicit_equations)
         batten_curve *curve = NULL;
         for (int i = 0; i < n; i++)
             P[2 * i] = xy[i], P[2 * i + 1] = xy[n + i];
-        CHECK_OK(batten_curve_from_bezier(2, n - 1, 1, P, NULL, breaks, &curve));
+        CHECK_OK(
+            batten_curve_from_bezier(2, (batten_pieces){n - 1, 1, breaks}, P, NULL, &curve));
         for (int i = 0; i <= 32; i++) {
             double at[2], sum = 0, size = 0;
             CHECK_OK(batten_curve_evaluate(curve, i / 32.0, 0, at));

@@ -151,9 +151,10 @@ static batten_curve *quadratic(bool periodic)
                  period[] = {0, 1, 2, 3, 4, 5};
     batten_curve *curve = NULL;
     if (periodic)
-        CHECK_OK(batten_curve_create_periodic(1, 2, 5, points, NULL, period, &curve));
+        CHECK_OK(batten_curve_create_periodic((batten_points){1, 5, points}, 2, NULL, period,
+                                              &curve));
     else
-        CHECK_OK(batten_curve_create(1, 2, 5, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_create((batten_points){1, 5, points}, 2, NULL, knots, &curve));
     return curve;
 }
 
@@ -232,7 +233,7 @@ TEST(N2_rows_that_overflow_are_refused)
     const double points[] = {1e308, -1e308, 1e308}, knots[] = {0, 0, 0, 1, 1, 1},
                  weights[] = {1, 1.9, 1};
     batten_curve *curve = NULL, *none = NULL, *other = NULL;
-    CHECK_OK(batten_curve_create(1, 2, 3, points, weights, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 3, points}, 2, weights, knots, &curve));
     CHECK_STATUS(batten_curve_insert_knot(curve, 0.5, 1, &none), BATTEN_OVERFLOW);
     CHECK_STATUS(batten_curve_elevate(curve, 1, &none), BATTEN_OVERFLOW);
     CHECK_STATUS(batten_curve_split(curve, 0.5, &none, &other), BATTEN_OVERFLOW);
@@ -251,7 +252,7 @@ TEST(cuts_and_parts_outside_the_domain_are_refused)
                 {-1, BATTEN_OUT_OF_DOMAIN}, {2, BATTEN_OUT_OF_DOMAIN},
                 {NAN, BATTEN_NOT_FINITE},   {INFINITY, BATTEN_NOT_FINITE}};
     batten_curve *curve = NULL, *left = NULL, *right = NULL;
-    CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 3, points}, 2, NULL, knots, &curve));
     for (int i = 0; i < COUNT(cuts); i++)
         CHECK_STATUS(batten_curve_split(curve, cuts[i].u, &left, &right), cuts[i].status);
     CHECK_STATUS(batten_curve_subrange(curve, -1, 0.5, &left), BATTEN_OUT_OF_DOMAIN);

@@ -26,7 +26,8 @@ TEST(a_knot_inserted_and_removed_leaves_the_curve)
         int removed = -1;
         double error = -1;
         CHECK_OK(batten_curve_insert_knot(curve, u, 1, &refined));
-        CHECK_OK(batten_curve_remove_knot(refined, u, 1, 1e-7, &removed, &error, &back));
+        CHECK_OK(batten_curve_remove_knot(refined, (batten_knot){u, 1}, 1e-7, &removed, &error,
+                                          &back));
         CHECK_INT(removed, 1);
         CHECK(error >= 0 && error <= 1e-7);
         CHECK_INT(batten_curve_point_count(back), batten_curve_point_count(curve));
@@ -93,25 +94,28 @@ TEST(a_knot_that_matters_stays)
     batten_curve *curve = NULL, *same = NULL;
     int removed = -1;
     double error = -1;
-    CHECK_OK(batten_curve_create(2, 1, 3, points, NULL, knots, &curve));
-    CHECK_OK(batten_curve_remove_knot(curve, 1, 1, 0.5, &removed, &error, &same));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, points}, 1, NULL, knots, &curve));
+    CHECK_OK(
+        batten_curve_remove_knot(curve, (batten_knot){1, 1}, 0.5, &removed, &error, &same));
     CHECK_INT(removed, 0);
     CHECK_BITS(error, 0);
     CHECK_INT(batten_curve_point_count(same), 3);
     batten_curve_unref(same);
-    CHECK_OK(batten_curve_remove_knot(curve, 1, 1, 1.5, &removed, &error, &same));
+    CHECK_OK(
+        batten_curve_remove_knot(curve, (batten_knot){1, 1}, 1.5, &removed, &error, &same));
     CHECK_INT(removed, 1);
     CHECK_NEAR(error, 1, 1e-15); /* the middle comes down from (1, 1) to (1, 0) */
     batten_curve_unref(same);
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, 1, 1, NULL, NULL, &none),
+    CHECK_STATUS(batten_curve_remove_knot(curve, (batten_knot){0.5, 1}, 1, NULL, NULL, &none),
                  BATTEN_NOT_FOUND);
-    CHECK_STATUS(batten_curve_remove_knot(curve, 0, 1, 1, NULL, NULL, &none), BATTEN_NOT_FOUND);
-    CHECK_STATUS(batten_curve_remove_knot(curve, NAN, 1, 1, NULL, NULL, &none),
+    CHECK_STATUS(batten_curve_remove_knot(curve, (batten_knot){0, 1}, 1, NULL, NULL, &none),
+                 BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_curve_remove_knot(curve, (batten_knot){NAN, 1}, 1, NULL, NULL, &none),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_remove_knot(curve, 1, -1, 1, NULL, NULL, &none),
+    CHECK_STATUS(batten_curve_remove_knot(curve, (batten_knot){1, -1}, 1, NULL, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_remove_knot(curve, 1, 1, -1, NULL, NULL, &none),
+    CHECK_STATUS(batten_curve_remove_knot(curve, (batten_knot){1, 1}, -1, NULL, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_remove_knots(curve, NAN, NULL, NULL, &none), BATTEN_NOT_FINITE);
     batten_curve_unref(curve);
@@ -170,7 +174,7 @@ TEST(what_cannot_be_reduced_is_refused_with_the_error)
 {
     const double points[] = {0, 0, 1, 4, 2, 0}, knots[] = {0, 0, 0, 1, 1, 1};
     batten_curve *curve = NULL, *none = NULL;
-    CHECK_OK(batten_curve_create(2, 2, 3, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, points}, 2, NULL, knots, &curve));
     CHECK_STATUS(batten_curve_reduce(curve, 1, 0.1, NULL, &none), BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("reduced to degree 1, it moves by up to 4");
     CHECK_STATUS(batten_curve_reduce(curve, 0, 0.1, NULL, &none), BATTEN_BAD_DEGREE);
@@ -185,18 +189,20 @@ TEST(what_cannot_be_removed_is_refused)
                  bad[] = {-1, NAN, INFINITY};
     const double absent[] = {0, 1, 0.25, -3, 7};
     batten_curve *curve = NULL, *none = NULL;
-    CHECK_OK(batten_curve_create(1, 2, 4, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 4, points}, 2, NULL, knots, &curve));
     for (int i = 0; i < COUNT(absent); i++)
-        CHECK_STATUS(batten_curve_remove_knot(curve, absent[i], 1, 1, NULL, NULL, &none),
-                     BATTEN_NOT_FOUND);
-    CHECK_STATUS(batten_curve_remove_knot(curve, NAN, 1, 1, NULL, NULL, &none),
+        CHECK_STATUS(
+            batten_curve_remove_knot(curve, (batten_knot){absent[i], 1}, 1, NULL, NULL, &none),
+            BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_curve_remove_knot(curve, (batten_knot){NAN, 1}, 1, NULL, NULL, &none),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, -1, 1, NULL, NULL, &none),
+    CHECK_STATUS(batten_curve_remove_knot(curve, (batten_knot){0.5, -1}, 1, NULL, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
     for (int i = 0; i < COUNT(bad); i++) {
         const batten_status status = i == 0 ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE;
-        CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, 1, bad[i], NULL, NULL, &none),
-                     status);
+        CHECK_STATUS(
+            batten_curve_remove_knot(curve, (batten_knot){0.5, 1}, bad[i], NULL, NULL, &none),
+            status);
         CHECK_STATUS(batten_curve_join(curve, curve, bad[i], &none), BATTEN_BAD_ARGUMENT);
     }
     CHECK(none == NULL);

@@ -65,7 +65,8 @@ TEST(K7_knots_that_mean_the_same_are_made_the_same)
         double knots[8];
         for (int i = 0; i < 8; i++)
             knots[i] = starts[c] + lengths[c] * (i < 3 ? 0 : i > 4 ? 1 : (i - 2) / 3.0);
-        CHECK_OK(batten_curve_create(1, 2, 5, points, NULL, knots, &curves[c]));
+        CHECK_OK(
+            batten_curve_create((batten_points){1, 5, points}, 2, NULL, knots, &curves[c]));
     }
     CHECK_OK(batten_curves_unify(3, (const batten_curve *const *)curves, made));
     check_same_knots(3, made);
@@ -81,8 +82,8 @@ TEST(K6_near_knots_of_one_curve_are_never_joined)
     double near[] = {0, 0, 1 / 3.0, 1 / 3.0, 1, 1};
     near[3] = nextafter(near[2], 1);
     batten_curve *curves[2] = {NULL}, *made[2] = {NULL};
-    CHECK_OK(batten_curve_create(1, 1, 4, points, NULL, near, &curves[0]));
-    CHECK_OK(batten_curve_create(1, 1, 4, points, NULL, third, &curves[1]));
+    CHECK_OK(batten_curve_create((batten_points){1, 4, points}, 1, NULL, near, &curves[0]));
+    CHECK_OK(batten_curve_create((batten_points){1, 4, points}, 1, NULL, third, &curves[1]));
     CHECK_OK(batten_curves_unify(2, (const batten_curve *const *)curves, made));
     check_same_knots(2, made);
     CHECK_INT(batten_curve_point_count(made[0]), 5);
@@ -100,7 +101,8 @@ TEST(S5_too_many_common_knots_are_refused_before_the_work)
             knots[i + 1] = i == 0 || i == POINTS - 1 ? i : i + (c + 1) * 0.01;
         knots[0] = 0;
         knots[POINTS + 1] = knots[POINTS];
-        CHECK_OK(batten_curve_create(1, 1, POINTS, points, NULL, knots, &curves[c]));
+        CHECK_OK(batten_curve_create((batten_points){1, POINTS, points}, 1, NULL, knots,
+                                     &curves[c]));
     }
     CHECK_STATUS(batten_curves_unify(CURVES, (const batten_curve *const *)curves, made),
                  BATTEN_TOO_LARGE);

@@ -210,7 +210,7 @@ TEST(a_conic_satisfies_its_equation_in_barycentric_coordinates)
     const double points[] = {0, 0, 1, 0, 0, 1}, general[] = {2, 3, 0.5},
                  knots[] = {0, 0, 0, 1, 1, 1};
     batten_curve *other = NULL;
-    CHECK_OK(batten_curve_create(2, 2, 3, points, general, knots, &other));
+    CHECK_OK(batten_curve_create((batten_points){2, 3, points}, 2, general, knots, &other));
     for (int k = 0; k <= 50; k++) {
         double p[2];
         CHECK_OK(batten_curve_evaluate(other, k / 50.0, 0, p));
@@ -306,7 +306,7 @@ TEST(lines_and_polylines_have_the_points_they_were_given)
     CHECK_OK(batten_curve_line(3, a, b, &line));
     CHECK_OK(batten_curve_evaluate(line, 0.5, 0, p));
     CHECK(p[0] == 2.5 && p[1] == 4 && p[2] == 3);
-    CHECK_OK(batten_curve_polyline(2, 3, points, &polyline));
+    CHECK_OK(batten_curve_polyline((batten_points){2, 3, points}, &polyline));
     CHECK_BITS(batten_curve_domain(polyline).b, 6);
     CHECK_OK(batten_curve_evaluate(polyline, 5, 0, p));
     CHECK(p[0] == 3 && p[1] == 4);
@@ -318,11 +318,14 @@ TEST(G1_a_polyline_names_the_points_that_coincide)
 {
     const double points[] = {0, 0, 3, 4, 3, 4}, wide[] = {-1e308, 1e308};
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_polyline(2, 3, points, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_polyline((batten_points){2, 3, points}, &none),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2 coincide");
-    CHECK_STATUS(batten_curve_polyline(2, 1, points, &none), BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_polyline(4, 3, points, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_polyline(1, 2, wide, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_polyline((batten_points){2, 1, points}, &none),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_polyline((batten_points){4, 3, points}, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_polyline((batten_points){1, 2, wide}, &none), BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_curve_line(0, points, points, &none), BATTEN_BAD_ARGUMENT);
 }
 
@@ -345,7 +348,7 @@ TEST(G2_every_pair_of_coinciding_points_and_every_size_is_refused)
     CHECK_STATUS(batten_curve_arc_through(2, a, b, b, &none), BATTEN_COINCIDENT);
     CHECK_STATUS(batten_curve_arc_through(4, a, b, a, &none), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_line(4, tip, tip, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_polyline(0, 2, tip, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_polyline((batten_points){0, 2, tip}, &none), BATTEN_BAD_ARGUMENT);
     CHECK(none == NULL);
 }
 

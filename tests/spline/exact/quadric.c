@@ -112,7 +112,7 @@ TEST(any_sweep_goes_from_the_profile_to_its_angle)
     const double angles[] = {1e-6, 0.1, 1, pi / 2, 2, pi, 4, 1.5 * pi, 6, 2 * pi};
     const batten_vec3 origin = {0, 0, 0}, axis = {0, 0, 7};
     batten_curve *profile = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &profile));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, &profile));
     for (int i = 0; i < COUNT(angles); i++) {
         batten_surface *surface = NULL;
         CHECK_OK(batten_surface_revolved(profile, origin, axis, angles[i], &surface));
@@ -135,7 +135,8 @@ static batten_status revolve(int degree, int count, const double *points, const 
                              batten_surface **out)
 {
     batten_curve *profile = NULL;
-    batten_status status = batten_curve_create(3, degree, count, points, NULL, knots, &profile);
+    batten_status status =
+        batten_curve_create((batten_points){3, count, points}, degree, NULL, knots, &profile);
     if (status == BATTEN_OK)
         status = batten_surface_revolved(profile, (batten_vec3){0, 0, 0},
                                          (batten_vec3){0, 0, 1}, 1, out);
@@ -234,8 +235,8 @@ TEST(N1_axes_and_angles_that_are_none_are_refused)
     const batten_vec3 zero = {0, 0, 0}, up = {0, 0, 1}, wild = {0, INFINITY, 0};
     batten_curve *profile = NULL, *plane = NULL;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &profile));
-    CHECK_OK(batten_curve_create(2, 1, 2, points, NULL, knots, &plane));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, &profile));
+    CHECK_OK(batten_curve_create((batten_points){2, 2, points}, 1, NULL, knots, &plane));
     CHECK_STATUS(batten_surface_revolved(plane, zero, up, 1, &surface), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_surface_revolved(profile, zero, zero, 1, &surface),
                  BATTEN_BAD_ARGUMENT);

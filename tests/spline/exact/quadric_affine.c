@@ -24,7 +24,8 @@ TEST(points_of_quadrics_satisfy_their_equations)
     batten_surface *ellipsoid = NULL, *paraboloid = NULL, *hyperboloid = NULL;
     CHECK_OK(batten_surface_ellipsoid(&frame, 3, 2, 1, &ellipsoid));
     CHECK_OK(batten_surface_paraboloid(&frame, 2, 1, 3, &paraboloid));
-    CHECK_OK(batten_surface_hyperboloid(&frame, 1, 0.5, 2, -1, 3, &hyperboloid));
+    CHECK_OK(
+        batten_surface_hyperboloid(&frame, 1, 0.5, 2, (batten_interval){-1, 3}, &hyperboloid));
     for (int i = 0; i <= 40; i++)
         for (int j = 0; j <= 40; j++) {
             batten_vec3 p = at(ellipsoid, i, j);
@@ -38,7 +39,7 @@ TEST(points_of_quadrics_satisfy_their_equations)
     CHECK_INT(batten_surface_degree(hyperboloid, BATTEN_V), 1);
     batten_vec3 normal;
     bool is_limit = false;
-    CHECK_OK(batten_surface_normal(paraboloid, 0.3, 0, &normal, &is_limit));
+    CHECK_OK(batten_surface_normal(paraboloid, 0.3, 0, &is_limit, &normal));
     CHECK(is_limit);
     CHECK_NEAR(fabs(-0.8 * normal.x + 0.6 * normal.z), 1, 1e-9);
     batten_surface_unref(hyperboloid);
@@ -53,8 +54,10 @@ TEST(quadrics_refuse_axes_that_are_not_positive)
     CHECK_STATUS(batten_surface_ellipsoid(&frame, 1, NAN, 1, &none), BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_surface_paraboloid(&frame, 1, 1, -1, &none), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the height is -1");
-    CHECK_STATUS(batten_surface_hyperboloid(&frame, 1, 1, 1, 2, 2, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_hyperboloid(&frame, 1, 1, 1, 2, HUGE_VAL, &none),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_hyperboloid(&frame, 1, 1, 1, (batten_interval){2, 2}, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_surface_hyperboloid(&frame, 1, 1, 1, (batten_interval){2, HUGE_VAL}, &none),
+        BATTEN_NOT_FINITE);
     CHECK(none == NULL);
 }

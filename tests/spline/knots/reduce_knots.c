@@ -93,7 +93,7 @@ TEST(with_tolerance_0_only_knots_go_that_move_nothing)
     batten_curve *curve = NULL, *same = NULL;
     int removed = -1;
     double error = -1;
-    CHECK_OK(batten_curve_create(2, 1, 4, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){2, 4, points}, 1, NULL, knots, &curve));
     CHECK_OK(batten_curve_remove_knots(curve, 0, &removed, &error, &same));
     CHECK_INT(removed, 1);
     CHECK_BITS(error, 0);
@@ -148,7 +148,7 @@ TEST(published_aerofoils_shrink)
         batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.parameters = BATTEN_CENTRIPETAL;
         batten_curve *curve = NULL, *thin = NULL;
-        CHECK_OK(batten_curve_interpolate(2, n, q, &options, NULL, &curve));
+        CHECK_OK(batten_curve_interpolate((batten_points){2, n, q}, &options, NULL, &curve));
         CHECK_OK(batten_curve_remove_knots(curve, 1e-4, NULL, &error, &thin));
         CHECK(error <= 1e-4);
         CHECK(batten_curve_point_count(thin) <= rows[r].most);

@@ -19,7 +19,8 @@ static uint64_t sum_of_surface(uint64_t sum, test_random *random, const batten_s
     for (int j = 0; j < COUNT_V; j++)
         v[j] = uv[j][1] = random_parameter(random, surface, BATTEN_V);
     uv[7][1] = uv[8][1] = v[0];
-    CHECK_OK(batten_surface_evaluate_grid(surface, COUNT_U, u, COUNT_V, v, 2, job, grid));
+    CHECK_OK(batten_surface_evaluate_grid(surface, (batten_uv_grid){COUNT_U, COUNT_V, u, v}, 2,
+                                          job, grid));
     sum = test_checksum(sum, grid, COUNT_U * COUNT_V * BATTEN_SURFACE_DERIVATIVES(2) * d);
     CHECK_OK(batten_surface_evaluate_many(surface, COUNT_U, &uv[0][0], 1, job, grid));
     return test_checksum(sum, grid, COUNT_U * BATTEN_SURFACE_DERIVATIVES(1) * d);

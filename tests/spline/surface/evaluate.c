@@ -205,11 +205,11 @@ TEST(at_a_crease_the_side_is_the_one_asked_for)
     double out[3];
     CHECK_OK(batten_surface_evaluate(surface, 1, 0.5, 1, out));
     CHECK_BITS(out[1], -2);
-    CHECK_OK(batten_surface_evaluate_side(surface, 1, 0.5, BATTEN_FROM_LEFT, BATTEN_FROM_LEFT,
-                                          1, out));
+    CHECK_OK(batten_surface_evaluate_side(
+        surface, 1, 0.5, (batten_sides){BATTEN_FROM_LEFT, BATTEN_FROM_LEFT}, 1, out));
     CHECK_BITS(out[1], 1);
-    CHECK_OK(batten_surface_evaluate_side(surface, 0, 0.5, BATTEN_FROM_LEFT, BATTEN_FROM_LEFT,
-                                          1, out));
+    CHECK_OK(batten_surface_evaluate_side(
+        surface, 0, 0.5, (batten_sides){BATTEN_FROM_LEFT, BATTEN_FROM_LEFT}, 1, out));
     CHECK_BITS(out[1], 1);
     batten_surface_unref(surface);
 }

@@ -20,7 +20,8 @@ TEST(a_hermite_net_of_a_bicubic_is_the_bicubic)
             for (int r = 0; r < 4; r++)
                 values[i][j][r] = f(u[i], v[j], r % 2, r / 2);
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_from_hermite(1, 3, u, 4, v, values[0][0], &surface));
+    CHECK_OK(batten_surface_from_hermite((batten_uv){u, v},
+                                         (batten_grid){1, 3, 4, values[0][0]}, &surface));
     CHECK_INT(batten_surface_point_count(surface, BATTEN_U), 6);
     CHECK_INT(batten_surface_point_count(surface, BATTEN_V), 8);
     for (int i = 0; i <= 30; i++)
@@ -42,7 +43,8 @@ TEST(powers_give_the_polynomial_and_come_back)
     const double c[6] = {-1, 4, 0, 2, -1, 1};
     double back[6];
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_from_power(1, 2, 1, u, 1, 1, v, c, 0, &surface));
+    CHECK_OK(batten_surface_from_power(1, (batten_pieces){2, 1, u}, (batten_pieces){1, 1, v}, c,
+                                       0, &surface));
     for (int i = 0; i <= 8; i++)
         for (int j = 0; j <= 8; j++) {
             const double x = 1 + i / 4.0, y = -1 + j / 4.0;
@@ -72,17 +74,18 @@ TEST(random_splines_survive_the_way_through_powers_and_bezier)
             pieces[k] = batten_surface_spans(surface, k, breaks[k]) - 1;
         const int p = batten_surface_degree(surface, 0), q = batten_surface_degree(surface, 1);
         CHECK_OK(batten_surface_to_bezier(surface, &bezier));
-        CHECK_OK(batten_surface_from_bezier(data.dimension, p, pieces[0], breaks[0], q,
-                                            pieces[1], breaks[1], batten_surface_points(bezier),
-                                            batten_surface_weights(bezier), &again));
+        CHECK_OK(batten_surface_from_bezier(
+            data.dimension, (batten_pieces){p, pieces[0], breaks[0]},
+            (batten_pieces){q, pieces[1], breaks[1]}, batten_surface_points(bezier),
+            batten_surface_weights(bezier), &again));
         check_same_shape(surface, again, 1e-12);
         if (data.rational) {
             CHECK_STATUS(batten_surface_to_power(surface, coefficients), BATTEN_UNSUPPORTED);
         } else {
             CHECK_OK(batten_surface_to_power(surface, coefficients));
-            CHECK_OK(batten_surface_from_power(data.dimension, p, pieces[0], breaks[0], q,
-                                               pieces[1], breaks[1], coefficients, 1e-9,
-                                               &made));
+            CHECK_OK(batten_surface_from_power(
+                data.dimension, (batten_pieces){p, pieces[0], breaks[0]},
+                (batten_pieces){q, pieces[1], breaks[1]}, coefficients, 1e-9, &made));
             check_same_shape(surface, made, 1e-9);
             batten_surface_unref(made);
         }
@@ -97,31 +100,40 @@ TEST(forms_that_make_no_sense_are_refused)
     const double breaks[] = {0, 1, 2}, falling[] = {0, 1, 1}, wild[] = {0, NAN, 2};
     const double values[64] = {0}, jump[8] = {0, 0, 0, 0, 1, 0, 0, 0};
     batten_surface *made = NULL;
-    CHECK_STATUS(batten_surface_from_bezier(4, 1, 1, breaks, 1, 1, breaks, values, NULL, &made),
+    CHECK_STATUS(batten_surface_from_bezier(4, (batten_pieces){1, 1, breaks},
+                                            (batten_pieces){1, 1, breaks}, values, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_from_bezier(1, 0, 1, breaks, 1, 1, breaks, values, NULL, &made),
+    CHECK_STATUS(batten_surface_from_bezier(1, (batten_pieces){0, 1, breaks},
+                                            (batten_pieces){1, 1, breaks}, values, NULL, &made),
                  BATTEN_BAD_DEGREE);
-    CHECK_STATUS(
-        batten_surface_from_bezier(1, 1, 1, breaks, 26, 1, breaks, values, NULL, &made),
-        BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_surface_from_bezier(1, 1, 0, breaks, 1, 1, breaks, values, NULL, &made),
+    CHECK_STATUS(batten_surface_from_bezier(1, (batten_pieces){1, 1, breaks},
+                                            (batten_pieces){26, 1, breaks}, values, NULL,
+                                            &made),
+                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_surface_from_bezier(1, (batten_pieces){1, 0, breaks},
+                                            (batten_pieces){1, 1, breaks}, values, NULL, &made),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(
-        batten_surface_from_bezier(1, 1, 2, falling, 1, 1, breaks, values, NULL, &made),
-        BATTEN_NOT_INCREASING);
-    CHECK_STATUS(
-        batten_surface_from_bezier(1, 1, 2147483647, breaks, 1, 1, breaks, values, NULL, &made),
-        BATTEN_TOO_LARGE);
-    CHECK_STATUS(batten_surface_from_hermite(1, 1, breaks, 2, breaks, values, &made),
+    CHECK_STATUS(batten_surface_from_bezier(1, (batten_pieces){1, 2, falling},
+                                            (batten_pieces){1, 1, breaks}, values, NULL, &made),
+                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_surface_from_bezier(1, (batten_pieces){1, 2147483647, breaks},
+                                            (batten_pieces){1, 1, breaks}, values, NULL, &made),
+                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_surface_from_hermite((batten_uv){breaks, breaks},
+                                             (batten_grid){1, 1, 2, values}, &made),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_surface_from_hermite(1, 2, breaks, 3, wild, values, &made),
+    CHECK_STATUS(batten_surface_from_hermite((batten_uv){breaks, wild},
+                                             (batten_grid){1, 2, 3, values}, &made),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_surface_from_power(1, 1, 2, breaks, 1, 1, breaks, jump, 0.5, &made),
+    CHECK_STATUS(batten_surface_from_power(1, (batten_pieces){1, 2, breaks},
+                                           (batten_pieces){1, 1, breaks}, jump, 0.5, &made),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("piece (1, 0) is 1 from its neighbour");
-    CHECK_STATUS(batten_surface_from_power(1, 1, 2, breaks, 1, 1, breaks, jump, -1, &made),
+    CHECK_STATUS(batten_surface_from_power(1, (batten_pieces){1, 2, breaks},
+                                           (batten_pieces){1, 1, breaks}, jump, -1, &made),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_from_power(1, 1, 2, falling, 1, 1, breaks, jump, 1, &made),
+    CHECK_STATUS(batten_surface_from_power(1, (batten_pieces){1, 2, falling},
+                                           (batten_pieces){1, 1, breaks}, jump, 1, &made),
                  BATTEN_NOT_INCREASING);
     CHECK(made == NULL);
 }

@@ -23,7 +23,8 @@ TEST(a_grid_has_the_bits_of_single_points_for_any_number_of_threads)
             v[j] = random_parameter(&random, surface, BATTEN_V);
         batten_job job = BATTEN_JOB;
         job.thread_count = 1 << c % 3;
-        CHECK_OK(batten_surface_evaluate_grid(surface, N, u, M, v, order, &job, grid));
+        CHECK_OK(batten_surface_evaluate_grid(surface, (batten_uv_grid){N, M, u, v}, order,
+                                              &job, grid));
         for (int i = 0; i < N; i++)
             for (int j = 0; j < M; j++) {
                 CHECK_OK(batten_surface_evaluate(surface, u[i], v[j], order, one));
@@ -53,7 +54,8 @@ TEST(cubics_two_at_a_time_have_the_bits_of_single_points)
         for (int j = 0; j < DENSE; j++)
             v[j] = j / (DENSE - 1.0);
         const size_t count = (size_t)test_random_int(&random, 1, DENSE);
-        CHECK_OK(batten_surface_evaluate_grid(surface, N, u, count, v, 0, NULL, grid));
+        CHECK_OK(batten_surface_evaluate_grid(surface, (batten_uv_grid){N, count, u, v}, 0,
+                                              NULL, grid));
         for (size_t i = 0; i < N; i++)
             for (size_t j = 0; j < count; j++) {
                 CHECK_OK(batten_surface_evaluate(surface, u[i], v[j], 0, one));
@@ -83,15 +85,15 @@ TEST(many_threads_give_the_bits_of_one)
         job.thread_count = 1 << k;
         for (int n = 0; n < 2; n++)
             out[k][n] = test_array(3 * LARGE * LARGE, sizeof(double));
-        CHECK_OK(
-            batten_surface_normal_grid(torus, LARGE, t, LARGE, t, &job, out[k][0], out[k][1]));
+        CHECK_OK(batten_surface_normal_grid(torus, (batten_uv_grid){LARGE, LARGE, t, t}, &job,
+                                            out[k][0], out[k][1]));
         CHECK(memcmp(out[k][0], out[0][0], 3 * LARGE * LARGE * sizeof(double)) == 0);
         CHECK(memcmp(out[k][1], out[0][1], 3 * LARGE * LARGE * sizeof(double)) == 0);
         CHECK_OK(batten_surface_evaluate_many(torus, LARGE * LARGE, uv, 0, &job, out[k][1]));
         CHECK(memcmp(out[k][1], out[0][0], 3 * LARGE * LARGE * sizeof(double)) == 0);
         if (k == 0)
-            CHECK_OK(
-                batten_surface_normal_grid(torus, LARGE, t, LARGE, t, &job, NULL, out[0][1]));
+            CHECK_OK(batten_surface_normal_grid(torus, (batten_uv_grid){LARGE, LARGE, t, t},
+                                                &job, NULL, out[0][1]));
     }
     batten_surface_unref(torus);
 }
@@ -115,14 +117,16 @@ TEST(a_grid_of_normals_is_the_single_normals)
             u[i] = random_parameter(&random, surface, BATTEN_U);
         for (int j = 0; j < M; j++)
             v[j] = random_parameter(&random, surface, BATTEN_V);
-        CHECK_OK(batten_surface_normal_grid(surface, N, u, M, v, NULL, points, normals));
-        CHECK_OK(batten_surface_normal_grid(surface, N, u, M, v, NULL, points, NULL));
+        CHECK_OK(batten_surface_normal_grid(surface, (batten_uv_grid){N, M, u, v}, NULL, points,
+                                            normals));
+        CHECK_OK(batten_surface_normal_grid(surface, (batten_uv_grid){N, M, u, v}, NULL, points,
+                                            NULL));
         for (int i = 0; i < N * M; i++) {
             double one[3] = {0};
             batten_vec3 normal = {0, 0, 0};
             CHECK_OK(batten_surface_evaluate(surface, u[i / M], v[i % M], 0, one));
             const batten_status status =
-                batten_surface_normal(surface, u[i / M], v[i % M], &normal, NULL);
+                batten_surface_normal(surface, u[i / M], v[i % M], NULL, &normal);
             CHECK(status == BATTEN_OK || status == BATTEN_SINGULAR_HERE ||
                   status == BATTEN_OUT_OF_MEMORY);
             for (int k = 0; k < d; k++)
@@ -145,10 +149,12 @@ TEST(G5_the_grid_of_a_cone_says_0_at_its_apex_and_that_of_a_sphere_its_poles)
     double normals[24];
     CHECK_OK(batten_surface_cone(&world, 1, 0, 2, &cone));
     CHECK_OK(batten_surface_sphere(&world, 1, &sphere));
-    CHECK_OK(batten_surface_normal_grid(cone, 4, u, 2, v, NULL, NULL, normals));
+    CHECK_OK(
+        batten_surface_normal_grid(cone, (batten_uv_grid){4, 2, u, v}, NULL, NULL, normals));
     for (int i = 0; i < 4; i++)
         CHECK(normals[6 * i + 3] == 0 && normals[6 * i + 4] == 0 && normals[6 * i + 5] == 0);
-    CHECK_OK(batten_surface_normal_grid(sphere, 4, u, 2, v, NULL, NULL, normals));
+    CHECK_OK(
+        batten_surface_normal_grid(sphere, (batten_uv_grid){4, 2, u, v}, NULL, NULL, normals));
     for (int i = 0; i < 4; i++) {
         CHECK_NEAR(normals[6 * i + 2], -1, 1e-12);
         CHECK_NEAR(normals[6 * i + 5], 1, 1e-12);
@@ -163,16 +169,21 @@ TEST(N7_a_grid_with_a_parameter_outside_writes_nothing)
     batten_surface *sphere = NULL;
     CHECK_OK(batten_surface_sphere(&world, 1, &sphere));
     double u[] = {0, nextafter(1, 2)}, v[] = {0.5, 1.5}, out[12] = {7};
-    CHECK_STATUS(batten_surface_evaluate_grid(sphere, 2, u, 2, v, 0, NULL, out),
-                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(
+        batten_surface_evaluate_grid(sphere, (batten_uv_grid){2, 2, u, v}, 0, NULL, out),
+        BATTEN_OUT_OF_DOMAIN);
     CHECK_MESSAGE("v[1] = 1.5");
     u[0] = NAN;
-    CHECK_STATUS(batten_surface_evaluate_grid(sphere, 2, u, 1, v, 0, NULL, out),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_surface_evaluate_grid(sphere, (batten_uv_grid){2, 1, u, v}, 0, NULL, out),
+        BATTEN_NOT_FINITE);
     CHECK(out[0] == 7);
-    CHECK_OK(batten_surface_evaluate_grid(sphere, 1, u + 1, 1, v, 0, NULL, out));
-    CHECK_OK(batten_surface_evaluate_grid(sphere, 0, NULL, 1, v, 0, NULL, NULL));
-    CHECK_OK(batten_surface_evaluate_grid(sphere, 1, u + 1, 0, NULL, 0, NULL, NULL));
+    CHECK_OK(
+        batten_surface_evaluate_grid(sphere, (batten_uv_grid){1, 1, u + 1, v}, 0, NULL, out));
+    CHECK_OK(
+        batten_surface_evaluate_grid(sphere, (batten_uv_grid){0, 1, NULL, v}, 0, NULL, NULL));
+    CHECK_OK(batten_surface_evaluate_grid(sphere, (batten_uv_grid){1, 0, u + 1, NULL}, 0, NULL,
+                                          NULL));
     batten_surface_unref(sphere);
 }
 
@@ -185,13 +196,15 @@ TEST(N2_an_overflow_in_a_grid_is_a_status)
     const double t[] = {0.5};
     double out[9];
     CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
-    CHECK_STATUS(batten_surface_evaluate_grid(surface, 1, t, 1, t, 1, NULL, out),
-                 BATTEN_OVERFLOW);
+    CHECK_STATUS(
+        batten_surface_evaluate_grid(surface, (batten_uv_grid){1, 1, t, t}, 1, NULL, out),
+        BATTEN_OVERFLOW);
     batten_surface_unref(surface);
     const double twice[] = {1.7e308, 0, 0, 1.7e308, 0, 0, 1.7e308, 0, 0, 1.7e308, 0, 0};
     const double heavy[] = {1, 1.9, 1, 1.9};
     CHECK_OK(batten_surface_create(3, &axis, &axis, twice, heavy, &surface));
-    CHECK_STATUS(batten_surface_normal_grid(surface, 1, t, 1, t, NULL, out, NULL),
-                 BATTEN_OVERFLOW);
+    CHECK_STATUS(
+        batten_surface_normal_grid(surface, (batten_uv_grid){1, 1, t, t}, NULL, out, NULL),
+        BATTEN_OVERFLOW);
     batten_surface_unref(surface);
 }

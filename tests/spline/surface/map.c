@@ -199,9 +199,9 @@ TEST(a_mirrored_surface_keeps_its_outside_outside)
         for (int k = 0; k < data.dimension; k++)
             CHECK_NEAR(q[k], wanted[k], 1e-9);
         if (turns &&
-            batten_surface_normal(surface, u.a + 0.375 * (u.b - u.a), y, &n, NULL) ==
+            batten_surface_normal(surface, u.a + 0.375 * (u.b - u.a), y, NULL, &n) ==
                 BATTEN_OK &&
-            batten_surface_normal(image, u.a + 0.625 * (u.b - u.a), y, &m, NULL) == BATTEN_OK) {
+            batten_surface_normal(image, u.a + 0.625 * (u.b - u.a), y, NULL, &m) == BATTEN_OK) {
             n = batten_affine_apply(linear, n);
             CHECK_NEAR(m.x, n.x, 1e-6);
             CHECK_NEAR(m.y, n.y, 1e-6);

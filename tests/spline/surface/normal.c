@@ -9,7 +9,7 @@ static void check_normal(const batten_surface *surface, double u, double v,
 {
     batten_vec3 normal;
     bool is_limit;
-    CHECK_OK(batten_surface_normal(surface, u, v, &normal, &is_limit));
+    CHECK_OK(batten_surface_normal(surface, u, v, &is_limit, &normal));
     CHECK_NEAR(normal.x, expected.x, tolerance);
     CHECK_NEAR(normal.y, expected.y, tolerance);
     CHECK_NEAR(normal.z, expected.z, tolerance);
@@ -53,7 +53,7 @@ TEST(G5_the_apex_of_a_cone_is_singular)
     CHECK_OK(batten_surface_cone(&world, 1, 0, 1, &cone));
     batten_vec3 normal = {7, 7, 7};
     for (int i = 0; i <= 7; i++) {
-        CHECK_STATUS(batten_surface_normal(cone, i / 7.0, 1, &normal, NULL),
+        CHECK_STATUS(batten_surface_normal(cone, i / 7.0, 1, NULL, &normal),
                      BATTEN_SINGULAR_HERE);
         CHECK(normal.x == 7);
     }
@@ -121,7 +121,7 @@ TEST(G5_a_fold_has_no_normal)
     batten_surface *surface = NULL;
     batten_vec3 normal;
     CHECK_OK(batten_surface_create(3, &axes[0], &axes[1], points, NULL, &surface));
-    CHECK_STATUS(batten_surface_normal(surface, 0.5, 0.25, &normal, NULL),
+    CHECK_STATUS(batten_surface_normal(surface, 0.5, 0.25, NULL, &normal),
                  BATTEN_SINGULAR_HERE);
     check_normal(surface, 0.25, 0.25, (batten_vec3){0, 0, -1}, false, 1e-14);
     check_normal(surface, 0.75, 0.25, (batten_vec3){0, 0, 1}, false, 1e-14);
@@ -134,15 +134,15 @@ TEST(G5_a_surface_that_is_a_curve_or_a_point_has_no_normal)
     batten_surface *surface = NULL;
     batten_vec3 normal;
     CHECK_OK(batten_surface_bilinear(a, b, a, b, &surface));
-    CHECK_STATUS(batten_surface_normal(surface, 0.5, 0.5, &normal, NULL), BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_surface_normal(surface, 0.5, 0.5, NULL, &normal), BATTEN_SINGULAR_HERE);
     batten_surface_unref(surface);
     CHECK_OK(batten_surface_bilinear(a, a, a, a, &surface));
-    CHECK_STATUS(batten_surface_normal(surface, 0.5, 0.5, &normal, NULL), BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_surface_normal(surface, 0.5, 0.5, NULL, &normal), BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("recognisable");
     batten_surface_unref(surface);
     const batten_vec3 zero = {0, 0, 0};
     CHECK_OK(batten_surface_bilinear(zero, zero, zero, zero, &surface));
-    CHECK_STATUS(batten_surface_normal(surface, 0, 0, &normal, NULL), BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_surface_normal(surface, 0, 0, NULL, &normal), BATTEN_SINGULAR_HERE);
     batten_surface_unref(surface);
 }
 
@@ -168,11 +168,12 @@ TEST(the_normal_of_a_plane_surface_is_upright_and_a_function_has_none)
     batten_vec3 normal;
     CHECK_OK(batten_surface_create(2, &axis, &axis, points, NULL, &surface));
     check_normal(surface, 0.5, 0.5, (batten_vec3){0, 0, 1}, false, 0);
-    CHECK_STATUS(batten_surface_normal(surface, 0.5, 2, &normal, NULL), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_surface_normal(surface, 0.5, 2, NULL, &normal), BATTEN_OUT_OF_DOMAIN);
     batten_surface_unref(surface);
     CHECK_OK(batten_surface_create(1, &axis, &axis, points, NULL, &surface));
-    CHECK_STATUS(batten_surface_normal(surface, 0.5, 0.5, &normal, NULL), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_normal_grid(surface, 0, NULL, 0, NULL, NULL, NULL, NULL),
+    CHECK_STATUS(batten_surface_normal(surface, 0.5, 0.5, NULL, &normal), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_normal_grid(surface, (batten_uv_grid){0, 0, NULL, NULL}, NULL,
+                                            NULL, NULL),
                  BATTEN_BAD_ARGUMENT);
     batten_surface_unref(surface);
 }

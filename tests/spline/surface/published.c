@@ -65,8 +65,9 @@ TEST(knots_of_nurbs_pythons_surface_are_inserted_and_removed)
         check_row(more, at, 0, 0, published, 0.6e-3);
         CHECK_NEAR(batten_surface_knots(more, (batten_direction)k)[4], 0.3, 0);
         CHECK_NEAR(batten_surface_knots(more, (batten_direction)k)[6], 0.33, 0);
-        CHECK_OK(batten_surface_remove_knot(more, (batten_direction)k, 0.3, 2, 1e-12, &removed,
-                                            &error, &again));
+        CHECK_OK(batten_surface_remove_knot(more,
+                                            (batten_knot_line){(batten_direction)k, 0.3, 2},
+                                            1e-12, &removed, &error, &again));
         CHECK_INT(removed, 2);
         CHECK_INT(batten_surface_point_count(again, (batten_direction)k), 6);
         batten_surface_unref(more);
@@ -207,7 +208,8 @@ TEST(the_quarters_of_the_teapots_body_hold_equal_volumes)
         double volumes[4];
         for (int i = 0; i < 4; i++) {
             batten_surface *patch = NULL;
-            CHECK_OK(batten_surface_from_bezier(3, 3, 1, unit, 3, 1, unit,
+            CHECK_OK(batten_surface_from_bezier(3, (batten_pieces){3, 1, unit},
+                                                (batten_pieces){3, 1, unit},
                                                 &patches[4 * ring + i][0][0], NULL, &patch));
             volumes[i] = fabs(volume_under(patch));
             batten_surface_unref(patch);

@@ -17,8 +17,8 @@ TEST(a_knot_inserted_can_be_removed_and_an_elevated_degree_reduced)
         CHECK_OK(batten_surface_insert_knot(surface, direction, at, 1, &more));
         int removed;
         double error;
-        CHECK_OK(
-            batten_surface_remove_knot(more, direction, at, 1, 1e-9, &removed, &error, &back));
+        CHECK_OK(batten_surface_remove_knot(more, (batten_knot_line){direction, at, 1}, 1e-9,
+                                            &removed, &error, &back));
         CHECK_INT(removed, 1);
         CHECK(error >= 0 && error <= 1e-9);
         CHECK_INT(batten_surface_point_count(back, direction),
@@ -49,8 +49,9 @@ TEST(a_knot_removed_within_a_tolerance_keeps_to_it)
         if (batten_surface_spans(surface, BATTEN_U, breaks) > 2) {
             int removed;
             double error;
-            CHECK_OK(batten_surface_remove_knot(surface, BATTEN_U, breaks[1], 3, 1000, &removed,
-                                                &error, &made));
+            CHECK_OK(batten_surface_remove_knot(surface,
+                                                (batten_knot_line){BATTEN_U, breaks[1], 3},
+                                                1000, &removed, &error, &made));
             CHECK(error <= 1000 && removed >= 0);
             check_same_shape(surface, made, error * (1 + 1e-9) + 1e-11);
             batten_surface_unref(made);
@@ -66,15 +67,20 @@ TEST(N6_what_cannot_be_simplified_is_refused)
     const batten_axis axes[2] = {{2, 4, u, false}, {1, 2, v, false}};
     batten_surface *surface = NULL, *made = NULL;
     CHECK_OK(batten_surface_create(1, &axes[0], &axes[1], points, NULL, &surface));
-    CHECK_STATUS(batten_surface_remove_knot(surface, BATTEN_U, 0.5, 1, 1, NULL, NULL, &made),
+    CHECK_STATUS(batten_surface_remove_knot(surface, (batten_knot_line){BATTEN_U, 0.5, 1}, 1,
+                                            NULL, NULL, &made),
                  BATTEN_NOT_FOUND);
-    CHECK_STATUS(batten_surface_remove_knot(surface, BATTEN_U, 0, 1, 1, NULL, NULL, &made),
+    CHECK_STATUS(batten_surface_remove_knot(surface, (batten_knot_line){BATTEN_U, 0, 1}, 1,
+                                            NULL, NULL, &made),
                  BATTEN_NOT_FOUND);
-    CHECK_STATUS(batten_surface_remove_knot(surface, BATTEN_U, NAN, 1, 1, NULL, NULL, &made),
+    CHECK_STATUS(batten_surface_remove_knot(surface, (batten_knot_line){BATTEN_U, NAN, 1}, 1,
+                                            NULL, NULL, &made),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_surface_remove_knot(surface, BATTEN_U, 1, -1, 1, NULL, NULL, &made),
+    CHECK_STATUS(batten_surface_remove_knot(surface, (batten_knot_line){BATTEN_U, 1, -1}, 1,
+                                            NULL, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_remove_knot(surface, BATTEN_U, 1, 1, -1, NULL, NULL, &made),
+    CHECK_STATUS(batten_surface_remove_knot(surface, (batten_knot_line){BATTEN_U, 1, 1}, -1,
+                                            NULL, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_surface_reduce(surface, BATTEN_U, 1, 1e-6, NULL, &made),
                  BATTEN_TOLERANCE_NOT_MET);
@@ -83,7 +89,8 @@ TEST(N6_what_cannot_be_simplified_is_refused)
     CHECK_STATUS(batten_surface_reduce(surface, BATTEN_U, 0, 1, NULL, &made),
                  BATTEN_BAD_DEGREE);
     CHECK(made == NULL);
-    CHECK_OK(batten_surface_remove_knot(surface, BATTEN_U, 1, 1, 1e-6, NULL, NULL, &made));
+    CHECK_OK(batten_surface_remove_knot(surface, (batten_knot_line){BATTEN_U, 1, 1}, 1e-6, NULL,
+                                        NULL, &made));
     CHECK_INT(batten_surface_point_count(made, BATTEN_U), 4);
     batten_surface_unref(made);
     batten_surface_unref(surface);

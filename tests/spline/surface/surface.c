@@ -40,9 +40,9 @@ TEST(a_surface_answers_with_what_it_was_made_of)
     batten_surface *same = batten_surface_ref(surface), *nurbs = NULL;
     batten_surface_unref(surface);
     double error = 1;
-    CHECK_OK(batten_surface_to_nurbs(same, 1e-3, &nurbs, &error));
+    CHECK_OK(batten_surface_to_nurbs(same, 1e-3, &error, &nurbs));
     CHECK(nurbs == same && error == 0);
-    CHECK_OK(batten_surface_to_nurbs(same, 1e-3, &nurbs, NULL));
+    CHECK_OK(batten_surface_to_nurbs(same, 1e-3, NULL, &nurbs));
     batten_surface_unref(nurbs);
     batten_surface_unref(same);
     batten_surface_unref(nurbs);

@@ -9,13 +9,13 @@ static const batten_triangulation square = {4, vertices, corners};
 
 static batten_triangle_join only_join(const batten_triangles *triangles)
 {
-    batten_triangle_join *joins = NULL, join = {{0}, {0}, false, 0, 0, 0, 0};
-    int count = 0;
-    CHECK_OK(batten_triangles_joins(triangles, 1e-9, &count, &joins));
-    if (count == 1)
-        join = joins[0];
-    batten_release(joins);
-    CHECK_INT(count, 1);
+    batten_triangle_joins joins = {0, NULL};
+    batten_triangle_join join = {{0}, {0}, false, 0, 0, 0, 0};
+    CHECK_OK(batten_triangles_joins(triangles, 1e-9, &joins));
+    if (joins.count == 1)
+        join = joins.at[0];
+    CHECK_INT(joins.count, 1);
+    batten_triangle_joins_release(&joins);
     return join;
 }
 
@@ -44,7 +44,8 @@ TEST(a_fold_between_two_planes_has_its_angle)
      * so that its own normal looks the other way. */
     const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     batten_triangles *triangles = NULL;
-    CHECK_OK(batten_triangles_create(3, 1, 2, points, NULL, NULL, &triangles));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 2, points, NULL, NULL},
+                                     &triangles));
     const batten_triangle_join join = only_join(triangles);
     CHECK(join.edge[0] == 2 && join.edge[1] == 2 && join.same_way);
     CHECK_NEAR(join.gap, 0, 0);
@@ -107,7 +108,7 @@ static batten_status two_quartics(test_random *random, bool flat, batten_triangl
         for (int c = 0; c < 3; c++)
             change[c] = here[c] - 0.8 * (inner[c] - here[c]) + 0.3 * (next[c] - here[c]);
     }
-    return batten_triangles_create(3, 4, 2, points, NULL, NULL, out);
+    return batten_triangles_create(&(batten_triangles_parts){3, 4, 2, points, NULL, NULL}, out);
 }
 
 TEST(tangent_planes_made_equal_agree_along_the_whole_edge)
@@ -119,7 +120,9 @@ TEST(tangent_planes_made_equal_agree_along_the_whole_edge)
         CHECK_OK(two_quartics(&random, true, &rough));
         const batten_triangle_join before = only_join(rough);
         CHECK(before.angle > 1e-3 && before.coplanarity > 1e-3);
-        CHECK_OK(batten_triangles_join_tangents(rough, 0, 1, 1, 0, 1e-12, &moved, &smooth));
+        CHECK_OK(batten_triangles_join_tangents(rough, (batten_triangle_edge){0, 1},
+                                                (batten_triangle_edge){1, 0}, 1e-12, &moved,
+                                                &smooth));
         const batten_triangle_join after = only_join(smooth);
         CHECK_NEAR(after.gap, 0, 1e-15);
         CHECK_NEAR(after.angle, 0, 1e-12);
@@ -143,7 +146,9 @@ TEST(joints_that_cannot_be_are_refused)
     test_random random = test_random_begin(__func__);
     batten_triangles *triangles = NULL, *none = NULL;
     CHECK_OK(two_quartics(&random, false, &triangles));
-    CHECK_STATUS(batten_triangles_join_tangents(triangles, 0, 0, 1, 0, 1e-12, NULL, &none),
+    CHECK_STATUS(batten_triangles_join_tangents(triangles, (batten_triangle_edge){0, 0},
+                                                (batten_triangle_edge){1, 0}, 1e-12, NULL,
+                                                &none),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("edge 0 of triangle 0 and edge 0 of triangle 1");
     CHECK_STATUS(batten_triangles_join_smoothly(triangles, 0, 1, 1, NULL, &none),
@@ -151,14 +156,16 @@ TEST(joints_that_cannot_be_are_refused)
     batten_triangles_unref(triangles);
     /* The second lies over the first. */
     const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0.1, 0.1, 0, 1, 0, 0, 0, 1, 0};
-    CHECK_OK(batten_triangles_create(3, 1, 2, points, NULL, NULL, &triangles));
-    CHECK_STATUS(batten_triangles_join_tangents(triangles, 0, 0, 1, 0, 1e-12, NULL, &none),
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 2, points, NULL, NULL},
+                                     &triangles));
+    CHECK_STATUS(batten_triangles_join_tangents(triangles, (batten_triangle_edge){0, 0},
+                                                (batten_triangle_edge){1, 0}, 1e-12, NULL,
+                                                &none),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("folds back");
-    batten_triangle_join *joins = NULL;
-    int count = 0;
-    CHECK_STATUS(batten_triangles_joins(triangles, 0, &count, &joins), BATTEN_BAD_ARGUMENT);
-    CHECK(!none && !joins);
+    batten_triangle_joins joins = {0, NULL};
+    CHECK_STATUS(batten_triangles_joins(triangles, 0, &joins), BATTEN_BAD_ARGUMENT);
+    CHECK(!none && !joins.at);
     batten_triangles_unref(triangles);
 }
 
@@ -166,19 +173,18 @@ TEST(rational_triangles_of_one_surface_are_coplanar_along_their_edges)
 {
     test_random random = test_random_begin(__func__);
     batten_triangles *whole = NULL, *parts = NULL;
-    batten_triangle_join *joins = NULL;
-    int count = 0;
+    batten_triangle_joins joins = {0, NULL};
     CHECK_OK(random_triangles(&random, 3, 4, 1, true, NULL, &whole));
     CHECK_OK(batten_triangles_halve(whole, &parts));
-    CHECK_OK(batten_triangles_joins(parts, 1e-9, &count, &joins));
-    CHECK_INT(count, 3);
-    for (int i = 0; i < count; i++) {
-        CHECK_NEAR(joins[i].gap, 0, 1e-14);
-        CHECK_NEAR(joins[i].coplanarity, 0, 1e-12);
-        CHECK_NEAR(joins[i].angle, 0, 1e-9);
-        CHECK(joins[i].triangle[1] == 3 && !joins[i].same_way);
+    CHECK_OK(batten_triangles_joins(parts, 1e-9, &joins));
+    CHECK_INT(joins.count, 3);
+    for (int i = 0; i < joins.count; i++) {
+        CHECK_NEAR(joins.at[i].gap, 0, 1e-14);
+        CHECK_NEAR(joins.at[i].coplanarity, 0, 1e-12);
+        CHECK_NEAR(joins.at[i].angle, 0, 1e-9);
+        CHECK(joins.at[i].triangle[1] == 3 && !joins.at[i].same_way);
     }
-    batten_release(joins);
+    batten_triangle_joins_release(&joins);
     batten_triangles_unref(whole);
     batten_triangles_unref(parts);
 }
@@ -195,13 +201,13 @@ TEST(S3_the_joints_of_a_grid_are_found_in_good_time)
             to[2] = (cell % SIDE + at[k][1]) / 8.0;
         }
     batten_triangles *triangles = NULL;
-    batten_triangle_join *joins = NULL;
-    int count = 0;
-    CHECK_OK(batten_triangles_create(3, 1, SIDE * SIDE * 2, points, NULL, NULL, &triangles));
-    CHECK_OK(batten_triangles_joins(triangles, 1e-9, &count, &joins));
-    CHECK_INT(count, SIDE * SIDE + 2 * SIDE * (SIDE - 1));
-    for (int i = 0; i < count; i++)
-        CHECK(joins[i].gap == 0 && joins[i].angle < 1e-14 && !joins[i].same_way);
-    batten_release(joins);
+    batten_triangle_joins joins = {0, NULL};
+    CHECK_OK(batten_triangles_create(
+        &(batten_triangles_parts){3, 1, SIDE * SIDE * 2, points, NULL, NULL}, &triangles));
+    CHECK_OK(batten_triangles_joins(triangles, 1e-9, &joins));
+    CHECK_INT(joins.count, SIDE * SIDE + 2 * SIDE * (SIDE - 1));
+    for (int i = 0; i < joins.count; i++)
+        CHECK(joins.at[i].gap == 0 && joins.at[i].angle < 1e-14 && !joins.at[i].same_way);
+    batten_triangle_joins_release(&joins);
     batten_triangles_unref(triangles);
 }

@@ -19,7 +19,7 @@ static batten_triangles *square(int count)
     memcpy(points, corners, sizeof corners);
     for (int i = 8; i < 2 * count; i++)
         points[i] = test_random_unit(&random);
-    CHECK_OK(batten_triangulate(count, points, NULL, &plan));
+    CHECK_OK(batten_triangulate((batten_points){2, count, points}, NULL, &plan));
     CHECK_INT(plan.vertex_count, count);
     for (int v = 0; v < count; v++)
         f[v] = plane(plan.vertices[2 * v], plan.vertices[2 * v + 1]);
@@ -37,8 +37,9 @@ TEST(values_and_slopes_over_triangles_are_those_of_the_plane)
     size_t outside = 9;
     for (int i = 0; i < COUNT(at); i++)
         at[i] = test_random_unit(&random);
-    CHECK_OK(batten_triangles_over(triangles, 500, at, 1, BATTEN_OUTSIDE_REFUSED, NULL, found,
-                                   &outside));
+    CHECK_OK(batten_triangles_over(triangles, (batten_batch){500, at}, 1,
+                                   (batten_outside_points){BATTEN_OUTSIDE_REFUSED, &outside},
+                                   NULL, found));
     CHECK_INT((int)outside, 0);
     for (int i = 0; i < 500; i++) {
         CHECK_NEAR(found[3 * i], plane(at[2 * i], at[2 * i + 1]), 1e-12);
@@ -54,14 +55,17 @@ TEST(places_outside_are_refused_or_taken_to_the_rim)
     const double at[6] = {0.5, 0.5, 2, 0.25, -1, -1}, odd[2] = {NAN, 0};
     double found[3];
     size_t outside = 0;
-    CHECK_STATUS(
-        batten_triangles_over(triangles, 3, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, found, NULL),
-        BATTEN_OUT_OF_DOMAIN);
-    CHECK_STATUS(
-        batten_triangles_over(triangles, 1, odd, 0, BATTEN_OUTSIDE_CLAMPED, NULL, found, NULL),
-        BATTEN_NOT_FINITE);
-    CHECK_OK(batten_triangles_over(triangles, 3, at, 0, BATTEN_OUTSIDE_CLAMPED, NULL, found,
-                                   &outside));
+    CHECK_STATUS(batten_triangles_over(triangles, (batten_batch){3, at}, 0,
+                                       (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL},
+                                       NULL, found),
+                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_triangles_over(triangles, (batten_batch){1, odd}, 0,
+                                       (batten_outside_points){BATTEN_OUTSIDE_CLAMPED, NULL},
+                                       NULL, found),
+                 BATTEN_NOT_FINITE);
+    CHECK_OK(batten_triangles_over(triangles, (batten_batch){3, at}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_CLAMPED, &outside},
+                                   NULL, found));
     CHECK_INT((int)outside, 2);
     CHECK_NEAR(found[1], plane(1, 0.25), 1e-12);
     CHECK_NEAR(found[2], plane(0, 0), 1e-12);
@@ -73,10 +77,12 @@ TEST(triangles_without_a_domain_are_no_function)
     const double points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, at[2] = {0.2, 0.2};
     double found[3];
     batten_triangles *triangles = NULL;
-    CHECK_OK(batten_triangles_create(3, 1, 1, points, NULL, NULL, &triangles));
-    CHECK_STATUS(
-        batten_triangles_over(triangles, 1, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, found, NULL),
-        BATTEN_BAD_ARGUMENT);
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 1, points, NULL, NULL},
+                                     &triangles));
+    CHECK_STATUS(batten_triangles_over(triangles, (batten_batch){1, at}, 0,
+                                       (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL},
+                                       NULL, found),
+                 BATTEN_BAD_ARGUMENT);
     batten_triangles_unref(triangles);
 }
 
@@ -94,8 +100,9 @@ TEST(places_behind_a_corner_of_the_rim_that_turns_inwards_are_found)
     const double at[] = {0.1, 2.5, 2.9, 2.5, 0.1, 2.5, 1.5, 2.0, 2.9, 2.6, 1.5, -1};
     double found[6];
     size_t outside = 0;
-    CHECK_OK(
-        batten_triangles_over(out, 6, at, 0, BATTEN_OUTSIDE_CLAMPED, NULL, found, &outside));
+    CHECK_OK(batten_triangles_over(out, (batten_batch){6, at}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_CLAMPED, &outside},
+                                   NULL, found));
     CHECK_INT((int)outside, 2);
     for (int i = 0; i < 5; i++)
         if (i != 3)

@@ -29,8 +29,8 @@ TEST(three_patches_cover_the_triangle_exactly)
                 if (k != 4)
                     continue;
                 batten_vec3 m, q; /* both sides are seen from the same side */
-                CHECK_OK(batten_surface_normal(patches[i], u, v, &m, NULL));
-                CHECK_OK(batten_triangles_normal(triangles, 1, at, &q, NULL));
+                CHECK_OK(batten_surface_normal(patches[i], u, v, NULL, &m));
+                CHECK_OK(batten_triangles_normal(triangles, 1, at, NULL, &q));
                 CHECK_NEAR(m.x * q.x + m.y * q.y + m.z * q.z, 1, 1e-9);
             }
             batten_surface_unref(patches[i]);

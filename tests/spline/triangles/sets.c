@@ -10,7 +10,8 @@ static batten_triangles *square(void)
     const int corners[6] = {0, 1, 2, 3, 2, 1};
     const batten_triangulation domain = {4, vertices, corners};
     batten_triangles *out = NULL;
-    CHECK_OK(batten_triangles_create(1, 1, 2, values, NULL, &domain, &out));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, 2, values, NULL, &domain},
+                                     &out));
     return out;
 }
 
@@ -41,8 +42,10 @@ TEST(sets_of_different_dimensions_are_not_put_together)
     const double weights[3] = {1, 2, 1};
     batten_triangles *values = square(), *space = NULL, *rational = NULL, *both = NULL;
     double at[3];
-    CHECK_OK(batten_triangles_create(3, 1, 1, flat, NULL, NULL, &space));
-    CHECK_OK(batten_triangles_create(3, 1, 1, flat, weights, NULL, &rational));
+    CHECK_OK(
+        batten_triangles_create(&(batten_triangles_parts){3, 1, 1, flat, NULL, NULL}, &space));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 1, flat, weights, NULL},
+                                     &rational));
     CHECK_STATUS(batten_triangles_together(values, space, &both), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("1 and 3");
     CHECK_OK(batten_triangles_together(rational, space, &both));
@@ -64,9 +67,9 @@ TEST(graphs_are_of_functions)
     const double knots[4] = {0, 0, 1, 1}, plane[4] = {0, 0, 1, 2}, line[2] = {3, 4},
                  weights[2] = {1, 2};
     batten_curve *curve = NULL, *rational = NULL, *function = NULL, *graph = NULL;
-    CHECK_OK(batten_curve_create(2, 1, 2, plane, NULL, knots, &curve));
-    CHECK_OK(batten_curve_create(1, 1, 2, line, weights, knots, &rational));
-    CHECK_OK(batten_curve_create(1, 1, 2, line, NULL, knots, &function));
+    CHECK_OK(batten_curve_create((batten_points){2, 2, plane}, 1, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){1, 2, line}, 1, weights, knots, &rational));
+    CHECK_OK(batten_curve_create((batten_points){1, 2, line}, 1, NULL, knots, &function));
     CHECK_STATUS(batten_curve_from_function(curve, &graph), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_from_function(rational, &graph), BATTEN_UNSUPPORTED);
     CHECK_OK(batten_curve_from_function(function, &graph));

@@ -96,7 +96,8 @@ TEST(many_points_have_the_bits_of_one)
     for (int threads = 1; threads <= 3; threads += 2) {
         batten_job job = BATTEN_JOB;
         job.thread_count = threads;
-        CHECK_OK(batten_triangles_evaluate_many(triangles, MANY, which, at, 1, &job, many));
+        CHECK_OK(batten_triangles_evaluate_many(
+            triangles, (batten_triangle_places){MANY, which, at}, 1, &job, many));
         for (int i = 0; i < MANY; i += 7) {
             double one[9];
             CHECK_OK(batten_triangles_evaluate(triangles, which[i], at + 3 * i, 1, one));
@@ -105,7 +106,8 @@ TEST(many_points_have_the_bits_of_one)
         }
     }
     at[3 * 99] += 0.5;
-    CHECK_STATUS(batten_triangles_evaluate_many(triangles, MANY, which, at, 0, NULL, many),
+    CHECK_STATUS(batten_triangles_evaluate_many(
+                     triangles, (batten_triangle_places){MANY, which, at}, 0, NULL, many),
                  BATTEN_OUT_OF_DOMAIN);
     batten_triangles_unref(triangles);
 }
@@ -122,7 +124,8 @@ TEST(relabelled_corners_give_the_same_surface)
             memcpy(points + 3 * BATTEN_TRIANGLE_POINT(n - j - k, j),
                    batten_triangles_points(triangles) + 3 * BATTEN_TRIANGLE_POINT(j, k),
                    3 * sizeof *points);
-    CHECK_OK(batten_triangles_create(3, n, 1, points, NULL, NULL, &turned));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, n, 1, points, NULL, NULL},
+                                     &turned));
     for (int i = 0; i < 10; i++) {
         double at[3], a[3], b[3];
         random_place(&random, at);
@@ -144,12 +147,14 @@ TEST(normals_stand_on_both_derivatives)
     batten_triangles *triangles = NULL;
     batten_vec3 normal = {0};
     bool is_limit = true;
-    CHECK_OK(batten_triangles_create(3, 1, 1, points, NULL, NULL, &triangles));
-    CHECK_OK(batten_triangles_normal(triangles, 0, at, &normal, &is_limit));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 1, points, NULL, NULL},
+                                     &triangles));
+    CHECK_OK(batten_triangles_normal(triangles, 0, at, &is_limit, &normal));
     CHECK(normal.x == 0 && normal.y == 0 && normal.z == 1 && !is_limit);
     batten_triangles_unref(triangles);
-    CHECK_OK(batten_triangles_create(3, 1, 1, line, NULL, NULL, &triangles));
-    CHECK_STATUS(batten_triangles_normal(triangles, 0, at, &normal, NULL),
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 1, line, NULL, NULL},
+                                     &triangles));
+    CHECK_STATUS(batten_triangles_normal(triangles, 0, at, NULL, &normal),
                  BATTEN_SINGULAR_HERE);
     batten_triangles_unref(triangles);
 }
@@ -163,8 +168,9 @@ TEST(G5_a_collapsed_row_has_the_normal_of_its_limit)
     batten_triangles *triangles = NULL;
     batten_vec3 normal = {0};
     bool is_limit = false;
-    CHECK_OK(batten_triangles_create(3, 2, 1, points, NULL, NULL, &triangles));
-    CHECK_OK(batten_triangles_normal(triangles, 0, corner, &normal, &is_limit));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 2, 1, points, NULL, NULL},
+                                     &triangles));
+    CHECK_OK(batten_triangles_normal(triangles, 0, corner, &is_limit, &normal));
     CHECK(is_limit);
     CHECK_NEAR(normal.x, -sqrt(0.5), 1e-12);
     CHECK_NEAR(normal.y, 0, 1e-12);
@@ -212,25 +218,32 @@ TEST(N1_numbers_that_are_none_are_refused_with_their_place)
     double weights[6] = {1, 1, 1, 1, 1, 1};
     batten_triangles *none = NULL;
     points[7] = NAN;
-    CHECK_STATUS(batten_triangles_create(3, 2, 1, points, NULL, NULL, &none),
-                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_triangles_create(&(batten_triangles_parts){3, 2, 1, points, NULL, NULL}, &none),
+        BATTEN_NOT_FINITE);
     CHECK_MESSAGE("coordinate 1 of control point 2 of triangle 0");
     points[7] = 0;
     weights[4] = 0;
-    CHECK_STATUS(batten_triangles_create(3, 2, 1, points, weights, NULL, &none),
+    CHECK_STATUS(batten_triangles_create(
+                     &(batten_triangles_parts){3, 2, 1, points, weights, NULL}, &none),
                  BATTEN_BAD_WEIGHT);
     CHECK_MESSAGE("weight 4 of triangle 0 is 0");
     weights[4] = INFINITY;
-    CHECK_STATUS(batten_triangles_create(3, 2, 1, points, weights, NULL, &none),
+    CHECK_STATUS(batten_triangles_create(
+                     &(batten_triangles_parts){3, 2, 1, points, weights, NULL}, &none),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_triangles_create(3, 26, 1, points, NULL, NULL, &none),
-                 BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_triangles_create(3, 0, 1, points, NULL, NULL, &none),
-                 BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_triangles_create(4, 2, 1, points, NULL, NULL, &none),
-                 BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_triangles_create(3, 2, 0, points, NULL, NULL, &none),
-                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(
+        batten_triangles_create(&(batten_triangles_parts){3, 26, 1, points, NULL, NULL}, &none),
+        BATTEN_BAD_DEGREE);
+    CHECK_STATUS(
+        batten_triangles_create(&(batten_triangles_parts){3, 0, 1, points, NULL, NULL}, &none),
+        BATTEN_BAD_DEGREE);
+    CHECK_STATUS(
+        batten_triangles_create(&(batten_triangles_parts){4, 2, 1, points, NULL, NULL}, &none),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(
+        batten_triangles_create(&(batten_triangles_parts){3, 2, 0, points, NULL, NULL}, &none),
+        BATTEN_TOO_FEW_POINTS);
     CHECK(!none);
 }
 
@@ -238,7 +251,8 @@ TEST(S5_more_triangles_than_are_allowed_are_refused_before_the_work)
 {
     const double points[1] = {0};
     batten_triangles *none = NULL;
-    CHECK_STATUS(batten_triangles_create(1, 25, 1 << 30, points, NULL, NULL, &none),
+    CHECK_STATUS(batten_triangles_create(
+                     &(batten_triangles_parts){1, 25, 1 << 30, points, NULL, NULL}, &none),
                  BATTEN_TOO_LARGE);
     CHECK_MESSAGE("1073741824 triangles of degree 25");
     CHECK(!none);
@@ -256,7 +270,8 @@ TEST(a_domain_without_area_or_order_is_refused_by_triangle)
                               "goes round clockwise", "corner 2 of triangle 1 is vertex 4"};
     batten_triangles *none = NULL;
     for (int i = 0; i < 3; i++) {
-        CHECK_STATUS(batten_triangles_create(1, 1, 2, points, NULL, &domains[i], &none),
+        CHECK_STATUS(batten_triangles_create(
+                         &(batten_triangles_parts){1, 1, 2, points, NULL, &domains[i]}, &none),
                      i == 0 ? BATTEN_SINGULAR_HERE : BATTEN_BAD_ARGUMENT);
         CHECK_MESSAGE(messages[i]);
     }
@@ -270,7 +285,8 @@ TEST(places_outside_the_triangle_are_refused_and_rounding_is_not)
     const double near[3] = {-1e-12, 0.5, 0.5};
     batten_triangles *triangles = NULL;
     double value = 7;
-    CHECK_OK(batten_triangles_create(1, 1, 1, points, NULL, NULL, &triangles));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, 1, points, NULL, NULL},
+                                     &triangles));
     for (int i = 0; i < 3; i++)
         CHECK_STATUS(batten_triangles_evaluate(triangles, 0, bad[i], 0, &value),
                      i == 2 ? BATTEN_NOT_FINITE : BATTEN_OUT_OF_DOMAIN);
@@ -325,8 +341,8 @@ TEST(mirrored_triangles_keep_their_outside_outside)
             CHECK_NEAR(q[0], wanted.x, 1e-13);
             CHECK_NEAR(q[1], wanted.y, 1e-13);
             CHECK_NEAR(q[2], wanted.z, 1e-13);
-            CHECK_OK(batten_triangles_normal(triangles, i % 2, at, &n, NULL));
-            CHECK_OK(batten_triangles_normal(image, i % 2, there, &m, NULL));
+            CHECK_OK(batten_triangles_normal(triangles, i % 2, at, NULL, &n));
+            CHECK_OK(batten_triangles_normal(image, i % 2, there, NULL, &m));
             n = batten_affine_apply(linear, n);
             CHECK_NEAR(m.x, n.x, 1e-9);
             CHECK_NEAR(m.y, n.y, 1e-9);
@@ -346,7 +362,8 @@ TEST(the_domain_of_mirrored_triangles_goes_round_as_before)
         batten_affine_mirror((batten_vec3){0, 0, 0}, (batten_vec3){0, 1, 0});
     batten_triangles *triangles = NULL, *image = NULL;
     batten_triangulation found;
-    CHECK_OK(batten_triangles_create(3, 1, 1, points, NULL, &domain, &triangles));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 1, points, NULL, &domain},
+                                     &triangles));
     CHECK_OK(batten_triangles_transform(triangles, &mirror, &image));
     CHECK(batten_triangles_domain(image, &found));
     CHECK_INT(found.corners[1], 2);

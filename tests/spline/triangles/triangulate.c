@@ -39,7 +39,7 @@ static void check_points(int count, const double *points)
     batten_plane_triangles made;
     batten_triangulate_options options = batten_triangulate_defaults();
     options.sliver = 0;
-    CHECK_OK(batten_triangulate(count, points, &options, &made));
+    CHECK_OK(batten_triangulate((batten_points){2, count, points}, &options, &made));
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 2; k++)
             CHECK(made.vertices[2 * made.vertex_of[i] + k] == points[2 * i + k]);
@@ -90,11 +90,11 @@ TEST(N2_tiny_and_huge_coordinates_are_triangulated_alike)
         points[i] = test_random_in(&random, -1, 1);
     const int exponents[] = {-1000, -300, 300, 1020};
     batten_plane_triangles made, other;
-    CHECK_OK(batten_triangulate(50, points, NULL, &made));
+    CHECK_OK(batten_triangulate((batten_points){2, 50, points}, NULL, &made));
     for (int c = 0; c < COUNT(exponents); c++) {
         for (int i = 0; i < 100; i++)
             scaled[i] = ldexp(points[i], exponents[c]);
-        CHECK_OK(batten_triangulate(50, scaled, NULL, &other));
+        CHECK_OK(batten_triangulate((batten_points){2, 50, scaled}, NULL, &other));
         CHECK_INT(other.count, made.count);
         CHECK(!memcmp(other.corners, made.corners, 3 * (size_t)made.count * sizeof(int)));
         batten_plane_triangles_release(&other);
@@ -107,12 +107,12 @@ TEST(G1_points_within_the_tolerance_are_one_vertex)
     const double points[] = {0, 0, 1, 0, 0, 1, 1e-3, 0, 1, 1, 0, -1e-3, -0.0, 1, 1, 1};
     batten_triangulate_options options = batten_triangulate_defaults();
     batten_plane_triangles made;
-    CHECK_OK(batten_triangulate(8, points, &options, &made));
+    CHECK_OK(batten_triangulate((batten_points){2, 8, points}, &options, &made));
     CHECK_INT(made.vertex_count, 6);
     CHECK_INT(made.merged, 2);
     batten_plane_triangles_release(&made);
     options.tolerance = 2e-3;
-    CHECK_OK(batten_triangulate(8, points, &options, &made));
+    CHECK_OK(batten_triangulate((batten_points){2, 8, points}, &options, &made));
     CHECK_INT(made.vertex_count, 4);
     CHECK_INT(made.merged, 4);
     CHECK_INT(made.count, 2);
@@ -126,11 +126,14 @@ TEST(G2_points_on_one_line_or_too_few_are_refused)
 {
     const double line[] = {0, 0, 1, 1, 2, 2, 5, 5}, same[] = {1, 2, 1, 2, 1, 2, 3, 3};
     batten_plane_triangles made;
-    CHECK_STATUS(batten_triangulate(4, line, NULL, &made), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_triangulate((batten_points){2, 4, line}, NULL, &made),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("on one line");
-    CHECK_STATUS(batten_triangulate(4, same, NULL, &made), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_triangulate((batten_points){2, 4, same}, NULL, &made),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("only 2 of 4 points differ");
-    CHECK_STATUS(batten_triangulate(2, line, NULL, &made), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_triangulate((batten_points){2, 2, line}, NULL, &made),
+                 BATTEN_TOO_FEW_POINTS);
 }
 
 TEST(N1_a_coordinate_that_is_no_number_is_refused)
@@ -138,13 +141,17 @@ TEST(N1_a_coordinate_that_is_no_number_is_refused)
     const double points[] = {0, 0, 1, 0, 0, NAN};
     batten_plane_triangles made;
     batten_triangulate_options options = batten_triangulate_defaults();
-    CHECK_STATUS(batten_triangulate(3, points, NULL, &made), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_triangulate((batten_points){2, 3, points}, NULL, &made),
+                 BATTEN_NOT_FINITE);
     CHECK_MESSAGE("point 2");
     options.tolerance = -1;
-    CHECK_STATUS(batten_triangulate(2 + 1, points + 0, &options, &made), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_triangulate((batten_points){2, 2 + 1, points + 0}, &options, &made),
+                 BATTEN_NOT_FINITE);
     const double good[] = {0, 0, 1, 0, 0, 1};
-    CHECK_STATUS(batten_triangulate(3, good, &options, &made), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_triangulate(2000000000, good, NULL, &made), BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_triangulate((batten_points){2, 3, good}, &options, &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_triangulate((batten_points){2, 2000000000, good}, NULL, &made),
+                 BATTEN_TOO_LARGE);
 }
 
 TEST(slivers_on_the_rim_are_left_out_and_no_vertex_with_them)
@@ -153,12 +160,12 @@ TEST(slivers_on_the_rim_are_left_out_and_no_vertex_with_them)
     const double points[] = {0, 0, 1, 1e-6, 2, 2e-6, 3, 1e-6, 4, 0, 2, 3, 1, 1.4};
     batten_triangulate_options options = batten_triangulate_defaults();
     batten_plane_triangles made;
-    CHECK_OK(batten_triangulate(7, points, &options, &made));
+    CHECK_OK(batten_triangulate((batten_points){2, 7, points}, &options, &made));
     CHECK_INT(made.slivers, 0);
     const int all = made.count;
     batten_plane_triangles_release(&made);
     options.sliver = 1e-3;
-    CHECK_OK(batten_triangulate(7, points, &options, &made));
+    CHECK_OK(batten_triangulate((batten_points){2, 7, points}, &options, &made));
     CHECK_INT(made.slivers, 3);
     CHECK_INT(made.count, all - 3);
     bool used[7] = {false};
@@ -177,7 +184,7 @@ TEST(walking_finds_every_place_in_the_hull_and_none_outside)
     for (int i = 0; i < 400; i++)
         points[i] = test_random_in(&random, 0, 1);
     batten_plane_triangles made;
-    CHECK_OK(batten_triangulate(200, points, NULL, &made));
+    CHECK_OK(batten_triangulate((batten_points){2, 200, points}, NULL, &made));
     int found = 0;
     for (int c = 0; c < 400; c++) {
         const double p[2] = {test_random_in(&random, 0, 1), test_random_in(&random, 0, 1)};

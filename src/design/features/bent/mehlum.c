@@ -20,8 +20,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     options.tolerance = bat_number(run, "within");
     options.start = bat_nonlinear_end_of(run, true, &options.start_value);
     options.end = bat_nonlinear_end_of(run, false, &options.end_value);
-    const batten_status status = batten_chain_mehlum(data->count, data->points, &options, NULL,
-                                                     made->parameters, &report, &made->chain);
+    const batten_status status =
+        batten_chain_mehlum((batten_points){2, data->count, data->points}, &options, NULL,
+                            made->parameters, &report, &made->chain);
     if (status == BATTEN_OK)
         bat_remark(run,
                    "'%s': %d arcs, %g from the elastica at most; curvature steps by up to %g",

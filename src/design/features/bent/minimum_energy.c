@@ -18,8 +18,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     options.tension = bat_number(run, "tension");
     options.scale_invariant = bat_yes(run, "scale-invariant");
     options.pieces = bat_count(run, "pieces");
-    return batten_curve_minimum_energy(data->dimension, data->count, data->points, &options,
-                                       made->parameters, NULL, &made->curve);
+    return batten_curve_minimum_energy(
+        (batten_points){data->dimension, data->count, data->points}, &options, made->parameters,
+        NULL, &made->curve);
 }
 
 batten_status bat_least_energy(bat_run *run)

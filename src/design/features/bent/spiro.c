@@ -89,8 +89,8 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     options.end = end_of(run, "end", "end-angle", "end-curvature");
     batten_status status = find_kinds(run, data->count, kinds);
     if (status == BATTEN_OK)
-        status = batten_chain_spiro(data->count, data->points, &options, made->parameters, NULL,
-                                    &made->chain);
+        status = batten_chain_spiro((batten_points){2, data->count, data->points}, &options,
+                                    made->parameters, NULL, &made->chain);
     bat_release(kinds);
     return status;
 }

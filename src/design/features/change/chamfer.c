@@ -29,7 +29,8 @@ static batten_status chamfer_pair(bat_run *run, const double by[2])
     double u[2];
     batten_status status = bat_pair_take(run, "chamfer", curves);
     if (status == BATTEN_OK)
-        status = batten_curves_chamfer(curves[0], curves[1], by[0], by[1], within, u, &line);
+        status = batten_curves_chamfer(curves[0], curves[1], (double[2]){by[0], by[1]}, within,
+                                       u, &line);
     if (status == BATTEN_OK)
         status = bat_pair_join((const batten_curve *const *)curves, u, line, within, &made);
     batten_curve_unref(line);
@@ -44,7 +45,7 @@ static batten_status chamfer_object(bat_run *run, const batten_object *object,
     batten_corners_report report = {.corners = 0};
     batten_curve *made = NULL;
     const batten_status status = batten_curve_chamfer(
-        object->curve, by[0], by[1], bat_tolerance(run) / 1000, &report, &made);
+        object->curve, (double[2]){by[0], by[1]}, bat_tolerance(run) / 1000, &report, &made);
     if (status != BATTEN_OK)
         return bat_fail(status, "%s: %s", object->name, batten_message());
     if (report.corners == 0)

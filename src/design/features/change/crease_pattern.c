@@ -30,7 +30,7 @@ static batten_status smooth(const batten_fold *fold, const batten_fold_sheet *sh
     for (int i = 0; i < fold->count; i++)
         flat_point(fold, sheet, i, points + 2 * i);
     const batten_status status =
-        batten_curve_interpolate(2, fold->count, points, NULL, NULL, out);
+        batten_curve_interpolate((batten_points){2, fold->count, points}, NULL, NULL, out);
     batten_release(points);
     return status;
 }
@@ -43,7 +43,7 @@ static batten_status end_line(const batten_fold *fold, bool at_start, batten_cur
     flat_point(fold, at_start ? &fold->right : &fold->left, i, points);
     flat_point(fold, NULL, i, points + 2);
     flat_point(fold, at_start ? &fold->left : &fold->right, i, points + 4);
-    return batten_curve_polyline(2, 3, points, out);
+    return batten_curve_polyline((batten_points){2, 3, points}, out);
 }
 
 /* Join the next piece to the outline. */

@@ -30,8 +30,10 @@ static batten_status extend(const bat_run *run, const char *name, batten_curve_e
     const bool by_length = bat_has(run, names[end][0]);
     const double amount = bat_number(run, names[end][by_length ? 0 : 1]);
     const batten_status status =
-        by_length ? batten_curve_extend(curve, end, shape, amount, within, report, out)
-                  : batten_curve_extend_to(curve, end, shape, amount, within, report, out);
+        by_length ? batten_curve_extend(curve, end, (batten_lengthening){shape, within}, amount,
+                                        report, out)
+                  : batten_curve_extend_to(curve, end, (batten_lengthening){shape, within},
+                                           amount, report, out);
     return status == BATTEN_OK
                ? status
                : bat_fail(status, "%s: the %s: %s", name, names[end][0], batten_message());
@@ -84,9 +86,11 @@ static batten_status change_surface(bat_run *run, const batten_object *object)
         const int edge = edges->items[k].count;
         batten_surface *longer = NULL;
         batten_surface_extend_report report;
-        status = batten_surface_extend(
-            surface, (batten_edge)edge, (batten_extension)bat_word(run, "shape"),
-            bat_number(run, "by"), bat_tolerance(run) / 10, &report, &longer);
+        status =
+            batten_surface_extend(surface, (batten_edge)edge,
+                                  (batten_lengthening){(batten_extension)bat_word(run, "shape"),
+                                                       bat_tolerance(run) / 10},
+                                  bat_number(run, "by"), &report, &longer);
         if (status != BATTEN_OK) {
             status = bat_fail(status, "%s: %s: %s", object->name, edge_names[edge],
                               batten_message());

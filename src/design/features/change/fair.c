@@ -112,8 +112,8 @@ static batten_status fair_points(const bat_run *run, const batten_object *object
     double *moved = bat_array3((size_t)count, (size_t)dimension, sizeof *moved);
     batten_status status = given && moved ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_fair_points(dimension, count, given, object->parameters, &options,
-                                    run->job, moved, report);
+        status = batten_fair_points((batten_points){dimension, count, given},
+                                    object->parameters, &options, run->job, report, moved);
     if (status == BATTEN_OK) {
         memcpy(faired, object->points, 3 * (size_t)count * sizeof *faired);
         bat_points_from_plane(axis, count, moved, faired);
@@ -147,7 +147,7 @@ static batten_status fit_again(const bat_run *run, const batten_object *object,
         options.given = given;
     }
     const batten_status status =
-        batten_curve_interpolate(3, count, points, &options, NULL, out);
+        batten_curve_interpolate((batten_points){3, count, points}, &options, NULL, out);
     bat_release(given);
     return status;
 }
@@ -185,8 +185,8 @@ static batten_status fair_row(bat_run *run, const batten_object *object, int set
     double *parameters_of = bat_array((size_t)count, sizeof *parameters_of);
     batten_status status = parameters_of ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_curve_interpolate(3, count, object->points, &run->result->fit,
-                                          parameters_of, &curve);
+        status = batten_curve_interpolate((batten_points){3, count, object->points},
+                                          &run->result->fit, parameters_of, &curve);
     through.kind = BATTEN_OBJECT_CURVE;
     through.curve = curve;
     through.parameters = parameters_of;

@@ -25,9 +25,11 @@ static batten_status match_curves(bat_run *run, const bat_objects *all)
     batten_curve *made[2] = {NULL, NULL};
     double moved = 0;
     const int join = bat_word(run, "continuity");
-    batten_status status = batten_curves_match(
-        all->at[0]->curve, all->at[1]->curve, joins[join].kind, joins[join].order,
-        (batten_match_mover)bat_word(run, "moves"), &moved, &made[0], &made[1]);
+    batten_status status =
+        batten_curves_match(all->at[0]->curve, all->at[1]->curve,
+                            (batten_match){joins[join].kind, joins[join].order,
+                                           (batten_match_mover)bat_word(run, "moves")},
+                            &moved, &made[0], &made[1]);
     if (status == BATTEN_OK)
         bat_report_error(run, moved, moved);
     for (int k = 0; k < 2; k++)
@@ -48,8 +50,9 @@ static batten_status match_surfaces(bat_run *run, const bat_objects *all)
     batten_surface *made[2] = {NULL, NULL};
     batten_status status = batten_surfaces_near_edges(own, other, &own_edge, &other_edge, NULL);
     if (status == BATTEN_OK)
-        status = batten_surface_match(own, own_edge, other, other_edge, joins[join].order,
-                                      bat_tolerance(run), &report, &made[moves]);
+        status = batten_surface_match(
+            (batten_surface_edge){own, own_edge}, (batten_surface_edge){other, other_edge},
+            joins[join].order, bat_tolerance(run), &report, &made[moves]);
     if (status == BATTEN_OK) {
         made[1 - moves] = batten_surface_ref(other);
         bat_report_error(run, report.moved, report.moved);

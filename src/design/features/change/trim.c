@@ -30,7 +30,7 @@ static batten_status at_lengths(const bat_run *run, const batten_curve *curve, d
     const bat_item *items = bat_argument_of(run, "lengths")->items;
     const double within = bat_tolerance(run) / 1000;
     double whole;
-    batten_status status = batten_curve_length(curve, within, &whole, NULL);
+    batten_status status = batten_curve_length(curve, within, NULL, &whole);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
         const double given = items[k].number[0], s = given < 0 ? whole + given : given;
         status = batten_curve_at_length(curve, 1, &s, within, &u[k]);
@@ -44,7 +44,9 @@ static batten_status at_points(const bat_run *run, const batten_curve *curve, do
     batten_status status = BATTEN_OK;
     for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
         batten_deviation found;
-        status = batten_curve_deviation(curve, 1, items[k].number, NULL, NULL, NULL, &found);
+        status = batten_curve_deviation(
+            curve, (batten_points){batten_curve_dimension(curve), 1, items[k].number}, NULL,
+            NULL, NULL, &found);
         u[k] = found.at[0];
     }
     return status;

@@ -156,8 +156,8 @@ static batten_status lay_points(const batten_unrolled *flat, const batten_curve 
         status = batten_curve_evaluate(curve, u[i], 0, space + 3 * i);
     }
     if (status == BATTEN_OK)
-        status =
-            batten_surface_project(flat->surface, count, space, NULL, NULL, uv, NULL, &off);
+        status = batten_surface_project(flat->surface, (batten_points){3, count, space}, NULL,
+                                        NULL, (batten_feet){uv, NULL}, &off);
     if (status == BATTEN_OK && off.max > tolerance)
         status = batten_fail(BATTEN_NOT_COMPATIBLE,
                              "a mark is %g from the surface at its parameter %g", off.max,
@@ -184,7 +184,8 @@ static batten_status fit_mark(int count, const double *u, const double *plane, d
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = at;
-    batten_status status = batten_curve_interpolate(2, n, every, &options, NULL, out);
+    batten_status status =
+        batten_curve_interpolate((batten_points){2, n, every}, &options, NULL, out);
     *error = 0;
     for (int i = 1; i < count && status == BATTEN_OK; i += 2) {
         double q[2];

@@ -14,9 +14,9 @@ static const batten_parameter parameters[] = {
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     made->has_parameters = false;
-    return batten_curve_uniform(data->dimension, bat_count(run, "degree"), data->count,
-                                data->points, NULL, (batten_polygon_end)bat_word(run, "ends"),
-                                &made->curve);
+    return batten_curve_uniform((batten_points){data->dimension, data->count, data->points},
+                                bat_count(run, "degree"), NULL,
+                                (batten_polygon_end)bat_word(run, "ends"), &made->curve);
 }
 
 static batten_status run(bat_run *run)

@@ -15,7 +15,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
-    return batten_surface_uniform(3, grid->count_u, grid->count_v, grid->points,
+    return batten_surface_uniform((batten_grid){3, grid->count_u, grid->count_v, grid->points},
                                   bat_count(run, "degree-u"), bat_count(run, "degree-v"),
                                   (batten_polygon_end)bat_word(run, "ends-u"),
                                   (batten_polygon_end)bat_word(run, "ends-v"), surface);

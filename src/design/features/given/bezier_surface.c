@@ -40,7 +40,8 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
                         p + 1, q + 1, p, q, BATTEN_MAX_DEGREE);
     batten_status status = weights_of(run, grid, &weights);
     if (status == BATTEN_OK)
-        status = batten_surface_from_bezier(3, p, 1, unit, q, 1, unit, grid->points, weights,
+        status = batten_surface_from_bezier(3, (batten_pieces){p, 1, unit},
+                                            (batten_pieces){q, 1, unit}, grid->points, weights,
                                             surface);
     bat_release(weights);
     return status;

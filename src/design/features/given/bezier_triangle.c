@@ -103,8 +103,10 @@ static batten_status run(bat_run *run)
     if (status == BATTEN_OK)
         status = read_weights(run, count, &weights);
     if (status == BATTEN_OK)
-        status = batten_triangles_create(3, degree, count / BATTEN_TRIANGLE_POINTS(degree),
-                                         points, weights, NULL, &triangles);
+        status = batten_triangles_create(
+            &(batten_triangles_parts){3, degree, count / BATTEN_TRIANGLE_POINTS(degree), points,
+                                      weights, NULL},
+            &triangles);
     if (status == BATTEN_OK)
         status = halve(run, &triangles);
     bat_release(points);

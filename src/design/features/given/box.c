@@ -37,7 +37,7 @@ static batten_status put_rim(bat_run *run, const batten_object *like,
     batten_curve *curve = NULL;
     for (int i = 0; i < 5; i++)
         corner(box, (const int[3]){around[i][0], around[i][1], side}, points + 3 * i);
-    const batten_status status = batten_curve_polyline(3, 5, points, &curve);
+    const batten_status status = batten_curve_polyline((batten_points){3, 5, points}, &curve);
     return bat_put_curve_like(run, status, curve, like, false);
 }
 
@@ -48,7 +48,7 @@ static batten_status put_edge(bat_run *run, const batten_object *like,
     batten_curve *curve = NULL;
     corner(box, (const int[3]){x, y, -1}, points);
     corner(box, (const int[3]){x, y, 1}, points + 3);
-    const batten_status status = batten_curve_polyline(3, 2, points, &curve);
+    const batten_status status = batten_curve_polyline((batten_points){3, 2, points}, &curve);
     return bat_put_curve_like(run, status, curve, like, false);
 }
 

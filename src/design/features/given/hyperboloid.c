@@ -17,8 +17,9 @@ static batten_status run(bat_run *run)
     batten_surface *surface = NULL;
     batten_status status = bat_frame(run, &frame);
     if (status == BATTEN_OK)
-        status = batten_surface_hyperboloid(&frame, axes.x, axes.y, axes.z, heights[0],
-                                            heights[1], &surface);
+        status =
+            batten_surface_hyperboloid(&frame, axes.x, axes.y, axes.z,
+                                       (batten_interval){heights[0], heights[1]}, &surface);
     return bat_put_surface(run, status, surface);
 }
 

@@ -39,7 +39,8 @@ static batten_status put_line(bat_run *run, const batten_object *like, const pla
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < line->count; i++)
         lift(p, line->points[3 * i], line->points[3 * i + 1], points + 3 * (size_t)i);
-    batten_status status = batten_curve_polyline(3, line->count, points, &curve);
+    batten_status status =
+        batten_curve_polyline((batten_points){3, line->count, points}, &curve);
     status = bat_put_curve_like(run, status, curve, like, false);
     bat_release(points);
     return status;

@@ -13,7 +13,8 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     (void)run;
     made->has_parameters = false;
-    return batten_curve_polyline(data->dimension, data->count, data->points, &made->curve);
+    return batten_curve_polyline((batten_points){data->dimension, data->count, data->points},
+                                 &made->curve);
 }
 
 /* Through the rows of features. */
@@ -43,7 +44,8 @@ static batten_status run(bat_run *run)
         for (int k = 0; k < 3; k++)
             points[3 * i + k] = corners->items[i].number[k];
     batten_curve *polyline = NULL;
-    const batten_status status = batten_curve_polyline(3, corners->count, points, &polyline);
+    const batten_status status =
+        batten_curve_polyline((batten_points){3, corners->count, points}, &polyline);
     bat_release(points);
     return bat_put_curve(run, status, polyline);
 }

@@ -52,8 +52,9 @@ static batten_status of_points(bat_run *run, const bat_data *data, bat_made *mad
 {
     const batten_arcs_options options = options_of(run);
     batten_arcs_report report;
-    const batten_status status = batten_arcs_from_points(
-        data->count, data->points, &options, made->parameters, &report, &made->chain);
+    const batten_status status =
+        batten_arcs_from_points((batten_points){2, data->count, data->points}, &options,
+                                made->parameters, &report, &made->chain);
     if (status != BATTEN_OK)
         return status;
     made->has_error = true;

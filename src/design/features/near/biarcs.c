@@ -29,8 +29,9 @@ static batten_status in_plane(bat_run *run, const bat_data *data, bat_made *made
 {
     const batten_chain_biarcs_options options = options_of(run);
     batten_chain_biarcs_report report;
-    const batten_status status = batten_chain_biarcs(data->count, data->points, &options,
-                                                     made->parameters, &report, &made->chain);
+    const batten_status status =
+        batten_chain_biarcs((batten_points){2, data->count, data->points}, &options,
+                            made->parameters, &report, &made->chain);
     if (status == BATTEN_OK && report.long_arcs > 0)
         bat_note(run, "'%s' has %d arc%s turning by more than 180 degrees", data->name,
                  report.long_arcs, bat_plural(report.long_arcs));
@@ -40,8 +41,8 @@ static batten_status in_plane(bat_run *run, const bat_data *data, bat_made *made
 static batten_status in_space(bat_run *run, const bat_data *data, bat_made *made)
 {
     const batten_chain_biarcs_options options = options_of(run);
-    return batten_curve_biarcs(data->dimension, data->count, data->points, &options,
-                               made->parameters, &made->curve);
+    return batten_curve_biarcs((batten_points){data->dimension, data->count, data->points},
+                               &options, made->parameters, &made->curve);
 }
 
 static batten_status run(bat_run *run)

@@ -16,8 +16,8 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     batten_fitted_circle circle;
     batten_primitive_report report = {0};
     batten_status status =
-        batten_circle_fit(3, data->count, data->points,
-                          (batten_circle_method)bat_word(run, "by"), &circle, &report);
+        batten_circle_fit((batten_points){3, data->count, data->points},
+                          (batten_circle_method)bat_word(run, "by"), &report, &circle);
     if (status == BATTEN_OK) {
         const bool whole = bat_yes(run, "whole");
         made->has_parameters = false;

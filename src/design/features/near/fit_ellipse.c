@@ -45,7 +45,8 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_fitted_ellipse ellipse;
     batten_primitive_report report = {0};
-    batten_status status = batten_ellipse_fit(data->count, data->points, &ellipse, &report);
+    batten_status status =
+        batten_ellipse_fit((batten_points){2, data->count, data->points}, &report, &ellipse);
     if (status == BATTEN_OK) {
         made->has_parameters = false;
         bat_remark(run, "'%s': an ellipse with the half axes %.9g and %.9g", data->name,

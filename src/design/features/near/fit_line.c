@@ -23,7 +23,8 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     (void)run;
     batten_fitted_line line;
     batten_primitive_report report = {0};
-    batten_status status = batten_line_fit(3, data->count, data->points, &line, &report);
+    batten_status status =
+        batten_line_fit((batten_points){3, data->count, data->points}, &report, &line);
     if (status == BATTEN_OK) {
         double ends[2][3];
         for (int k = 0; k < 3; k++) {

@@ -45,8 +45,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     batten_status status = corners_of(run, &options.corner_count, &corners);
     options.corners = corners;
     if (status == BATTEN_OK)
-        status = batten_curve_within(data->dimension, data->count, data->points, &options,
-                                     made->parameters, &report, &made->curve);
+        status =
+            batten_curve_within((batten_points){data->dimension, data->count, data->points},
+                                &options, made->parameters, &report, &made->curve);
     bat_release(corners);
     if (status != BATTEN_OK)
         return status;

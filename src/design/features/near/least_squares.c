@@ -61,8 +61,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     if (status == BATTEN_OK)
         status = bat_conditions_of(run, data, &options, &conditions);
     if (status == BATTEN_OK)
-        status = batten_curve_least_squares(data->dimension, data->count, data->points,
-                                            &options, made->parameters, &report, &made->curve);
+        status = batten_curve_least_squares(
+            (batten_points){data->dimension, data->count, data->points}, &options,
+            made->parameters, &report, &made->curve);
     if (status == BATTEN_OK && options.robust != BATTEN_SQUARES)
         status = bat_note_outliers(run, data, weights, made);
     bat_release(conditions);

@@ -21,9 +21,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     batten_curve_schoenberg_report report = {0};
     batten_status status = bat_check_closed(run, data);
     if (status == BATTEN_OK)
-        status =
-            batten_curve_quasi_interpolate(data->dimension, data->count, data->points, &options,
-                                           made->parameters, &report, &made->curve);
+        status = batten_curve_quasi_interpolate(
+            (batten_points){data->dimension, data->count, data->points}, &options,
+            made->parameters, &report, &made->curve);
     made->has_error = status == BATTEN_OK;
     made->error_max = report.error;
     made->error_rms = report.rms;

@@ -17,8 +17,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     const double start =
         bat_has(run, "start-angle") ? bat_number(run, "start-angle") : (double)NAN;
     batten_chain_sequential_arcs_report report;
-    const batten_status status = batten_chain_sequential_arcs(
-        data->count, data->points, start, NULL, made->parameters, &report, &made->chain);
+    const batten_status status =
+        batten_chain_sequential_arcs((batten_points){2, data->count, data->points}, start, NULL,
+                                     made->parameters, &report, &made->chain);
     if (status != BATTEN_OK)
         return status;
     bat_note(

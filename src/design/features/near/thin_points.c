@@ -22,8 +22,8 @@ static batten_status thin(bat_run *run, const char *name, int of, const double *
     double *made = bat_array3((size_t)of, 3, sizeof *made);
     batten_status status = kept && made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_points_thin(3, of, all, bat_number(run, "within"), closed, kept, count,
-                                    &report);
+        status = batten_points_thin((batten_points){3, of, all}, bat_number(run, "within"),
+                                    closed, &report, kept, count);
     for (int i = 0; status == BATTEN_OK && i < 3 * *count; i++)
         made[i] = all[3 * kept[i / 3] + i % 3];
     bat_release(kept);
@@ -82,7 +82,7 @@ static batten_status thin_polyline(bat_run *run, const batten_object *object)
         status = thin(run, object->name, batten_curve_point_count(space),
                       batten_curve_points(space), false, &points, &count);
     if (status == BATTEN_OK)
-        status = batten_curve_polyline(3, count, points, &made);
+        status = batten_curve_polyline((batten_points){3, count, points}, &made);
     bat_release(points);
     batten_curve_unref(space);
     return bat_put_curve_like(run, status, made, object, false);

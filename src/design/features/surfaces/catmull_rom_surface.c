@@ -22,9 +22,9 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     batten_curve_catmull_rom_options v = u;
     u.closed = bat_yes(run, "closed-u");
     v.closed = bat_yes(run, "closed-v");
-    const batten_status status =
-        batten_surface_catmull_rom(3, grid->count_u, grid->count_v, grid->points, NULL, NULL,
-                                   &u, &v, run->job, &off, surface);
+    const batten_status status = batten_surface_catmull_rom(
+        (batten_grid){3, grid->count_u, grid->count_v, grid->points}, (batten_uv){NULL, NULL},
+        (const batten_curve_catmull_rom_options *const[2]){&u, &v}, run->job, &off, surface);
     if (status == BATTEN_OK)
         bat_report_error(run, off, off);
     return status;

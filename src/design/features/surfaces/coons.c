@@ -90,8 +90,8 @@ static batten_status take_function(const batten_curve *graph, const char *name,
                               name, i, points[i * d], x);
     }
     if (status == BATTEN_OK)
-        status = batten_curve_create(1, batten_curve_degree(graph), n, values, NULL,
-                                     batten_curve_knots(graph), out);
+        status = batten_curve_create((batten_points){1, n, values}, batten_curve_degree(graph),
+                                     NULL, batten_curve_knots(graph), out);
     bat_release(values);
     return status;
 }

@@ -31,8 +31,9 @@ static batten_status from_points(bat_run *run,
     bat_grid grid = {0};
     batten_status status = bat_grid_of(run, "coons-network", &grid);
     if (status == BATTEN_OK)
-        status = batten_surface_coons_grid(3, grid.count_u, grid.count_v, grid.points, options,
-                                           NULL, NULL, out);
+        status =
+            batten_surface_coons_grid((batten_grid){3, grid.count_u, grid.count_v, grid.points},
+                                      options, (batten_uv_out){NULL, NULL}, out);
     bat_grid_release(&grid);
     return status;
 }
@@ -120,10 +121,11 @@ static batten_status from_curves(bat_run *run,
     if (status == BATTEN_OK)
         status = stretch(&across, &along);
     if (status == BATTEN_OK)
-        status = batten_surface_coons_network(across.count, across.at, along.count, along.at,
-                                              (const batten_curve *const *)along.curves,
-                                              (const batten_curve *const *)across.curves,
-                                              options, &gap, out);
+        status = batten_surface_coons_network(
+            &(batten_curve_net){across.count, along.count, across.at, along.at,
+                                (const batten_curve *const *)along.curves,
+                                (const batten_curve *const *)across.curves},
+            options, &gap, out);
     if (status == BATTEN_OK && gap > 0)
         bat_report_error(run, gap, gap);
     family_release(&across);

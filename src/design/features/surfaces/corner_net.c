@@ -81,15 +81,17 @@ static batten_status make(bat_run *run, net *n, batten_surface **out)
     if (bat_has(run, "twists"))
         status = take(run, "twists", n, 3);
     else
-        status = batten_net_twists((batten_twists)bat_word(run, "estimate"), 3, count_u, n->at,
-                                   count_v, n->at, n->values, n->values + step,
-                                   n->values + 2 * step, NULL, n->values + 3 * step, NULL);
+        status = batten_net_twists((batten_twists)bat_word(run, "estimate"),
+                                   &(batten_net){3, count_u, count_v, n->at, n->at, n->values,
+                                                 n->values + step, n->values + 2 * step},
+                                   NULL, NULL, n->values + 3 * step);
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 4; k++)
             memcpy(n->nodes + 3 * (4 * i + k), n->values + (size_t)k * step + 3 * i,
                    3 * sizeof *n->nodes);
     return status == BATTEN_OK
-               ? batten_surface_from_hermite(3, count_u, n->at, count_v, n->at, n->nodes, out)
+               ? batten_surface_from_hermite((batten_uv){n->at, n->at},
+                                             (batten_grid){3, count_u, count_v, n->nodes}, out)
                : status;
 }
 

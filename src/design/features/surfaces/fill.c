@@ -53,8 +53,9 @@ static batten_status find_ribbons(const bat_run *run, sides *all, const bat_obje
     for (int i = 0; status == BATTEN_OK && i < all->count; i++) {
         int found = -1;
         batten_curve **curves = all->curves[i];
-        status = batten_ribbon_beside(all->ribbons[i].curve, surfaces->count, at, 2,
-                                      all->within, curves, &found);
+        status = batten_ribbon_beside(all->ribbons[i].curve,
+                                      (batten_surface_row){surfaces->count, at}, 2, all->within,
+                                      &found, curves);
         if (status == BATTEN_OK && found >= 0) {
             touched[found] = true;
             all->ribbons[i] = (batten_ribbon){curves[0], curves[1], curves[2]};
@@ -229,7 +230,7 @@ static batten_status approximate(bat_run *run, double within, batten_surface **s
     batten_surface *nurbs = NULL;
     double error = 0, angle = 0;
     const batten_status status =
-        batten_surface_to_smooth_nurbs(*surface, within, 180 / DEGREES, &nurbs, &error, &angle);
+        batten_surface_to_smooth_nurbs(*surface, within, 180 / DEGREES, &error, &angle, &nurbs);
     if (status != BATTEN_OK)
         return status;
     batten_surface_unref(*surface);

@@ -133,13 +133,13 @@ static batten_status fit(const bat_run *run, const bat_grid *grid, bool smooth,
                          batten_surface_fit_grid_options *options,
                          batten_surface_fit_report *report, batten_surface **out)
 {
-    batten_status (*method)(
-        int, int, int, const double *, const batten_surface_fit_grid_options *,
-        const batten_job *, double *, double *, batten_surface_fit_report *,
-        batten_surface **) = smooth ? batten_surface_smooth_grid : batten_surface_fit_grid;
+    batten_status (*method)(batten_grid, const batten_surface_fit_grid_options *,
+                            const batten_job *, batten_uv_out, batten_surface_fit_report *,
+                            batten_surface **) =
+        smooth ? batten_surface_smooth_grid : batten_surface_fit_grid;
     if (bat_word(run, "as") == 0)
-        return method(3, grid->count_u, grid->count_v, grid->points, options, run->job, NULL,
-                      NULL, report, out);
+        return method((batten_grid){3, grid->count_u, grid->count_v, grid->points}, options,
+                      run->job, (batten_uv_out){NULL, NULL}, report, out);
     if (options->closed_u || options->closed_v)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a function of x and y does not close");
     heights h = {NULL, NULL, NULL};
@@ -149,8 +149,8 @@ static batten_status fit(const bat_run *run, const bat_grid *grid, bool smooth,
     options->given_u = h.x;
     options->given_v = h.y;
     if (status == BATTEN_OK)
-        status = method(1, grid->count_u, grid->count_v, h.z, options, run->job, NULL, NULL,
-                        report, &function);
+        status = method((batten_grid){1, grid->count_u, grid->count_v, h.z}, options, run->job,
+                        (batten_uv_out){NULL, NULL}, report, &function);
     if (status == BATTEN_OK)
         status = batten_surface_from_function(function, out);
     batten_surface_unref(function);

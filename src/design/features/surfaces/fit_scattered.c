@@ -90,8 +90,8 @@ static batten_status fit_function(const bat_run *run, const cloud *data,
         z[i] = data->points[3 * i + 2];
     }
     if (status == BATTEN_OK)
-        status = batten_surface_scattered(1, data->count, uv, z, options, run->job, report,
-                                          &heights);
+        status = batten_surface_scattered(uv, (batten_points){1, data->count, z}, options,
+                                          run->job, report, &heights);
     if (status == BATTEN_OK)
         status = batten_surface_from_function(heights, out);
     batten_surface_unref(heights);
@@ -112,8 +112,8 @@ static batten_status fit(const bat_run *run, const cloud *data,
     }
     batten_status status = find_base(run, &base);
     if (status == BATTEN_OK)
-        status = batten_surface_cloud(data->count, data->points, base, options, run->job, NULL,
-                                      report, out);
+        status = batten_surface_cloud(&(batten_cloud){{3, data->count, data->points}, base},
+                                      options, run->job, NULL, report, out);
     batten_surface_unref(base);
     return status;
 }

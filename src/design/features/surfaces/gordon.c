@@ -228,8 +228,9 @@ static batten_status make(bat_run *run, const network *n)
     options.profile_names = n->profiles.names;
     options.guide_names = n->guides.names;
     batten_status status =
-        batten_surface_gordon(n->profiles.count, n->profiles.curves, n->guides.count,
-                              n->guides.curves, &options, run->job, &report, &surface);
+        batten_surface_gordon((batten_curve_row){n->profiles.count, n->profiles.curves},
+                              (batten_curve_row){n->guides.count, n->guides.curves}, &options,
+                              run->job, &report, &surface);
     if (status != BATTEN_OK)
         return status;
     tell(run, n, &report);

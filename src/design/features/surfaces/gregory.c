@@ -19,7 +19,7 @@ static batten_status put_patch(bat_run *run, const batten_surface *patch, double
     batten_surface *nurbs = NULL;
     double error = 0, angle = 0;
     const batten_status status = batten_surface_to_smooth_nurbs(
-        patch, within, bat_number(run, "angle"), &nurbs, &error, &angle);
+        patch, within, bat_number(run, "angle"), &error, &angle, &nurbs);
     if (status == BATTEN_OK) {
         bat_report_error(run, error, error);
         bat_remark(run, "normals along the edges to %.2g degrees", angle * degrees);

@@ -24,9 +24,10 @@ static batten_status run(bat_run *run)
     for (int i = 0; i < curves.count && status == BATTEN_OK; i++) {
         batten_surface *surface = NULL;
         batten_surface_sweep_report report;
-        status = batten_surface_helical(curves.at[i]->curve, bat_point(run, "at"), axis,
-                                        bat_number(run, "pitch"),
-                                        2 * BAT_PI * bat_number(run, "turns"),
+        status = batten_surface_helical(curves.at[i]->curve,
+                                        (batten_screw){bat_point(run, "at"), axis,
+                                                       bat_number(run, "pitch"),
+                                                       2 * BAT_PI * bat_number(run, "turns")},
                                         bat_sweep_within(run), run->job, &report, &surface);
         if (status == BATTEN_OK)
             bat_report_error(run, report.error, report.error);

@@ -103,8 +103,9 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     options.weights = weights;
     options.gaps = gaps;
     if (status == BATTEN_OK)
-        status = batten_surface_interpolate(3, grid->count_u, grid->count_v, grid->points,
-                                            &options, run->job, NULL, NULL, &report, surface);
+        status = batten_surface_interpolate(
+            (batten_grid){3, grid->count_u, grid->count_v, grid->points}, &options, run->job,
+            (batten_uv_out){NULL, NULL}, &report, surface);
     if (status == BATTEN_OK)
         say(run, &report);
     bat_release(gaps);

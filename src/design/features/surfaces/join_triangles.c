@@ -36,18 +36,17 @@ static batten_status gather(const bat_run *run, batten_triangles **out)
 static batten_status find_edge(const batten_triangles *all, double within,
                                batten_triangle_join *out)
 {
-    batten_triangle_join *joins = NULL;
-    int count = 0;
-    batten_status status = batten_triangles_joins(all, within, &count, &joins);
+    batten_triangle_joins joins = {0, NULL};
+    batten_status status = batten_triangles_joins(all, within, &joins);
     if (status != BATTEN_OK)
         return status;
-    if (count == 1)
-        *out = joins[0];
+    if (joins.count == 1)
+        *out = joins.at[0];
     else
         status = bat_fail(BATTEN_NOT_COMPATIBLE,
                           "%d edges are shared; one edge between two triangles is made smooth",
-                          count);
-    bat_release(joins);
+                          joins.count);
+    batten_triangle_joins_release(&joins);
     return status;
 }
 
@@ -62,9 +61,9 @@ static batten_status run(bat_run *run)
     if (status == BATTEN_OK)
         status = find_edge(all, within, &edge);
     if (status == BATTEN_OK)
-        status = batten_triangles_join_tangents(all, edge.triangle[0], edge.edge[0],
-                                                edge.triangle[1], edge.edge[1], within, &moved,
-                                                &joined);
+        status = batten_triangles_join_tangents(
+            all, (batten_triangle_edge){edge.triangle[0], edge.edge[0]},
+            (batten_triangle_edge){edge.triangle[1], edge.edge[1]}, within, &moved, &joined);
     if (status == BATTEN_OK)
         bat_remark(
             run,

@@ -26,8 +26,8 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     o.nus_u = nus[0];
     o.nus_v = nus[1];
     if (status == BATTEN_OK)
-        status = batten_surface_nu(3, grid->count_u, grid->count_v, grid->points, &o, run->job,
-                                   surface);
+        status = batten_surface_nu((batten_grid){3, grid->count_u, grid->count_v, grid->points},
+                                   &o, run->job, surface);
     bat_release(nus[0]);
     bat_release(nus[1]);
     return status;

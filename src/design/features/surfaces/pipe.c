@@ -20,12 +20,11 @@ static batten_status pipe(bat_run *run, const batten_curve *spine)
     /* So that the seam of the circle closes too. */
     if (batten_curve_is_closed(spine, 1e-10 * size))
         options.frames = BATTEN_FRAME_CLOSING;
-    batten_surface **made = NULL;
+    batten_surfaces made = {0, NULL};
     batten_surface_sweep_report report;
-    int parts = 0;
-    const batten_status status = batten_surfaces_pipe(
-        bat_number(run, "radius"), spine, &options, run->job, &report, &parts, &made);
-    return bat_put_sweep(run, status, parts, made, &report);
+    const batten_status status = batten_surfaces_pipe(bat_number(run, "radius"), spine,
+                                                      &options, run->job, &report, &made);
+    return bat_put_sweep(run, status, made.count, made.at, &report);
 }
 
 static batten_status run(bat_run *run)

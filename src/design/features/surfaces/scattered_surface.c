@@ -72,8 +72,8 @@ static batten_status make(const bat_run *run, int count, const double *points,
         z[i] = points[3 * i + 2];
     }
     if (status == BATTEN_OK)
-        status =
-            batten_triangles_scattered(count, xy, z, &options, run->job, report, &function);
+        status = batten_triangles_scattered((batten_points){2, count, xy}, z, &options,
+                                            run->job, report, &function);
     if (status == BATTEN_OK)
         status = batten_triangles_from_function(function, out);
     batten_triangles_unref(function);

@@ -178,10 +178,11 @@ static batten_status skin(bat_run *run, int count, const batten_curve **sections
     if (status == BATTEN_OK)
         status = make_lists(run, count, sections, &options, &given);
     if (status == BATTEN_OK && bat_yes(run, "procedural"))
-        status = batten_surface_skin_procedural(count, sections, &options, NULL, &surface);
+        status = batten_surface_skin_procedural((batten_curve_row){count, sections}, &options,
+                                                NULL, &surface);
     else if (status == BATTEN_OK)
-        status = batten_surface_skin(count, sections, &options, run->job, NULL,
-                                     &run->result->skin, &surface);
+        status = batten_surface_skin((batten_curve_row){count, sections}, &options, run->job,
+                                     NULL, &run->result->skin, &surface);
     release_lists(&given);
     return bat_put_surface(run, status, surface);
 }

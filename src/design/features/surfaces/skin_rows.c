@@ -93,9 +93,9 @@ static batten_status skin(bat_run *run, const all_rows *all)
     options.across = &across;
     batten_surface_skin_rows_report report;
     batten_surface *surface = NULL;
-    const batten_status status =
-        batten_surface_skin_rows(3, all->count, all->counts, all->points, &options, run->job,
-                                 NULL, NULL, &report, &surface);
+    const batten_status status = batten_surface_skin_rows(
+        (batten_rows){3, all->count, all->counts, all->points}, &options, run->job,
+        (batten_uv_out){NULL, NULL}, &report, &surface);
     if (status == BATTEN_OK) {
         bat_remark(run,
                    "%d inner knot%s along the rows, where knots of their own would be %d; %d "

@@ -83,22 +83,21 @@ static batten_status sweep(bat_run *run, int count, const batten_curve *const *s
 {
     settings s = {.scale = NULL};
     const batten_curve *spine = NULL;
-    batten_surface **made = NULL;
+    batten_surfaces made = {0, NULL};
     batten_surface_sweep_report report;
-    int parts = 0;
     batten_status status = bat_one_curve(run, "spine", &spine);
     if (status == BATTEN_OK)
         status = set(run, count, &s);
     if (status == BATTEN_OK)
-        status = batten_surfaces_sweep(count, sections, spine, &s.options, run->job, &report,
-                                       &parts, &made);
+        status = batten_surfaces_sweep((batten_curve_row){count, sections}, spine, &s.options,
+                                       run->job, &report, &made);
     for (int i = 0; status == BATTEN_OK && i < count; i++)
         bat_remark_space_section(run, sections[i]);
     batten_curve_unref(s.scale);
     batten_curve_unref(s.scale_y);
     batten_curve_unref(s.twist);
     bat_release(s.at);
-    return bat_put_sweep(run, status, parts, made, &report);
+    return bat_put_sweep(run, status, made.count, made.at, &report);
 }
 
 static batten_status run(bat_run *run)

@@ -27,8 +27,8 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     o.tensions_u = amounts[0];
     o.tensions_v = amounts[1];
     if (status == BATTEN_OK)
-        status =
-            batten_surface_tension(3, grid->count_u, grid->count_v, grid->points, &o, surface);
+        status = batten_surface_tension(
+            (batten_grid){3, grid->count_u, grid->count_v, grid->points}, &o, surface);
     bat_release(amounts[0]);
     bat_release(amounts[1]);
     return status;

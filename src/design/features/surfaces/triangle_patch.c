@@ -158,8 +158,9 @@ static batten_status take_slope(bat_run *run, neighbours *beside, int place, sid
     for (int k = 0; k < beside->count && status == BATTEN_OK; k++) {
         batten_curve *ribbon[2] = {NULL, NULL};
         double error = 0;
-        status = batten_ribbon_along(beside->surfaces[k], all->owned[i][0], 1, ends[0],
-                                     all->within, ribbon, NULL, &error);
+        status = batten_ribbon_along(beside->surfaces[k], all->owned[i][0],
+                                     (batten_ribbon_wish){1, ends[0], all->within}, NULL,
+                                     &error, ribbon);
         if (status == BATTEN_NOT_FOUND) {
             status = BATTEN_OK;
             continue;

@@ -30,8 +30,9 @@ static batten_status sweep(bat_run *run, const bat_objects *rails)
     options.fixed_height = bat_word(run, "height") == 1;
     batten_status status = bat_one_curve(run, "section", &section);
     if (status == BATTEN_OK)
-        status = batten_surface_two_rails(section, rails->at[0]->curve, rails->at[1]->curve,
-                                          &options, run->job, &report, &surface);
+        status = batten_surface_two_rails(
+            section, (const batten_curve *const[2]){rails->at[0]->curve, rails->at[1]->curve},
+            &options, run->job, &report, &surface);
     if (status == BATTEN_OK) {
         bat_remark_space_section(run, section);
         bat_report_error(run, report.error, report.error);

@@ -38,9 +38,11 @@ static batten_status find(const bat_run *run, const batten_object *object, const
 {
     if (object->kind == BATTEN_OBJECT_TRIANGLES)
         return (cubics ? batten_triangles_smooth_contours : batten_triangles_contours)(
-            object->triangles, &w->field, w->level_count, w->levels, tolerance, run->job, out);
+            object->triangles, &w->field, (batten_levels){w->level_count, w->levels}, tolerance,
+            run->job, out);
     return (cubics ? batten_surface_smooth_contours : batten_surface_contours)(
-        object->surface, &w->field, w->level_count, w->levels, tolerance, run->job, out);
+        object->surface, &w->field, (batten_levels){w->level_count, w->levels}, tolerance,
+        run->job, out);
 }
 
 /* ---- levels ---- */
@@ -113,7 +115,7 @@ static batten_status make_polyline(const batten_polyline *line, batten_curve **o
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < 3 * count; i++)
         points[i] = line->points[i % (3 * line->count)];
-    const batten_status status = batten_curve_polyline(3, count, points, out);
+    const batten_status status = batten_curve_polyline((batten_points){3, count, points}, out);
     bat_release(points);
     return status;
 }
@@ -130,8 +132,8 @@ static batten_status make_curve(const wanted *w, const batten_polyline *line, do
     options.closed = line->closed;
     options.method = BATTEN_WITHIN_BEZIER;
     if (w->smooth && line->count >= 4) {
-        const batten_status status =
-            batten_curve_within(3, line->count, line->points, &options, NULL, &report, out);
+        const batten_status status = batten_curve_within(
+            (batten_points){3, line->count, line->points}, &options, NULL, &report, out);
         *error = bat_max(report.error, report.apart) + rise;
         if (status == BATTEN_OK && *error <= w->within)
             return BATTEN_OK;
@@ -179,7 +181,8 @@ static batten_status join_cubics(const batten_contour *contour, batten_curve **o
     }
     if (status == BATTEN_OK) {
         pace(count, points, breaks);
-        status = batten_curve_from_bezier(3, 3, count, points, NULL, breaks, out);
+        status =
+            batten_curve_from_bezier(3, (batten_pieces){3, count, breaks}, points, NULL, out);
     }
     bat_release(breaks);
     bat_release(points);

@@ -35,8 +35,10 @@ static batten_status gap_to_border(const batten_curve *edge, const batten_body *
         batten_deviation deviation;
         if (!parts->edges[k].curve)
             continue;
-        status = batten_curve_deviation(parts->edges[k].curve, SAMPLES, points, NULL, NULL,
-                                        distances, &deviation);
+        status = batten_curve_deviation(
+            parts->edges[k].curve,
+            (batten_points){batten_curve_dimension(parts->edges[k].curve), SAMPLES, points},
+            NULL, NULL, distances, &deviation);
         for (int i = 0; i < SAMPLES && status == BATTEN_OK; i++)
             least[i] = bat_min(least[i], distances[i]);
     }

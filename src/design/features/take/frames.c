@@ -41,7 +41,7 @@ batten_status bat_frames_of(const bat_run *run, const batten_object *object, bat
     if (status == BATTEN_OK)
         status = batten_curve_divide(curve, count - 1, tolerance, made.at);
     if (status == BATTEN_OK)
-        status = batten_curve_length(curve, tolerance, &length, NULL);
+        status = batten_curve_length(curve, tolerance, NULL, &length);
     if (status == BATTEN_OK)
         status = batten_curve_frames(curve, count, made.at,
                                      (batten_frame_kind)bat_word(run, "kind"), made.frames);
@@ -90,7 +90,8 @@ static batten_status put_crosses(bat_run *run, const batten_object *like, const 
         go(f->origin, size / 2, second_axis(f), stop + 9);
         go(f->origin, 0, f->x, stop + 12);
     }
-    const batten_status status = batten_curve_polyline(3, all->count * STOPS, points, &crosses);
+    const batten_status status =
+        batten_curve_polyline((batten_points){3, all->count * STOPS, points}, &crosses);
     bat_release(points);
     return bat_put_curve_like(run, status, crosses, like, false);
 }
@@ -106,7 +107,7 @@ static batten_status make_rail(const bat_frames *all, double side, batten_curve 
     for (int k = 0; k < all->count; k++)
         go(all->frames[k].origin, side, all->frames[k].x, points + 3 * k);
     const batten_status status =
-        batten_curve_interpolate(3, all->count, points, &options, NULL, out);
+        batten_curve_interpolate((batten_points){3, all->count, points}, &options, NULL, out);
     bat_release(points);
     return status;
 }

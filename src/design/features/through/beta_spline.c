@@ -20,7 +20,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     for (int i = 0; i < data->count; i++)
         made->parameters[i] = i;
     made->has_parameters = use == BATTEN_BETA_THROUGH;
-    return batten_curve_beta(data->dimension, data->count, data->points, use,
+    return batten_curve_beta((batten_points){data->dimension, data->count, data->points}, use,
                              bat_number(run, "beta1"), bat_number(run, "beta2"),
                              bat_yes(run, "closed"), &made->curve);
 }

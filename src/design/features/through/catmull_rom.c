@@ -29,8 +29,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     double *t = bat_array((size_t)data->count + 1, sizeof *t);
     batten_status status = t ? bat_check_closed(run, data) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_curve_catmull_rom(data->dimension, data->count, data->points, &options,
-                                          t, &report, &made->curve);
+        status = batten_curve_catmull_rom(
+            (batten_points){data->dimension, data->count, data->points}, &options, t, &report,
+            &made->curve);
     if (status == BATTEN_OK)
         memcpy(made->parameters, t, (size_t)data->count * sizeof *t);
     bat_release(t);

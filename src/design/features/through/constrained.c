@@ -179,8 +179,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     options.constraint_count = g.count;
     options.constraints = g.list;
     if (status == BATTEN_OK)
-        status = batten_curve_constrained(data->dimension, data->count, data->points, &options,
-                                          made->parameters, NULL, &made->curve);
+        status = batten_curve_constrained(
+            (batten_points){data->dimension, data->count, data->points}, &options,
+            made->parameters, NULL, &made->curve);
     bat_release(g.list);
     return status;
 }

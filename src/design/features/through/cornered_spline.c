@@ -33,8 +33,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     options.corners = corners;
     options.lines = lines;
     if (status == BATTEN_OK)
-        status = batten_curve_cornered(data->dimension, data->count, data->points, &options,
-                                       made->parameters, &made->curve);
+        status =
+            batten_curve_cornered((batten_points){data->dimension, data->count, data->points},
+                                  &options, made->parameters, &made->curve);
     bat_release(corners);
     bat_release(lines);
     return status;

@@ -65,8 +65,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     if (status == BATTEN_OK)
         status = find_tension(run, data->count, &options, &tension);
     if (status == BATTEN_OK)
-        status = batten_curve_directed(data->dimension, data->count, data->points, &options,
-                                       made->parameters, &report, &made->curve);
+        status =
+            batten_curve_directed((batten_points){data->dimension, data->count, data->points},
+                                  &options, made->parameters, &report, &made->curve);
     if (status == BATTEN_OK && report.clamped > 0)
         bat_note(run,
                  "%d of the directions of '%s' lead against the points, the first at point %d; "

@@ -40,8 +40,9 @@ static batten_status make_quintic(const bat_run *run, const bat_data *data, cons
         values ? bat_vectors(run, data, "second", &second) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && !second) {
         second = bat_array3(n, d, sizeof *second);
-        status = second ? batten_second_derivatives(data->dimension, data->count, data->points,
-                                                    t, tangents, false, second)
+        status = second ? batten_second_derivatives(
+                              (batten_points){data->dimension, data->count, data->points}, t,
+                              tangents, false, second)
                         : BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK) {
@@ -64,8 +65,8 @@ static batten_status make_open_quintic(bat_run *run, const bat_data *data,
     if (status == BATTEN_OK && options->closed)
         status = bat_fail(BATTEN_UNSUPPORTED, "a closed curve is cubic here, not quintic");
     if (status == BATTEN_OK)
-        status = batten_tangents(data->dimension, data->count, data->points, options,
-                                 made->parameters, tangents, NULL, &report);
+        status = batten_tangents((batten_points){data->dimension, data->count, data->points},
+                                 options, made->parameters, &report, tangents, NULL);
     if (status == BATTEN_OK)
         status = make_quintic(run, data, made->parameters, tangents, made);
     if (status == BATTEN_OK)

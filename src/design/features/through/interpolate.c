@@ -114,7 +114,7 @@ static batten_status fit_row(bat_run *run, const bat_row *row, const batten_obje
     if (!parameters_of)
         return BATTEN_OUT_OF_MEMORY;
     const batten_status status = batten_curve_interpolate(
-        3, row->count, row->points, &run->result->fit, parameters_of, &curve);
+        (batten_points){3, row->count, row->points}, &run->result->fit, parameters_of, &curve);
     const batten_status looked = status == BATTEN_OK ? look_beyond(row, curve, e) : BATTEN_OK;
     const batten_object like = {.name = row->name,
                                 .layer = from->layer,
@@ -228,8 +228,9 @@ static batten_status make_function(bat_run *run, const bat_data *data, bat_made 
     memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *made->parameters);
     batten_status status = options.closed ? check_period(data) : BATTEN_OK;
     if (status == BATTEN_OK)
-        status = batten_curve_interpolate(1, data->count - options.closed, data->points,
-                                          &options, NULL, &made->curve);
+        status = batten_curve_interpolate(
+            (batten_points){1, data->count - options.closed, data->points}, &options, NULL,
+            &made->curve);
     if (status == BATTEN_OK && options.knots_at_data && options.degree == 3 && !options.closed)
         status = note_convexity(run, data, &options, made->curve);
     return status;

@@ -26,8 +26,8 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     o.vector[2] = v.z;
     o.parameters = bat_parametrization_of(run, data);
     o.given = data->abscissae;
-    return batten_curve_quadratic(data->dimension, data->count, data->points, &o,
-                                  made->parameters, &made->curve);
+    return batten_curve_quadratic((batten_points){data->dimension, data->count, data->points},
+                                  &o, made->parameters, &made->curve);
 }
 
 static batten_status run(bat_run *run)

@@ -29,15 +29,16 @@ static batten_status find(bat_run *run, const bat_data *data, double **tangents,
         status = bat_numbers_each(run, "curvatures", data->count, "points", curvatures);
     if (status == BATTEN_OK && !*tangents) {
         *tangents = bat_array3(n, 2, sizeof **tangents);
-        status = *tangents ? batten_tangents(2, data->count, data->points, &options, t,
-                                             *tangents, NULL, &report)
+        status = *tangents ? batten_tangents((batten_points){2, data->count, data->points},
+                                             &options, t, &report, *tangents, NULL)
                            : BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK && !*curvatures) {
         *curvatures = bat_array(n, sizeof **curvatures);
-        status = *curvatures ? batten_circle_curvatures(data->count, data->points,
-                                                        options.closed, *curvatures)
-                             : BATTEN_OUT_OF_MEMORY;
+        status = *curvatures
+                     ? batten_circle_curvatures((batten_points){2, data->count, data->points},
+                                                options.closed, *curvatures)
+                     : BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK)
         bat_note_turns(run, data, &report);
@@ -52,9 +53,10 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     batten_curve_from_curvatures_report report;
     batten_status status = t ? find(run, data, &tangents, &curvatures) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_curve_from_curvatures(data->count, data->points, tangents, curvatures,
-                                              bat_yes(run, "closed"), t, NULL, &report,
-                                              &made->curve);
+        status = batten_curve_from_curvatures(
+            &(batten_curved_points){
+                {2, data->count, data->points}, tangents, curvatures, bat_yes(run, "closed")},
+            t, NULL, &report, &made->curve);
     if (status == BATTEN_OK) {
         memcpy(made->parameters, t, n * sizeof *t);
         if (report.fallen_back > 0)

@@ -34,8 +34,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
         status = bat_numbers_each(run, "amount", data->count - !o.closed, "spans", &tensions);
     o.tensions = tensions;
     if (status == BATTEN_OK)
-        status = batten_chain_tension(data->dimension, data->count, data->points, &o,
-                                      made->parameters, &made->chain);
+        status =
+            batten_chain_tension((batten_points){data->dimension, data->count, data->points},
+                                 &o, made->parameters, &made->chain);
     bat_release(tensions);
     return status;
 }

@@ -108,7 +108,7 @@ batten_status bat_iges_read_nurbs_curve(bat_iges_item *item)
     if (status == BATTEN_OK) {
         const double *weights = numbers + knots;
         const bool rational = bat_iges_weights_matter(item, head[4] != 0, count, weights);
-        status = batten_curve_create(3, degree, (int)count, weights + count,
+        status = batten_curve_create((batten_points){3, (int)count, weights + count}, degree,
                                      rational ? weights : NULL, numbers, &item->curve);
     }
     if (status == BATTEN_OK)
@@ -191,7 +191,8 @@ static batten_status make_polyline(bat_iges_item *item, int count, const double 
         return status;
     for (int i = 0; i <= count + 1; i++)
         knots[i] = bat_max_int(0, bat_min_int(i - 1, count - 1));
-    status = batten_curve_create(3, 1, count, points, NULL, knots, &item->curve);
+    status =
+        batten_curve_create((batten_points){3, count, points}, 1, NULL, knots, &item->curve);
     bat_release(knots);
     return status;
 }
@@ -270,7 +271,7 @@ batten_status bat_iges_read_spline_curve(bat_iges_item *item)
             size = bat_max(size, fabs(read[i] - read[4 * coordinate]));
     }
     if (status == BATTEN_OK)
-        status = batten_curve_from_power(3, 3, count, breaks, turned,
+        status = batten_curve_from_power(3, (batten_pieces){3, count, breaks}, turned,
                                          bat_iges_tolerance(item->reading, size), &item->curve);
     item->own = 6 + n + 12 * n + 12;
     bat_release(turned);

@@ -132,9 +132,9 @@ batten_status bat_iges_read_spline_surface(bat_iges_item *item)
             size = bat_max(size, fabs(made[48 * k + c] - made[c]));
     }
     if (status == BATTEN_OK)
-        status =
-            batten_surface_from_power(3, 3, m, breaks_u, 3, n, breaks_v, made,
-                                      bat_iges_tolerance(item->reading, size), &item->surface);
+        status = batten_surface_from_power(
+            3, (batten_pieces){3, m, breaks_u}, (batten_pieces){3, n, breaks_v}, made,
+            bat_iges_tolerance(item->reading, size), &item->surface);
     item->own = first + 48 * (mu + 1) * (mv + 1);
     bat_release(made);
     bat_release(breaks_v);
@@ -295,7 +295,7 @@ batten_status bat_iges_read_offset_surface(bat_iges_item *item)
     item->own = 6;
     const batten_interval u = batten_surface_domain(base, BATTEN_U),
                           w = batten_surface_domain(base, BATTEN_V);
-    status = batten_surface_normal(base, (u.a + u.b) / 2, (w.a + w.b) / 2, &normal, NULL);
+    status = batten_surface_normal(base, (u.a + u.b) / 2, (w.a + w.b) / 2, NULL, &normal);
     if (status != BATTEN_OK)
         return status;
     const double side = v[0] * normal.x + v[1] * normal.y + v[2] * normal.z;

@@ -25,7 +25,7 @@ static batten_status mirror(const batten_curve *curve, batten_curve **out)
     for (int i = 0; i < count; i++)
         points[2 * i] = -points[2 * i];
     const batten_status status =
-        batten_curve_create(2, batten_curve_degree(curve), count, points,
+        batten_curve_create((batten_points){2, count, points}, batten_curve_degree(curve),
                             batten_curve_weights(curve), batten_curve_knots(curve), out);
     bat_release(points);
     return status;

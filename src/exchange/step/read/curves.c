@@ -35,7 +35,8 @@ batten_status bat_step_polyline(const bat_step_reading *reading,
             knots[i] = bat_min_int(bat_max_int(i - 1, 0), count - 1);
         status = bat_step_blame(
             reading->file, instance,
-            batten_curve_create(reading->dimension, 1, count, points, NULL, knots, out));
+            batten_curve_create((batten_points){reading->dimension, count, points}, 1, NULL,
+                                knots, out));
     }
     bat_input_release(input, (size_t)count * (size_t)reading->dimension, sizeof *points,
                       points);

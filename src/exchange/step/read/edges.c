@@ -305,7 +305,8 @@ static batten_status make_straight(bat_step_topology *t, const bat_step_instance
     memcpy(points, bat_step_vertex_point(t, a), 3 * sizeof *points);
     memcpy(points + 3, bat_step_vertex_point(t, b), 3 * sizeof *points);
     e.source.instance = e.source.geometry = bat_step_index(t->file, from);
-    batten_status status = batten_curve_create(3, 1, 2, points, NULL, knots, &e.curve);
+    batten_status status =
+        batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, &e.curve);
     if (status == BATTEN_OK)
         status = put_edge(t, &e, index);
     batten_curve_unref(e.curve);

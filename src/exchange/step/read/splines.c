@@ -257,10 +257,10 @@ batten_status bat_step_spline_curve(const bat_step_reading *reading,
     if (status == BATTEN_OK)
         status = curve_weights(reading, instance, &p, count, &weights);
     if (status == BATTEN_OK)
-        status = bat_step_blame(file, instance,
-                                batten_curve_create(reading->dimension, degree, count, points,
-                                                    weights_that_matter((size_t)count, weights),
-                                                    knots, out));
+        status = bat_step_blame(
+            file, instance,
+            batten_curve_create((batten_points){reading->dimension, count, points}, degree,
+                                weights_that_matter((size_t)count, weights), knots, out));
     release(file->input, reading->dimension * count, points);
     release(file->input, count, weights);
     release_knots(file->input, count, degree, knots);

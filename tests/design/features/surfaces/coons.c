@@ -132,8 +132,8 @@ TEST(a_coons_patch_along_surfaces_joins_them_smoothly)
         batten_vec3 n, m;
         const double u = i / 20.0;
         for (int k = 0; k < 2; k++) {
-            CHECK_OK(batten_surface_normal(patch, u, k, &n, NULL));
-            CHECK_OK(batten_surface_normal(k ? deck : side, u, k ? 0 : 1, &m, NULL));
+            CHECK_OK(batten_surface_normal(patch, u, k, NULL, &n));
+            CHECK_OK(batten_surface_normal(k ? deck : side, u, k ? 0 : 1, NULL, &m));
             CHECK_NEAR(fabs(n.x * m.x + n.y * m.y + n.z * m.z), 1, 1e-9);
         }
     }

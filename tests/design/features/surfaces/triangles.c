@@ -155,7 +155,7 @@ TEST(a_triangle_patch_goes_on_from_the_surfaces_beside_it)
                 CHECK_OK(batten_surface_evaluate(surface, i / 10.0, j / 10.0, 0, p));
                 const double radius = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
                 CHECK_NEAR(radius, 1, m == 0 ? 0.07 : m == 1 ? 0.05 : 0.02);
-                CHECK_OK(batten_surface_normal(surface, i / 10.0, j / 10.0, &n, NULL));
+                CHECK_OK(batten_surface_normal(surface, i / 10.0, j / 10.0, NULL, &n));
                 const double facing = fabs(n.x * p[0] + n.y * p[1] + n.z * p[2]) / radius;
                 CHECK_NEAR(facing, 1, i == 10 || j == 0 || j == 10 ? 1e-5 : 0.02);
             }
@@ -188,8 +188,8 @@ TEST(a_triangle_patch_goes_on_from_bezier_triangles)
         CHECK_OK(batten_surface_evaluate(patch, 1, at[2], 0, q));
         for (int c = 0; c < 3; c++)
             CHECK_NEAR(q[c], p[c], 1e-3);
-        CHECK_OK(batten_triangles_normal(sail, 0, at, &m, NULL));
-        CHECK_OK(batten_surface_normal(patch, 1, at[2], &n, NULL));
+        CHECK_OK(batten_triangles_normal(sail, 0, at, NULL, &m));
+        CHECK_OK(batten_surface_normal(patch, 1, at[2], NULL, &n));
         CHECK_NEAR(fabs(m.x * n.x + m.y * n.y + m.z * n.z), 1, 1e-4);
     }
     batten_design_free(design);

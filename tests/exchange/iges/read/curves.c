@@ -45,7 +45,7 @@ TEST(an_arc_runs_counter_clockwise_and_one_that_ends_where_it_begins_is_a_circle
         batten_model *model = read_curve(&file, "");
         const batten_curve *curve = batten_model_object(model, 0)->curve;
         double length = 0;
-        CHECK_OK(batten_curve_length(curve, 1e-10, &length, NULL));
+        CHECK_OK(batten_curve_length(curve, 1e-10, NULL, &length));
         CHECK_NEAR(length, cases[i].length * 3.14159265358979323846, 1e-9);
         check_point(curve, 1, cases[i].end[0], cases[i].end[1], cases[i].end[2]);
         batten_model_unref(model);
@@ -71,7 +71,7 @@ TEST(a_composite_is_one_curve_through_its_members_also_nested_and_moved)
     batten_model *model = read_curve(&file, "");
     const batten_curve *curve = batten_model_object(model, 0)->curve;
     double length = 0;
-    CHECK_OK(batten_curve_length(curve, 1e-10, &length, NULL));
+    CHECK_OK(batten_curve_length(curve, 1e-10, NULL, &length));
     CHECK_NEAR(length, 1 + 3.14159265358979323846 / 2 + 4, 1e-9);
     check_point(curve, 0, 0, 0, 3);
     check_point(curve, 1, 2, 5, 3);
@@ -333,7 +333,7 @@ TEST(curves_of_another_program_have_the_length_that_open_cascade_finds)
     for (int i = 0; i < 8; i++)
         if (batten_model_object(model, i)->curve) {
             CHECK_OK(
-                batten_curve_length(batten_model_object(model, i)->curve, 1e-8, &length, NULL));
+                batten_curve_length(batten_model_object(model, i)->curve, 1e-8, NULL, &length));
             sum += length;
         }
     CHECK_INT(batten_model_object(model, 6)->point_count, 5);

@@ -59,7 +59,8 @@ TEST(a_periodic_curve_is_written_clamped)
 {
     const double points[] = {0, 0, 2, 0, 2, 2, 0, 2}, knots[] = {0, 1, 2, 3, 4};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create_periodic(2, 3, 4, points, NULL, knots, &curve));
+    CHECK_OK(
+        batten_curve_create_periodic((batten_points){2, 4, points}, 3, NULL, knots, &curve));
     batten_model *model = model_with(curve, 1), *back = round_trip(model);
     const batten_curve *read = batten_model_object(back, 0)->curve;
     CHECK(batten_curve_is_clamped(read));
@@ -98,7 +99,7 @@ TEST(N5_minus_0_and_denormal_numbers_pass_through_IGES)
     const double points[] = {-0.0, 4.9e-324, 1e-300, 1e300, -2.2250738585072014e-308, 0.1};
     const double knots[] = {-0.0, -0.0, 1e-310, 1e-310};
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, &curve));
     batten_model *model = model_with(curve, 1), *back = round_trip(model);
     check_same_model(model, back);
     batten_model_unref(back);

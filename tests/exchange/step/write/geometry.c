@@ -6,7 +6,7 @@ static const char *text_of_curve(const double *weights)
     const double knots[] = {0, 0, 0, 0.5, 1, 1, 1};
     batten_curve *curve = NULL;
     batten_model *model = NULL;
-    CHECK_OK(batten_curve_create(3, 2, 4, points, weights, knots, &curve));
+    CHECK_OK(batten_curve_create((batten_points){3, 4, points}, 2, weights, knots, &curve));
     CHECK_OK(batten_model_create(0.001, &model));
     add_curve(model, "keel", curve);
     const char *text = step_text(model, NULL);
