@@ -12,10 +12,15 @@ endif()
 
 install(TARGETS ${parts} EXPORT batten-targets)
 install(EXPORT batten-targets NAMESPACE batten:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/batten)
+set(BATTEN_SHARED ${BUILD_SHARED_LIBS})
 configure_package_config_file(cmake/batten-config.cmake.in ${PROJECT_BINARY_DIR}/batten-config.cmake
     INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/batten)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/batten-config-version.cmake
-    COMPATIBILITY SameMajorVersion)
+# Before 1.0 a program asks for the minor version it was written for.
+set(compatibility SameMajorVersion)
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+    set(compatibility SameMinorVersion)
+endif()
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/batten-config-version.cmake COMPATIBILITY ${compatibility})
 install(FILES ${PROJECT_BINARY_DIR}/batten-config.cmake ${PROJECT_BINARY_DIR}/batten-config-version.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/batten)
 
@@ -33,16 +38,24 @@ install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/batten)
 
 # The pkg-config files find their prefix from where they are, so that an installed tree may be moved.
 file(RELATIVE_PATH to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
-function(batten_pkgconfig name description requires)
+# What a library uses inside is for static linking alone; where there are no shared libraries, always.
+function(batten_pkgconfig name description requires private private_links)
+    set(links)
+    if(NOT BUILD_SHARED_LIBS)
+        string(APPEND requires " ${private}")
+        set(links " ${private_links}")
+        set(private)
+        set(private_links)
+    endif()
     configure_file(cmake/batten.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
     install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
-batten_pkgconfig(batten "${PROJECT_DESCRIPTION}" "")
+batten_pkgconfig(batten "${PROJECT_DESCRIPTION}" "" "" "-lm ${CMAKE_THREAD_LIBS_INIT}")
 if(BATTEN_PICTURE)
-    batten_pkgconfig(batten-picture "Drawings and shaded pictures of Batten's shapes" "batten")
+    batten_pkgconfig(batten-picture "Drawings and shaded pictures of Batten's shapes" "batten" "cairo" "-lm")
 endif()
 if(BATTEN_DESIGN)
-    batten_pkgconfig(batten-design "Batten's design documents" "batten batten-picture")
+    batten_pkgconfig(batten-design "Batten's design documents" "batten batten-picture" "yaml-0.1" "-lm")
 endif()
 
 if(TARGET batten-command)

@@ -9,5 +9,22 @@ target_compile_options(batten_warnings INTERFACE
     $<$<NOT:$<BOOL:$<TARGET_PROPERTY:BATTEN_IS_TEST>>>:-Wconversion>
     # clang calls INFINITY and NAN floats that are promoted; gcc knows better.
     $<$<AND:$<C_COMPILER_ID:GNU>,$<NOT:$<BOOL:$<TARGET_PROPERTY:BATTEN_IS_TEST>>>>:-Wdouble-promotion>
+    # What ships does not tell in which folder it was built, so that a build elsewhere has the same bytes.
+    $<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=>
     $<$<BOOL:${BATTEN_WERROR}>:-Werror>)
+
+# On 32-bit Intel the x87 registers round to 64 bits at some places and to 53 at others: not our promise.
+include(CheckCSourceCompiles)
+set(narrow "#include <float.h>\n_Static_assert(FLT_EVAL_METHOD == 0, \"x87\");int main(void) { return 0; }")
+check_c_source_compiles("${narrow}" BATTEN_DOUBLES_ARE_DOUBLES)
+if(NOT BATTEN_DOUBLES_ARE_DOUBLES)
+    set(CMAKE_REQUIRED_FLAGS "-msse2 -mfpmath=sse")
+    check_c_source_compiles("${narrow}" BATTEN_DOUBLES_BY_SSE)
+    unset(CMAKE_REQUIRED_FLAGS)
+    if(NOT BATTEN_DOUBLES_BY_SSE)
+        message(FATAL_ERROR "This processor or compiler computes doubles with more bits than they have (FLT_EVAL_METHOD "
+            "is not 0); Batten promises the same bits everywhere, so it cannot be built here.")
+    endif()
+    target_compile_options(batten_warnings INTERFACE -msse2 -mfpmath=sse)
+endif()
 set(CMAKE_C_EXTENSIONS OFF)
