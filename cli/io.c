@@ -1,13 +1,11 @@
-#define _XOPEN_SOURCE 700
 #include "command.h"
 #include "select.h"
+#include "system.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 /* Does the text end so? */
 static bool ends(const char *text, const char *end)
@@ -68,7 +66,7 @@ void notes_json(batten_text *text, const batten_notes *notes)
 
 static bool is_there(const char *file)
 {
-    return strcmp(file, "-") == 0 || access(file, F_OK) == 0;
+    return strcmp(file, "-") == 0 || system_exists(file);
 }
 
 batten_status input_split(const char *argument, char **file, const char **name)
@@ -182,25 +180,23 @@ void input_add(batten_text *text, const char *argument)
 
 /* ---- output ---- */
 
-/* The file that is read; false when there is none. */
-static bool stat_input(const char *input, struct stat *found)
+/* Is that the file that is read? */
+static bool is_input(const char *input, const char *output)
 {
     char *file = NULL;
     const char *name;
     if (strcmp(input, "-") == 0)
-        return fstat(STDIN_FILENO, found) == 0;
-    const bool is_found =
-        input_split(input, &file, &name) == BATTEN_OK && stat(file, found) == 0;
+        return system_is_same_file(output, NULL);
+    const bool same =
+        input_split(input, &file, &name) == BATTEN_OK && system_is_same_file(output, file);
     batten_release(file);
-    return is_found;
+    return same;
 }
 
 bool output_is_input(const char *of, const char *input, const char *output)
 {
-    struct stat from, to;
     /* Nothing is lost by writing to a terminal or another device. */
-    if (strcmp(output, "-") == 0 || stat(output, &to) != 0 || !S_ISREG(to.st_mode) ||
-        !stat_input(input, &from) || from.st_dev != to.st_dev || from.st_ino != to.st_ino)
+    if (strcmp(output, "-") == 0 || !is_input(input, output))
         return false;
     complain("batten %s: '%s' is the file that is read, and would be overwritten; give "
              "another name",

@@ -26,12 +26,15 @@ for folder in src/shape/*; do
 "
 done
 for folder in picture design; do
-    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|plural|list|sort|arena)\.h\"|numeric/(vector|box)\.h\")")"
+    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|plural|list|sort|arena|system)\.h\"|numeric/(vector|box)\.h\")")"
 done
 for folder in cli studio examples; do
     [ -d "$folder" ] || continue
     bad="$bad$(includes "$folder" | grep -E "\"(base|numeric|spline|inspect|shape|fair|body|mesh|model|exchange|picture|design)/|\.\./")"
 done
+# The operating system has one door: src/base/system behind base/system.h, and system.c of the command.
+system='^ *# *include *<(unistd|pthread|threads|fcntl|locale|xlocale|dirent|signal|poll|time|windows|io|process|sys/[a-z]+)\.h>'
+bad="$bad$(grep -rnE "$system" src include cli --include='*.[ch]' | grep -vE '^(src/base/system/|cli/system\.c:)')"
 bad="$bad$(find include -name '*.h' -exec grep -nH '^ *# *include *"' {} +)"
 
 if [ -n "$bad" ]; then

@@ -1,5 +1,5 @@
-#define _XOPEN_SOURCE 700
 #include "commands/results.h"
+#include "system.h"
 
 #include <batten/design.h>
 #include <batten/text.h>
@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 static const option options[] = {
     {"output", 'o', OPTION_VALUE, "DIR",
@@ -89,11 +88,8 @@ static char *output_folder(const arguments *given)
 
 static batten_status make_folder(const char *folder)
 {
-    struct stat found;
-    if (mkdir(folder, 0777) == 0)
-        return BATTEN_OK;
-    const int error = errno;
-    if (error == EEXIST && stat(folder, &found) == 0 && S_ISDIR(found.st_mode))
+    const int error = system_make_folder(folder);
+    if (error == 0)
         return BATTEN_OK;
     if (error == EEXIST || error == ENOTDIR)
         return batten_fail(BATTEN_FILE_ERROR,

@@ -84,7 +84,7 @@ static inline batten_status bat_take_options(const char *type, const void *given
     return BATTEN_OK;
 }
 
-/* vsnprintf in the C locale, whatever the locale of the process. */
+/* vsnprintf in the C locale, whatever the locale of the process (base/system). */
 int bat_format(char *buffer, size_t size, const char *format, va_list arguments)
     __attribute__((format(printf, 3, 0)));
 

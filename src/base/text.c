@@ -1,24 +1,11 @@
-#define _XOPEN_SOURCE 700
 #include "base/base.h"
+#include "base/system.h"
 #include <batten/text.h>
 
-#include <locale.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
-
-int bat_format(char *buffer, size_t size, const char *format, va_list arguments)
-{
-    const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    const locale_t before = c ? uselocale(c) : (locale_t)0;
-    const int length = vsnprintf(buffer, size, format, arguments);
-    if (c) {
-        uselocale(before);
-        freelocale(c);
-    }
-    return length;
-}
 
 /* Room for `more` bytes and the final zero. */
 static bool make_room(batten_text *text, size_t more)

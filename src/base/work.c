@@ -1,9 +1,8 @@
-#define _XOPEN_SOURCE 700
 #include "base/work.h"
+#include "base/system.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 /* ---- chunks on threads ---- */
 
@@ -17,28 +16,28 @@ typedef struct {
     void *context;
     atomic_size_t next;  /* the first piece that nobody has taken */
     atomic_bool stopped; /* a piece failed, or the caller cancelled */
-    pthread_mutex_t lock;
+    atomic_flag lock;
     size_t failed; /* the first piece that failed, and its failure */
     batten_status status;
     char message[1024];
 } crew;
 
-static int create_thread(pthread_t *thread, void *(*run)(void *), void *user)
+/* Held for the few instructions in which a failure is noted. */
+static void lock_failure(crew *all)
 {
-    return pthread_create(thread, NULL, run, user);
+    while (atomic_flag_test_and_set_explicit(&all->lock, memory_order_acquire))
+        continue;
 }
-
-int (*bat_create_thread)(pthread_t *thread, void *(*run)(void *), void *user) = create_thread;
 
 static void keep_failure(crew *all, size_t piece, batten_status status)
 {
-    pthread_mutex_lock(&all->lock);
+    lock_failure(all);
     if (all->status == BATTEN_OK || piece < all->failed) {
         all->status = status;
         all->failed = piece;
         snprintf(all->message, sizeof all->message, "%s", batten_message());
     }
-    pthread_mutex_unlock(&all->lock);
+    atomic_flag_clear_explicit(&all->lock, memory_order_release);
     atomic_store(&all->stopped, true);
 }
 
@@ -72,7 +71,7 @@ static int wanted_threads(const batten_job *job, size_t piece_count)
 {
     long wanted = job->thread_count;
     if (wanted == 0)
-        wanted = sysconf(_SC_NPROCESSORS_ONLN);
+        wanted = bat_processor_count();
     if (wanted > MOST_THREADS)
         wanted = MOST_THREADS;
     if (wanted > 1 && (size_t)wanted > piece_count)
@@ -91,17 +90,16 @@ batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat
                 .piece_count = count / size + (count % size != 0),
                 .chunk = chunk,
                 .context = context,
-                .lock = PTHREAD_MUTEX_INITIALIZER};
-    pthread_t threads[MOST_THREADS];
+                .lock = ATOMIC_FLAG_INIT};
+    bat_thread threads[MOST_THREADS];
     const int wanted = wanted_threads(all.job, all.piece_count) - 1;
     int helpers = 0;
     /* Where the system gives no more threads, those there are do the work. */
-    while (helpers < wanted && bat_create_thread(&threads[helpers], run_thread, &all) == 0)
+    while (helpers < wanted && bat_thread_start(&threads[helpers], run_thread, &all))
         helpers++;
     take_pieces(&all, true);
     for (int i = 0; i < helpers; i++)
-        pthread_join(threads[i], NULL);
-    pthread_mutex_destroy(&all.lock);
+        bat_thread_wait(threads[i]);
     return all.status == BATTEN_OK ? BATTEN_OK : bat_fail(all.status, "%s", all.message);
 }
 

@@ -3,7 +3,6 @@
 #define BAT_WORK_H
 #include "base/base.h"
 #include <batten/base.h>
-#include <pthread.h>
 
 /* Work on items begin .. end - 1. Chunks share nothing that they write. */
 typedef batten_status (*bat_chunk)(void *context, size_t begin, size_t end);
@@ -15,9 +14,6 @@ typedef batten_status (*bat_chunk)(void *context, size_t begin, size_t end);
  * pieces. Memory of the chunks comes from the caller or is theirs; no state is kept. */
 batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat_chunk chunk,
                            void *context);
-
-/* How a thread is begun; written by tests alone. */
-extern int (*bat_create_thread)(pthread_t *thread, void *(*run)(void *), void *user);
 
 /* The work of one call: begins with {job}; NULL job is fine. */
 typedef struct {

@@ -1,11 +1,10 @@
-#define _XOPEN_SOURCE 700
+#include "base/system.h"
 #include "design/text/document.h"
 #include "design/text/edit.h"
 
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 /* Of an output when it was last made. */
 typedef struct {
@@ -324,13 +323,6 @@ static batten_job watched_job(watch *w)
     return job;
 }
 
-static double seconds_now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* ---- evaluation ---- */
 
 /* Put the place and the feature before the message of the last failure. */
@@ -389,7 +381,7 @@ static batten_status run_feature(state *s, int i, const batten_job *job, batten_
     bat_run run = begin_run(s, entry, job, notes);
     release_result(result);
     run.result = result;
-    const double begin = seconds_now();
+    const double begin = batten_system_seconds();
     batten_status status = batten_model_create(s->document.unit_metres, &run.model);
     if (status == BATTEN_OK)
         status = entry->feature->run(&run);
@@ -410,7 +402,7 @@ static batten_status run_feature(state *s, int i, const batten_job *job, batten_
         status = fail_at(&s->document, entry, status, notes);
     }
     result->shown.status = status;
-    result->shown.seconds = seconds_now() - begin;
+    result->shown.seconds = batten_system_seconds() - begin;
     settle(entry, result);
     return status;
 }

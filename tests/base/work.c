@@ -1,4 +1,5 @@
 #include "base/work.h"
+#include "base/system.h"
 
 #include "support/test.h"
 
@@ -56,23 +57,25 @@ TEST(the_first_failing_piece_speaks_in_the_calling_thread)
 
 static int threads_left;
 
-static int scarce_threads(pthread_t *thread, void *(*run)(void *), void *user)
+static bool (*real_start)(bat_thread *thread, bat_thread_body body, void *user);
+
+static bool scarce_threads(bat_thread *thread, bat_thread_body body, void *user)
 {
-    return threads_left-- > 0 ? pthread_create(thread, NULL, run, user) : 11;
+    return threads_left-- > 0 && real_start(thread, body, user);
 }
 
 TEST(where_threads_are_scarce_fewer_do_the_work)
 {
     double alone[COUNT_ITEMS], few[COUNT_ITEMS];
     CHECK_OK(bat_parallel(NULL, COUNT_ITEMS, 10, fill, alone));
-    int (*before)(pthread_t *, void *(*)(void *), void *) = bat_create_thread;
+    real_start = bat_thread_start;
     for (int given = 0; given < 3; given++) {
         threads_left = given;
-        bat_create_thread = scarce_threads;
+        bat_thread_start = scarce_threads;
         batten_job job = BATTEN_JOB;
         job.thread_count = 8;
         const batten_status status = bat_parallel(&job, COUNT_ITEMS, 10, fill, few);
-        bat_create_thread = before;
+        bat_thread_start = real_start;
         CHECK_INT(status, BATTEN_OK);
         CHECK(memcmp(alone, few, sizeof alone) == 0);
     }

@@ -1,9 +1,6 @@
-#define _XOPEN_SOURCE 700
+#include "base/system.h"
 #include "design/text/document.h"
 
-#include <errno.h>
-#include <limits.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* "../x", "a/../../x", "/x". */
@@ -55,14 +52,16 @@ static const char *shown(const char *path, char text[256])
     return text;
 }
 
-/* The real path, in `out` [PATH_MAX]. */
-static batten_status resolve(const char *path, char *out)
+/* The real path, given back with bat_release. */
+static batten_status resolve(const char *path, char **out)
 {
-    if (realpath(path, out))
-        return BATTEN_OK;
+    const char *reason;
     char text[256];
-    return bat_fail(BATTEN_FILE_ERROR, "%s: %s", shown(path, text),
-                    errno == ENOENT ? "there is no such file" : strerror(errno));
+    *out = batten_system_real_path(path, &reason);
+    if (*out)
+        return BATTEN_OK;
+    return reason ? bat_fail(BATTEN_FILE_ERROR, "%s: %s", shown(path, text), reason)
+                  : BATTEN_OUT_OF_MEMORY;
 }
 
 static bool is_below(const char *folder, const char *path)
@@ -82,16 +81,14 @@ static batten_status fail_outside(const char *path, const char *how)
 
 static batten_status check_below(const char *folder, const char *path)
 {
-    char *real = bat_array(2, PATH_MAX);
-    if (!real)
-        return BATTEN_OUT_OF_MEMORY;
-    char *real_path = real + PATH_MAX;
-    batten_status status = resolve(folder, real);
+    char *real = NULL, *real_path = NULL;
+    batten_status status = resolve(folder, &real);
     if (status == BATTEN_OK)
-        status = resolve(path, real_path);
+        status = resolve(path, &real_path);
     if (status == BATTEN_OK && !is_below(real, real_path))
         status = fail_outside(path, " through a link");
     bat_release(real);
+    bat_release(real_path);
     return status;
 }
 

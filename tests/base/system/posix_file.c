@@ -1,6 +1,6 @@
 #define _XOPEN_SOURCE 700
-#include "base/file.h"
-#include "base/strays.h"
+#include "base/system/posix_file.h"
+#include "base/system/posix_strays.h"
 
 #include "support/test.h"
 #include <dirent.h>

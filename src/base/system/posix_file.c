@@ -1,8 +1,11 @@
+/* Loading a file whole, and saving one so that it is complete or as it was, on POSIX systems. */
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE /* madvise */
-#include "base/file.h"
+#include "base/system.h"
+#if BAT_SYSTEM == BAT_SYSTEM_POSIX
 #include "base/base.h"
-#include "base/strays.h"
+#include "base/system/posix_file.h"
+#include "base/system/posix_strays.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -463,3 +466,5 @@ batten_status batten_save_file(const char *path, const char *data, size_t size)
     bat_release(save.folder);
     return status;
 }
+
+#endif

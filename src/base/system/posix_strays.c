@@ -1,6 +1,9 @@
+/* Temporary files that killed processes left behind: finding and removing them. POSIX systems. */
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE /* flock */
-#include "base/strays.h"
+#include "base/system.h"
+#if BAT_SYSTEM == BAT_SYSTEM_POSIX
+#include "base/system/posix_strays.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -52,3 +55,5 @@ void bat_remove_strays(const char *folder, char *temporary, char *suffix)
     if (directory)
         closedir(directory);
 }
+
+#endif

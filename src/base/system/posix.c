@@ -1,0 +1,78 @@
+/* Threads, processors, the clock, real paths and the C locale on POSIX systems. */
+#define _XOPEN_SOURCE 700
+#include "base/system.h"
+#if BAT_SYSTEM == BAT_SYSTEM_POSIX
+#include "base/base.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <locale.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+/* ---- threads ---- */
+
+_Static_assert(sizeof(pthread_t) <= sizeof(uintptr_t), "a thread must fit into its handle");
+
+static bool start_thread(bat_thread *thread, bat_thread_body body, void *user)
+{
+    pthread_t started;
+    if (pthread_create(&started, NULL, body, user) != 0)
+        return false;
+    memset(thread, 0, sizeof *thread);
+    memcpy(&thread->handle, &started, sizeof started);
+    return true;
+}
+
+bool (*bat_thread_start)(bat_thread *thread, bat_thread_body body, void *user) = start_thread;
+
+void bat_thread_wait(bat_thread thread)
+{
+    pthread_t started;
+    memcpy(&started, &thread.handle, sizeof started);
+    pthread_join(started, NULL);
+}
+
+int bat_processor_count(void)
+{
+    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count < 1 ? 1 : count > INT_MAX ? INT_MAX : (int)count;
+}
+
+/* ---- text, paths, time ---- */
+
+int bat_format(char *buffer, size_t size, const char *format, va_list arguments)
+{
+    const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    const locale_t before = c ? uselocale(c) : (locale_t)0;
+    const int length = vsnprintf(buffer, size, format, arguments);
+    if (c) {
+        uselocale(before);
+        freelocale(c);
+    }
+    return length;
+}
+
+double batten_system_seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec; /* nanoseconds */
+}
+
+char *batten_system_real_path(const char *path, const char **reason)
+{
+    *reason = NULL;
+    char *real = bat_array(PATH_MAX, 1);
+    if (!real || realpath(path, real))
+        return real;
+    *reason = errno == ENOENT ? "there is no such file" : strerror(errno);
+    bat_release(real);
+    return NULL;
+}
+
+#endif
