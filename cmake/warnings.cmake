@@ -27,4 +27,8 @@ if(NOT BATTEN_DOUBLES_ARE_DOUBLES)
     endif()
     target_compile_options(batten_warnings INTERFACE -msse2 -mfpmath=sse)
 endif()
+if(MINGW)
+    # The printf of C99, not that of the system.
+    target_compile_definitions(batten_warnings INTERFACE __USE_MINGW_ANSI_STDIO=1)
+endif()
 set(CMAKE_C_EXTENSIONS OFF)

@@ -18,7 +18,11 @@ extern "C" {
 
 #if defined(__GNUC__)
 #define BATTEN_API __attribute__((visibility("default")))
+#ifdef __MINGW32__ /* its plain printf is that of an old Windows, without %zu */
+#define BATTEN_PRINTF(text, first) __attribute__((format(gnu_printf, text, first)))
+#else
 #define BATTEN_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#endif
 #else
 #define BATTEN_API
 #define BATTEN_PRINTF(text, first)

@@ -86,7 +86,7 @@ static inline batten_status bat_take_options(const char *type, const void *given
 
 /* vsnprintf in the C locale, whatever the locale of the process (base/system). */
 int bat_format(char *buffer, size_t size, const char *format, va_list arguments)
-    __attribute__((format(printf, 3, 0)));
+    BATTEN_PRINTF(3, 0);
 
 /* How many bytes the UTF-8 character at `text` has; 0 at the end and where there is none. Reads
  * no byte after a zero. */

@@ -5,10 +5,9 @@
 #ifndef BAT_DECIMAL_H
 #define BAT_DECIMAL_H
 #include "base/base.h"
+#include "base/wide.h"
 
 #include <stdint.h>
-
-__extension__ typedef unsigned __int128 bat_wide;
 
 /* ---- powers of ten ---- */
 
@@ -39,14 +38,17 @@ static inline bat_power bat_power_of_ten(int k)
     assert(k >= BAT_LOWEST_POWER && k <= BAT_HIGHEST_POWER);
     const int j = (k - BAT_LOWEST_POWER) / 27, i = (k - BAT_LOWEST_POWER) % 27;
     const uint64_t five = bat_fives[i];
-    const bat_wide low = (bat_wide)bat_coarse_powers[j][2] * five;
-    const bat_wide middle = (bat_wide)bat_coarse_powers[j][1] * five + (uint64_t)(low >> 64);
-    const bat_wide high = (bat_wide)bat_coarse_powers[j][0] * five + (uint64_t)(middle >> 64);
-    const int shift =
-        __builtin_clzll((uint64_t)(high >> 64 ? high >> 64 : high)) + (high >> 64 ? 0 : 64);
-    const bat_wide top =
-        high << shift | (uint64_t)middle >> (64 - shift); /* 1 <= shift <= 64 */
-    return (bat_power){(uint64_t)(top >> 64), (uint64_t)top, bat_floor_log2_of_power(k) - 127,
+    const bat_wide low = bat_wide_product(bat_coarse_powers[j][2], five);
+    const bat_wide middle = bat_wide_add(bat_wide_product(bat_coarse_powers[j][1], five),
+                                         bat_wide_of(0, bat_wide_high(low)));
+    const bat_wide high = bat_wide_add(bat_wide_product(bat_coarse_powers[j][0], five),
+                                       bat_wide_of(0, bat_wide_high(middle)));
+    const uint64_t first = bat_wide_high(high);
+    const int shift = __builtin_clzll(first ? first : bat_wide_low(high)) + (first ? 0 : 64);
+    /* 1 <= shift <= 64 */
+    const bat_wide top = bat_wide_add(bat_wide_left(high, shift),
+                                      bat_wide_of(0, bat_wide_low(middle) >> (64 - shift)));
+    return (bat_power){bat_wide_high(top), bat_wide_low(top), bat_floor_log2_of_power(k) - 127,
                        k >= 0 && k <= 55}; /* 5^55 < 2^128 */
 }
 

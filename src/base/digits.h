@@ -50,7 +50,7 @@ static inline bool bat_quick_double(uint64_t w, int k, uint64_t *bits)
     enum { DROP = 63 - BAT_FRACTION_BITS, HALF = 1 << (DROP - 1), MASK = 2 * HALF - 1 };
     const int shift = __builtin_clzll(w);
     const uint64_t product =
-        (uint64_t)(((bat_wide)(w << shift) * bat_quick_powers[k + BAT_QUICK_POWER]) >> 64);
+        bat_wide_high(bat_wide_product(w << shift, bat_quick_powers[k + BAT_QUICK_POWER]));
     const int short_of = !(product >> 63);
     const uint64_t high = product << short_of;
     /* The true product is above `high` by less than 4: is the half among what it may be? */

@@ -105,17 +105,17 @@ static const char *read_decimal(const char *text, const char *end, decimal *d)
 /* top 2^e, rounded to a double, ties to even. top has at least 126 bits. */
 static uint64_t rounded(bat_wide top, int e)
 {
-    const int last = top >> 127 ? 127 : 126;
+    const int last = bat_wide_high(top) >> 63 ? 127 : 126;
     const int exponent = e + last;
     const int shift = last - BAT_FRACTION_BITS + bat_max_int(0, -1022 - exponent);
     if (exponent > 1023)
         return BAT_INFINITE_BITS;
     if (shift > 128)
         return 0;
-    uint64_t m = shift == 128 ? 0 : (uint64_t)(top >> shift);
-    const bat_wide rest = shift == 128 ? top : top & (((bat_wide)1 << shift) - 1);
-    const bat_wide half = (bat_wide)1 << (shift - 1);
-    m += rest > half || (rest == half && m % 2 == 1);
+    uint64_t m = shift == 128 ? 0 : bat_wide_low(bat_wide_right(top, shift));
+    const bat_wide rest = shift == 128 ? top : bat_wide_rest(top, shift);
+    const int order = bat_wide_compare(rest, bat_wide_left(bat_wide_of(0, 1), shift - 1));
+    m += order > 0 || (order == 0 && m % 2 == 1);
     /* The leading 1 of m adds one to the exponent, and so does a carry. */
     return (exponent < -1022 ? 0 : (uint64_t)(exponent + 1022) << BAT_FRACTION_BITS) + m;
 }
@@ -168,18 +168,20 @@ static uint64_t to_double(const decimal *d)
     const bat_power p = bat_power_of_ten((int)d->last_exponent);
     const int shift = __builtin_clzll(d->leading);
     const uint64_t w = d->leading << shift;
-    const bat_wide low = (bat_wide)w * p.low;
-    const bat_wide top = (bat_wide)w * p.high + (uint64_t)(low >> 64);
+    const bat_wide low = bat_wide_product(w, p.low);
+    const bat_wide top =
+        bat_wide_add(bat_wide_product(w, p.high), bat_wide_of(0, bat_wide_high(low)));
     const int e = p.exponent + 64 - shift;
 
     /* What the true product may be above `top`: a cut, 2 units of the power, one of the digits.
      */
-    bat_wide above = p.exact && (uint64_t)low == 0 ? 0 : 3;
+    bat_wide above = bat_wide_of(0, p.exact && bat_wide_low(low) == 0 ? 0 : 3);
     if (d->has_more)
-        above += (bat_wide)2 << (64 + shift);
+        above = bat_wide_add(above, bat_wide_of((uint64_t)2 << shift, 0));
     const uint64_t least = rounded(top, e);
-    const bool is_carried = top + above < top;
-    return !is_carried && rounded(top + above, e) == least ? least : decide(d, least);
+    const bat_wide most = bat_wide_add(top, above);
+    const bool is_carried = bat_wide_compare(most, top) < 0;
+    return !is_carried && rounded(most, e) == least ? least : decide(d, least);
 }
 
 /* ---- reading quickly ---- */

@@ -27,35 +27,42 @@ typedef struct {
 
 static product multiply(bat_power p, uint64_t t)
 {
-    const bat_wide low = (bat_wide)t * p.low;
-    return (product){(bat_wide)t * p.high + (uint64_t)(low >> 64), (uint64_t)low};
+    const bat_wide low = bat_wide_product(t, p.low), high = bat_wide_product(t, p.high);
+    return (product){bat_wide_add(high, bat_wide_of(0, bat_wide_high(low))), bat_wide_low(low)};
 }
 
 static product add(product a, product b)
 {
     const uint64_t bottom = a.bottom + b.bottom;
-    return (product){a.top + b.top + (bottom < a.bottom), bottom};
+    const bat_wide carry = bat_wide_of(0, bottom < a.bottom);
+    return (product){bat_wide_add(bat_wide_add(a.top, b.top), carry), bottom};
 }
 
 static product subtract(product a, product b)
 {
-    return (product){a.top - b.top - (a.bottom < b.bottom), a.bottom - b.bottom};
+    const bat_wide carry = bat_wide_of(0, a.bottom < b.bottom);
+    return (product){bat_wide_subtract(bat_wide_subtract(a.top, b.top), carry),
+                     a.bottom - b.bottom};
 }
 
 /* The product by 2^-shift, of which the caller knows that it is below 2^60. */
 static inline scaled split(product t, int shift, bool exact)
 {
-    const bat_wide one = (bat_wide)1 << shift, half = one >> 1, part = t.top & (one - 1);
-    const uint64_t whole = (uint64_t)(t.top >> shift);
+    const bat_wide one = bat_wide_left(bat_wide_of(0, 1), shift), half = bat_wide_right(one, 1);
+    const bat_wide part = bat_wide_rest(t.top, shift);
+    const uint64_t whole = bat_wide_low(bat_wide_right(t.top, shift));
+    const int order = bat_wide_compare(part, half);
 
     /* Not exact: the true part is above `part` by less than 2, one for each cut. */
     if (!exact || t.bottom != 0) {
-        if (part == 0 || part + 2 >= one || (part <= half && part + 2 >= half))
+        const bat_wide above = bat_wide_add(part, bat_wide_of(0, 2));
+        if (bat_wide_is_zero(part) || bat_wide_compare(above, one) >= 0 ||
+            (order <= 0 && bat_wide_compare(above, half) >= 0))
             return (scaled){whole, UNCLEAR};
     }
-    if (part == 0)
+    if (bat_wide_is_zero(part))
         return (scaled){whole, NOTHING};
-    return (scaled){whole, part < half ? BELOW_HALF : part == half ? HALF : ABOVE_HALF};
+    return (scaled){whole, order < 0 ? BELOW_HALF : order == 0 ? HALF : ABOVE_HALF};
 }
 
 /* t 2^e / 10^k by long division, bit by bit. */
@@ -242,13 +249,16 @@ enum { COMMON_POWER = 25 };
 static inline uint64_t shortest_common(uint64_t m, int e, int j)
 {
     const uint64_t unit = bat_fives[j] << (60 + e + j); /* 10^j 2^e is 1 to 10, in 2^60 */
-    const bat_wide x = (bat_wide)(m << 4) * unit, half = (bat_wide)unit << 3;
+    const bat_wide x = bat_wide_product(m << 4, unit), half = bat_wide_product(unit, 8);
     const uint64_t odd = m & 1; /* then the midpoints themselves do not belong */
-    const uint64_t last = (uint64_t)((x + half - odd) >> 64),
-                   before = (uint64_t)((x - half + odd - 1) >> 64);
-    const uint64_t ten = last / 10 * 10, whole = (uint64_t)(x >> 64);
+    const bat_wide shy = bat_wide_subtract(half, bat_wide_of(0, odd));
+    const uint64_t last = bat_wide_high(bat_wide_add(x, shy)),
+                   before = bat_wide_high(
+                       bat_wide_subtract(bat_wide_subtract(x, shy), bat_wide_of(0, 1)));
+    const uint64_t ten = last / 10 * 10, whole = bat_wide_high(x);
     /* Half a unit is closer than the midpoints: rounding cannot leave the interval. */
-    const uint64_t nearest = (uint64_t)((x + (((uint64_t)1 << 63) - 1 + (whole & 1))) >> 64);
+    const uint64_t nearest =
+        bat_wide_high(bat_wide_add(x, bat_wide_of(0, ((uint64_t)1 << 63) - 1 + (whole & 1))));
     return ten > before ? ten : nearest;
 }
 

@@ -60,3 +60,48 @@ TEST(parts_never_run_out)
     }
     CHECK(bat_exact_sign(&sum) != 0);
 }
+
+/* The sum of the parts, each of which is a whole number below 2^107. */
+static wide whole_sum(const bat_exact *a)
+{
+    wide sum = 0;
+    for (int i = 0; i < a->count; i++)
+        sum += (wide)a->part[i];
+    return sum;
+}
+
+TEST(a_product_of_doubles_has_all_its_106_bits)
+{
+    test_random random = test_random_begin("products");
+    for (int n = test_cases(100000); n > 0; n--) {
+        const int64_t a =
+            (int64_t)(test_random_bits(&random) >> test_random_int(&random, 11, 40));
+        const int64_t b =
+            -(int64_t)(test_random_bits(&random) >> test_random_int(&random, 11, 40));
+        const bat_exact factor = bat_exact_difference((double)a, 0);
+        bat_exact product = {.count = 0};
+        bat_exact_add(&product, (double)b, &factor);
+        CHECK(whole_sum(&product) == (wide)a * b);
+    }
+}
+
+TEST(a_product_has_the_same_parts_at_every_size)
+{
+    test_random random = test_random_begin("sizes");
+    for (int n = test_cases(10000); n > 0; n--) {
+        const double a = test_random_in(&random, 1, 2), b = test_random_in(&random, 1, 2);
+        /* All of the product stays within the doubles: 2^-1074 to 2^1023. */
+        const int up_a = test_random_int(&random, -1000, 1022), least = -965 - up_a,
+                  most = 1021 - up_a;
+        const int up_b =
+            test_random_int(&random, least > -1000 ? least : -1000, most < 1022 ? most : 1022);
+        const bat_exact plain = bat_exact_difference(a, 0),
+                        large = bat_exact_difference(ldexp(a, up_a), 0);
+        bat_exact product = {.count = 0}, moved = {.count = 0};
+        bat_exact_add(&product, b, &plain);
+        bat_exact_add(&moved, ldexp(b, up_b), &large);
+        CHECK_INT(moved.count, product.count);
+        for (int i = 0; i < product.count; i++)
+            CHECK_BITS(moved.part[i], ldexp(product.part[i], up_a + up_b));
+    }
+}
