@@ -4,6 +4,22 @@
  * @file
  * Everything of libbatten. Two libraries have headers of their own: libbatten-picture
  * <batten/picture.h>, libbatten-design <batten/design.h>.
+ *
+ * What holds for all of it:
+ *
+ * - A call that fails leaves its outputs as they were. What may be filled in all the same, its
+ *   type says: a struct named `..._report` or `..._measures` tells how far the call came. Where
+ *   that happens, the function says with which statuses.
+ * - Options are structs that begin with their own `size`, which their defaults set. New fields
+ *   are added at the end only. A program that was compiled when the struct was shorter keeps
+ *   working: it gets the defaults for what it does not know. A struct longer than the library's,
+ *   from a newer header, is BATTEN_BAD_ARGUMENT, as is a size that nobody set; so always start
+ *   from the defaults:
+ *
+ *       batten_mesh_options options = batten_mesh_defaults();
+ *       options.angle = 0.1;
+ *
+ *   NULL instead of options asks for the defaults, where some make sense.
  */
 #include <batten/approximate.h>
 #include <batten/arcs.h>

@@ -276,18 +276,20 @@ batten_status bat_model_meshed(const batten_model *model, unsigned kinds,
                  .left = chosen.most,
                  .job = job,
                  .notes = notes};
+    batten_model *made = NULL;
     batten_status status =
-        bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, out);
+        bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, &made);
     bool any = false;
     for (size_t i = 0; i < m.count; i++) {
         any = any || m.done[i].mesh;
         batten_mesh_unref(m.done[i].mesh);
     }
-    if (status == BATTEN_OK && !any && *m.too_large) {
-        batten_model_unref(*out);
-        *out = NULL;
+    if (status == BATTEN_OK && !any && *m.too_large)
         status = bat_fail(BATTEN_TOO_LARGE, "%s", m.too_large);
-    }
+    if (status == BATTEN_OK)
+        *out = made;
+    else
+        batten_model_unref(made);
     bat_release(m.done);
     bat_addresses_end(&m.addresses);
     return status;

@@ -176,16 +176,13 @@ batten_status batten_surface_coons_grid(batten_grid points,
                                         const batten_surface_coons_network_options *options,
                                         batten_uv_out uv, batten_surface **out)
 {
+    assert(points.at && out);
     batten_surface_coons_network_options chosen = batten_surface_coons_network_defaults();
     batten_status status =
         BAT_TAKE_OPTIONS(batten_surface_coons_network_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    options = &chosen;
-    const batten_surface_coons_network_options standard =
-        batten_surface_coons_network_defaults();
-    assert(points.at && out);
-    grid g = {.options = options ? options : &standard,
+    grid g = {.options = &chosen,
               .dimension = points.dimension,
               .count = {points.count_u, points.count_v},
               .points = points.at};

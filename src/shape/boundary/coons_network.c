@@ -311,16 +311,13 @@ batten_status batten_surface_coons_network(const batten_curve_net *given,
                                            const batten_surface_coons_network_options *options,
                                            double *gap, batten_surface **out)
 {
+    assert(given->u && given->v && given->along_u && given->along_v && out);
     batten_surface_coons_network_options chosen = batten_surface_coons_network_defaults();
     batten_status status =
         BAT_TAKE_OPTIONS(batten_surface_coons_network_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    options = &chosen;
-    const batten_surface_coons_network_options standard =
-        batten_surface_coons_network_defaults();
-    assert(given->u && given->v && given->along_u && given->along_v && out);
-    network net = {.options = options ? options : &standard,
+    network net = {.options = &chosen,
                    .count = {given->count_u, given->count_v},
                    .at = {given->u, given->v},
                    .curves = {given->along_u, given->along_v}};

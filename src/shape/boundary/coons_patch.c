@@ -407,7 +407,7 @@ batten_status batten_surface_coons(const batten_ribbon sides[4],
     status = build_patch(p, &made);
     if (status == BATTEN_OK && o->order > 1)
         status = bat_coons_angles(sides, made, p->report.angle);
-    if (report)
+    if (report && (status == BATTEN_OK || status == BATTEN_NOT_COMPATIBLE))
         *report = p->report;
     if (status == BATTEN_OK)
         *out = made;

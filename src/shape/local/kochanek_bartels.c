@@ -81,13 +81,16 @@ batten_tangents_kochanek_bartels(batten_points points,
 {
     enum { PARABOLA = 2 };
     assert(points.at && parameters && leaving && arriving);
-    const batten_tangents_kochanek_bartels_options defaults =
+    batten_tangents_kochanek_bartels_options chosen =
         batten_tangents_kochanek_bartels_defaults();
-    const batten_tangents_kochanek_bartels_options *o = options ? options : &defaults;
-    bat_row_beyond row;
     batten_status status =
-        bat_row_beyond_make(points.dimension, points.count, points.at, o->alpha, o->given,
-                            o->closed, o->phantoms, PARABOLA, &row);
+        BAT_TAKE_OPTIONS(batten_tangents_kochanek_bartels_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_tangents_kochanek_bartels_options *o = &chosen;
+    bat_row_beyond row;
+    status = bat_row_beyond_make(points.dimension, points.count, points.at, o->alpha, o->given,
+                                 o->closed, o->phantoms, PARABOLA, &row);
     if (status == BATTEN_OK)
         status = check(points.count, o);
     if (status == BATTEN_OK)

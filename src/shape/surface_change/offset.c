@@ -216,7 +216,8 @@ batten_status batten_surface_offset(const batten_surface *surface, double distan
         status = clamp_surface(surface, &clamped);
     if (status == BATTEN_OK)
         status = make_offset(clamped, distance, options, &found, &made);
-    if (report)
+    /* What turns inside out is reported with its places. */
+    if (report && (status == BATTEN_OK || status == BATTEN_SINGULAR_HERE))
         *report = found;
     if (status == BATTEN_OK)
         *out = made;
