@@ -202,8 +202,6 @@ static batten_status required_by(const batten_chain *chain, int n, const double 
     if (d == 1 && n != chain->count + 1)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "%d value%s, but the function has %d breaks", n,
                         bat_plural(n), chain->count + 1);
-    if (d == 3)
-        return BATTEN_OK;
     double *plane = chain->placed ? into_plane(chain, n, points) : NULL;
     if (chain->placed && !plane)
         return BATTEN_OUT_OF_MEMORY;

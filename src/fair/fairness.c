@@ -273,7 +273,9 @@ static batten_status count_turns(const batten_curve *curve, int required, double
     return status;
 }
 
-batten_status bat_curve_fairness(const batten_curve *curve, int required, double uncertainty,
+/* Fairness of a curve when `required` inflections are no fault, and neither are those that
+ * would go if its points moved by `uncertainty`. */
+static batten_status judge_curve(const batten_curve *curve, int required, double uncertainty,
                                  batten_fairness *out)
 {
     batten_fairness found = {0};
@@ -302,7 +304,7 @@ batten_status bat_batten_fairness(const bat_batten *batten, int width, const dou
     if (status == BATTEN_OK)
         status = bat_batten_curve(batten, width, z, &curve);
     if (status == BATTEN_OK)
-        status = bat_curve_fairness(curve, required, SETTLED * largest, out);
+        status = judge_curve(curve, required, SETTLED * largest, out);
     batten_curve_unref(curve);
     return status;
 }
@@ -357,5 +359,5 @@ batten_status batten_curve_fairness(const batten_curve *curve, batten_points poi
         status = bat_required_inflections(d, points.count, knots, points.at, NULL, &required);
         bat_release(knots);
     }
-    return status == BATTEN_OK ? bat_curve_fairness(curve, required, 0, out) : status;
+    return status == BATTEN_OK ? judge_curve(curve, required, 0, out) : status;
 }

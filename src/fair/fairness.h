@@ -12,11 +12,6 @@
 batten_status bat_required_inflections(int width, int count, const double *t,
                                        const double *points, const double *within, int *out);
 
-/* Fairness of a curve when `required` inflections are no fault, and neither are those that
- * would go if its points moved by `uncertainty`. */
-batten_status bat_curve_fairness(const batten_curve *curve, int required, double uncertainty,
-                                 batten_fairness *out);
-
 /* What joints are measured by: the largest curvature of the whole, and what rounding alone may
  * make of the direction and of the curvature on both sides. */
 typedef struct {
@@ -37,7 +32,7 @@ typedef struct {
     double from;         /* the curvature from which changes are measured */
     int inflections, extrema;
 } bat_scan;
-/* Changes of up to `flat` and curvatures up to `zero` are none. */
+/* Changes of up to `flat` and curvatures up to `zero` count as 0. */
 void bat_scan_walk(int count, const double *curvature, double zero, double flat,
                    bat_scan *scan);
 

@@ -66,7 +66,7 @@ static void say_chord(const batten_object *object, const batten_mesh_report *rep
                          report->asked, report->beyond, count, report->chord);
 }
 
-/* What is said of faces is said of the object. */
+/* Notes about faces become notes about the object. */
 static batten_status mesh_body(const batten_object *object, meshing *m,
                                batten_mesh_report *report, batten_mesh **out)
 {

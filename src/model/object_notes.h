@@ -1,4 +1,4 @@
-/* What is said of the parts of an object, as said of the object. */
+/* Notes about the parts of an object, as notes about the object. */
 #ifndef BAT_OBJECT_NOTES_H
 #define BAT_OBJECT_NOTES_H
 #include "base/base.h"

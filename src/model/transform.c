@@ -23,7 +23,7 @@ static bool keeps_plane(const batten_affine *map)
     return map->m[2][0] == 0 && map->m[2][1] == 0 && map->t[2] == 0;
 }
 
-/* A chain keeps being one under maps that keep shapes; else the curve alone goes on. */
+/* A chain stays a chain under maps that keep shapes; otherwise only its curve is kept. */
 static batten_status map_chain(const batten_affine *map, const batten_chain *chain,
                                batten_chain **out)
 {

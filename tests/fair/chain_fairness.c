@@ -101,3 +101,24 @@ TEST(a_chain_and_its_curve_are_judged_alike)
         batten_chain_unref(chain);
     }
 }
+
+/* In space a curve may turn from left to right without being straight: no inflection counts. */
+TEST(a_chain_in_space_has_no_inflections_and_its_points_require_none)
+{
+    /* x^3 - x over [-1, 1], out of the plane by x^2 / 4. */
+    const batten_span span = {.kind = BATTEN_SPAN_TENSION,
+                              .length = 2,
+                              .start = {-1, 0, 0.25},
+                              .end = {1, 0, 0.25},
+                              .bend = {{0, -6, 0.5}, {0, 6, 0.5}}};
+    const double points[6][3] = {{-1, 0, 0},       {-0.6, 0.384, 0}, {-0.2, 0.192, 0},
+                                 {0.2, -0.192, 0}, {0.6, -0.384, 0}, {1, 0, 0}};
+    batten_chain *chain = NULL;
+    batten_fairness fairness;
+    CHECK_OK(batten_chain_create(3, 1, &span, NULL, false, 1e-12, &chain));
+    CHECK_OK(batten_chain_fairness(chain, 6, &points[0][0], &fairness));
+    CHECK_INT(fairness.inflections, 0);
+    CHECK_INT(fairness.excess_inflections, 0);
+    CHECK(fairness.fair && fairness.max_curvature > 1);
+    batten_chain_unref(chain);
+}

@@ -91,6 +91,25 @@ TEST(the_least_energy_is_the_limit_of_endless_sweeps)
     bat_batten_end(&b->batten);
 }
 
+/* The residual leaves out what the forces round by, and that grows with the largest ordinate,
+ * wherever along the batten and in whatever coordinate it stands. */
+TEST(large_ordinates_at_the_far_end_alone_are_faired_to_the_same_rest)
+{
+    for (int width = 2; width <= 3; width++) {
+        enum { N = 45 };
+        bench *b = noisy_wave(N, width, 1e-4, 1e-4, 11);
+        double residual;
+        for (int i = 0; i < N; i++)
+            b->y[i * width + width - 1] += 1e7 * pow((double)i / (N - 1), 8);
+        CHECK_OK(bat_batten_begin(N, b->t, &b->batten));
+        CHECK_OK(bat_batten_least(&b->batten, &b->ducks, NULL, b->z, &residual));
+        CHECK(residual <= 1e-6);
+        for (int i = 0; i < N; i++)
+            CHECK(bat_distance(width, b->z + i * width, b->y + i * width) <= b->within[i]);
+        bat_batten_end(&b->batten);
+    }
+}
+
 TEST(energy_cannot_be_lowered_by_any_allowed_change)
 {
     bench *b = noisy_wave(60, 2, 0.05, 0.03, 8);

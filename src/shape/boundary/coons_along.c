@@ -136,7 +136,7 @@ static batten_status find_factors(const batten_curve *n, const batten_curve *e,
         if (status == BATTEN_OK)
             status = solve_at_end(d, slope, along, ends + end * d, &factors[0][end],
                                   &factors[1][end], &misfit[end]);
-        /* What is rounding shall not raise a degree. */
+        /* Rounding must not raise a degree. */
         if (status == BATTEN_OK && fabs(factors[1][end]) * bat_norm(d, along) <=
                                        64 * DBL_EPSILON * bat_norm(d, ends + end * d))
             factors[1][end] = 0;

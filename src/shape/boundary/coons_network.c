@@ -87,7 +87,7 @@ static void pieces_of(int count, const double *t, int i, const batten_curve *lef
     add_knots(p, t[count - 1], p->degree + 1);
 }
 
-/* Only the knots that its smoothness asks for: `smooth` derivatives go on at lines of the net.
+/* Only the knots that its smoothness asks for: `smooth` derivatives are continuous at lines of the net.
  */
 static batten_status remove_free_knots(const piecewise *p, int smooth, batten_curve *full,
                                        batten_curve **out)

@@ -124,7 +124,7 @@ batten_status batten_boundary_sides(int count, const batten_curve *const *curves
     const int *parts = counts ? counts : usual_counts(count);
     if (!parts)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "%d curve%s %s four sides only when it is said how many each side has",
+                        "%d curve%s %s four sides only when the number on each side is given",
                         count, bat_plural(count), bat_one_or_many(count, "makes", "make"));
     batten_curve *made[4] = {NULL, NULL, NULL, NULL};
     batten_loop_place *found = bat_array((size_t)bat_max_int(count, 1), sizeof *found);

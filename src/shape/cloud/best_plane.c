@@ -55,7 +55,7 @@ static void widths_along(size_t count, const double *points, const double mean[3
 
 /* Turn the axes to the smallest rectangle around the points, by whole degrees: the principal
  * axes of a square may be its diagonals, and half of the domain would be empty. A gain of less
- * than a tenth is none: what is long keeps its direction. */
+ * than a tenth does not count: what is long keeps its direction. */
 static void turn_to_smallest(size_t count, const double *points, const double mean[3],
                              double size, double axes[2][3])
 {
@@ -90,7 +90,7 @@ static batten_status find_plane(size_t count, const double *points, double mean[
     /* Of squares: widths of 1e-7 of the length, where the rounding of the sums begins. */
     bat_eigen_symmetric(3, a, values, vectors);
     if (!(values[1] > 1e-14 * values[2]))
-        return bat_fail(BATTEN_COINCIDENT, "the points lie on a line: no plane is theirs");
+        return bat_fail(BATTEN_COINCIDENT, "the points lie on a line and define no plane");
     for (int k = 0; k < 2; k++)
         memcpy(axes[k], vectors + 3 * (2 - k), 3 * sizeof(double));
     turn_to_smallest(count, points, mean, size, axes);

@@ -1,4 +1,4 @@
-/* How far a surface leaves the box of the data: where there are none it may swing. */
+/* How far a surface leaves the box of the data: where there are no data it may swing. */
 #include "shape/cloud/scattered.h"
 
 #include <string.h>

@@ -89,7 +89,7 @@ static batten_status set_domain(bat_scatter *s, const double *uv)
         if (!(size[k] > BAT_MEANT_SAME * bat_max(fabs(domain[k][0]), fabs(domain[k][1])) &&
               size[k] > DBL_MIN && size[k] < HUGE_VAL))
             return bat_fail(BATTEN_COINCIDENT,
-                            "the domain goes from %g to %g along %c: that is no area",
+                            "the domain goes from %g to %g along %c, which encloses no area",
                             domain[k][0], domain[k][1], k ? 'v' : 'u');
     }
     s->length = bat_max(size[0], size[1]);
@@ -98,7 +98,7 @@ static batten_status set_domain(bat_scatter *s, const double *uv)
     return BATTEN_OK;
 }
 
-/* A rounding outside the domain is none. */
+/* Parameters outside the domain by rounding alone count as its ends. */
 static batten_status scale_parameters(bat_scatter *s, const double *uv)
 {
     for (size_t t = 0; t < s->count; t++)

@@ -82,8 +82,8 @@ static batten_status check_slopes(const pipeline *p)
     return rise == 0 || rise / size > DBL_MIN / DBL_EPSILON
                ? BATTEN_OK
                : bat_fail(BATTEN_OVERFLOW,
-                          "values differ by %g over a width of %g: such slopes are no numbers",
-                          rise, size);
+                          "values differ by %g over a width of %g: such slopes overflow", rise,
+                          size);
 }
 
 static batten_status find_gradients(pipeline *p)

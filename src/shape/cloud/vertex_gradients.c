@@ -337,7 +337,7 @@ static batten_status solve_network(network *n, const double *values, double *x, 
     apply_network(n, values, x, n->residual);
     double product = precondition(n);
     if (!isfinite(product) || !isfinite(enough))
-        return bat_fail(BATTEN_OVERFLOW, "squares of the slopes along edges are no numbers");
+        return bat_fail(BATTEN_OVERFLOW, "the squares of the slopes along edges overflow");
     memcpy(n->direction, n->scaled, n->size * sizeof *n->scaled);
     for (*steps = 0; product > enough; ++*steps) {
         if (*steps == MOST_STEPS)
@@ -360,7 +360,7 @@ static batten_status solve_network(network *n, const double *values, double *x, 
     }
     return bat_first_not_finite(x, n->size) == n->size
                ? BATTEN_OK
-               : bat_fail(BATTEN_OVERFLOW, "gradients of the network are no numbers");
+               : bat_fail(BATTEN_OVERFLOW, "the gradients of the network overflow");
 }
 
 batten_status batten_triangle_network(const batten_plane_triangles *triangles,

@@ -32,7 +32,7 @@ static batten_status find_cut(const batten_curve *curve, int k, double length, d
     double whole;
     batten_status status = batten_curve_length(curve, tolerance / 4, NULL, &whole);
     if (status == BATTEN_OK && length > whole + tolerance)
-        return bat_fail(BATTEN_NOT_FOUND, "%g of the %s curve shall go, which is %g long",
+        return bat_fail(BATTEN_NOT_FOUND, "%g cannot be cut off the %s curve, which is %g long",
                         length, k ? "second" : "first", whole);
     const double s = k ? bat_min(length, whole) : bat_max(0, whole - length);
     return status == BATTEN_OK ? batten_curve_at_length(curve, 1, &s, tolerance / 2, u)

@@ -10,7 +10,7 @@
 
 /* ---- pieces ---- */
 
-/* Curvature and rate that rounding alone may make are none; then n is the direction of what is
+/* Curvature and rate that rounding alone may make count as 0; then n is the direction of what is
  * left, else any. */
 batten_status bat_tip_at(const batten_curve *curve, bat_tip *out)
 {

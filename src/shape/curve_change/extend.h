@@ -1,4 +1,4 @@
-/* Pieces that go on from the end of a curve. */
+/* Pieces that continue a curve beyond its end. */
 #ifndef BAT_EXTEND_H
 #define BAT_EXTEND_H
 #include "inspect/affine/side.h"
@@ -14,15 +14,15 @@ typedef struct {
 
 /* SINGULAR_HERE where the end has no speed. */
 batten_status bat_tip_at(const batten_curve *curve, bat_tip *out);
-/* What goes on from the tip by an arc length, on the domain [b, ..] with the speed of the tip.
+/* What continues the tip by an arc length, on the domain [b, ..] with the speed of the tip.
  * @param error as in batten_curve_extend_report */
 batten_status bat_tip_piece(const bat_tip *tip, batten_extension extension, double length,
                             double tolerance, double b, double *error, batten_curve **out);
-/* A spline clamped at its end, of rows of any width, with its last piece gone on to u. */
+/* A spline clamped at its end, of rows of any width, with its last piece continued to u. */
 batten_status bat_spline_go_on(const bat_spline *from, double u, bat_spline *out);
-/* The clamped curve with its last piece gone on to u, beyond its end (extend_natural.c). */
+/* The clamped curve with its last piece continued to u, beyond its end (extend_natural.c). */
 batten_status bat_curve_go_on(const batten_curve *curve, double u, batten_curve **out);
-/* The u to which it goes on by an arc length. `first` is a first guess of the way. */
+/* The u that it reaches by an arc length. `first` is a first guess of the step. */
 batten_status bat_curve_go_on_by(const batten_curve *curve, double length, double first,
                                  double tolerance, double *u);
 

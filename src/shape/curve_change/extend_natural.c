@@ -30,7 +30,7 @@ static void blossom(const bat_spline *s, const double *t, size_t column, size_t 
     memcpy(out + column, work + (size_t)p * w, w * sizeof *out);
 }
 
-/* The weights of a rational piece stay positive as long as it may go on. */
+/* The weights of a rational piece stay positive as far as it may be extended. */
 static batten_status check_weights(const bat_spline *s, double u)
 {
     for (int i = s->count - s->degree; i < s->count; i++) {
@@ -87,7 +87,7 @@ batten_status bat_curve_go_on(const batten_curve *curve, double u, batten_curve 
     return status;
 }
 
-/* The length from b to u of the curve gone on to u; and the parameter at `length`, if it is
+/* The length from b to u of the curve continued to u; and the parameter at `length`, if it is
  * that long. */
 static batten_status reach_parameter(const batten_curve *curve, double b, double u,
                                      double length, double tolerance, bool *enough, double *at)
@@ -128,6 +128,6 @@ batten_status bat_curve_go_on_by(const batten_curve *curve, double length, doubl
         way = isfinite(high) ? low + (high - low) / 2 : 2 * way;
     }
     return bat_fail(status == BATTEN_BAD_WEIGHT ? status : BATTEN_TOLERANCE_NOT_MET,
-                    "the curve cannot go on by %g: parameters up to %.17g were tried", length,
-                    b + low);
+                    "the curve cannot be extended by %g: parameters up to %.17g were tried",
+                    length, b + low);
 }

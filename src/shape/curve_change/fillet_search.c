@@ -47,7 +47,7 @@ static batten_status center_at(const search *s, int k, int side, double u, doubl
     return BATTEN_OK;
 }
 
-/* Does the circle go on from A(u) into B(v), turning by pi at most? */
+/* Does the circle lead from A(u) into B(v), turning by pi at most? */
 static bool turns(int side, const double *ta, const double *tb)
 {
     const double angle = atan2(side * (ta[0] * tb[1] - ta[1] * tb[0]), bat_dot(2, ta, tb));

@@ -30,7 +30,7 @@ static batten_status add_arc(bat_offset *o, const double *p, double turn, const 
     return bat_offset_add(o, status, flat);
 }
 
-/* The points at which the sides, gone on by `further`, are left. */
+/* The points at which the sides, extended by `further`, are left. */
 static batten_status add_straight(bat_offset *o, const double *t, double turn, double further,
                                   bool mitre, const double *q, const double *r)
 {

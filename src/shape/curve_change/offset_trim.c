@@ -194,7 +194,7 @@ static batten_status sample_all(const trim *t, const bat_crossings *crossings, s
 }
 
 /* A cut is judged as the sample beside it, but for two cases: clearly too near beside something
- * good, or good at the end of a run that goes on in something good. Elsewhere two pieces cross,
+ * good, or good at the end of a run that something good continues. Elsewhere two pieces cross,
  * and there both are only as far from the curve as their errors allow. */
 static void judge_cuts(const trim *t, samples *s)
 {
@@ -311,7 +311,7 @@ static void link_to(trim *t, int i, int j)
     t->parts[j].followed = true;
 }
 
-/* Parts without a next one go on where another begins that follows none. */
+/* Parts without a next one are followed by one that begins there and follows no other. */
 static void meet_ends(trim *t)
 {
     for (int i = 0; i < t->count; i++)

@@ -59,7 +59,7 @@ void bat_fill_across(int which, const bat_fill_place *other, double out[3]);
 /* @param curve  which of the caller's, for messages */
 batten_status bat_fill_look(const bat_fill_place *place, int station, const double across[3],
                             int curve, bat_fill_seen *out);
-/* Does the side that starts in a corner go on from the one before? */
+/* Does the side that starts in a corner continue the one before smoothly? */
 bool bat_fill_is_flat(const bat_fill_place *start, const bat_fill_place *before);
 /* Refuse ribbons that point out of the hole and re-entrant corners with ribbons; report how the
  * others contradict each other in their corners. */
@@ -70,7 +70,7 @@ batten_status bat_fill_corners(const bat_fill_loop *loop, batten_surface_fill_re
  * cubic in each half. */
 typedef struct {
     bool has_slope;
-    bool flat_corner; /* at its start the side goes on from the one before */
+    bool flat_corner; /* at its start the side continues the one before smoothly */
     int middle_speed; /* which unknown is a in the middle; -1 without a slope */
     int corner_turn;  /* which unknown is the part of the twist at its start that goes into
                          the hole; -1 where the twist is free */

@@ -53,7 +53,7 @@ batten_status bat_fill_look(const bat_fill_place *place, int station, const doub
     out->b = bat_dot(3, across, out->to_b);
     out->twist = out->a * bat_dot(3, place->slope[1], out->normal) +
                  out->b * bat_dot(3, place->curve[2], out->normal);
-    /* A tenth: what turns back by rounding where sides go on smoothly is no mistake. */
+    /* A tenth: what turns back by rounding where sides are smooth is not a mistake. */
     out->back = out->a * bat_norm(3, T) < -0.1 * bat_norm(3, across);
     return BATTEN_OK;
 }

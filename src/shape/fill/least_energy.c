@@ -285,7 +285,7 @@ static void hold(variation *b, int unknown, double value)
 /*
  * Curvature varies least of all where the fill does not follow its ribbons: where these stand
  * upright on the hole it would rather not leave the sides at all. What leaves a side with less
- * than a third of the usual speed, or leaves a corner between sides that go on smoothly at less
+ * than a third of the usual speed, or leaves a corner between sides that are smooth there at less
  * than a third of the usual rate, is held at what is usual.
  */
 static batten_status hold_slow(variation *b, bool *held, bool *changed)

@@ -202,7 +202,7 @@ static void add_product(bat_jet weight, const bat_jet point[3], bat_jet sum[3])
         sum[c] = bat_jet_add(sum[c], bat_jet_multiply(weight, point[c]));
 }
 
-/* Kato: a side goes on straight along its ribbon. */
+/* Kato: a side continues straight along its ribbon. */
 static void side_point(const blended *b, bat_jet distance, const sight *seen, bat_jet out[3])
 {
     const bat_jet h = bat_jet_scale(2 / b->reach, distance);

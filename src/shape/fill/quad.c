@@ -103,7 +103,7 @@ static batten_status half_of(const batten_curve *curve, int half, batten_curve *
 
 /* ---- derivatives across a side ---- */
 
-/* What D and D' shall be at the corner and at the middle: [end][order][3]. */
+/* What D and D' must be at the corner and at the middle: [end][order][3]. */
 static void wanted(const bat_fill *fill, const bat_fill_fields *side, int half,
                    double out[2][2][3])
 {

@@ -13,7 +13,7 @@ typedef struct {
     bool regular, bent; /* there is a normal; second derivatives are known */
 } view;
 
-/* Below this part of the product of speeds, next to a corner where two sides go on smoothly, a
+/* Below this part of the product of speeds, next to a corner where two sides meet smoothly, a
  * normal is noise of what the sides were approximated by. */
 static const double flat = 1e-4;
 
@@ -224,7 +224,7 @@ static batten_status measure_rim(const bat_fill_loop *loop, double *out)
 }
 
 /* Do normals of neighbouring places turn by more than a right angle? Places that hardly have
- * one do not count: a corner where sides go on smoothly may do so to rounding. */
+ * one do not count: a corner where sides meet smoothly may do so but for rounding. */
 static batten_status look_for_folds(const batten_surface *patch, bool *folded, double at[3])
 {
     double(*normals)[3] = bat_array((GRID + 1) * (GRID + 1), sizeof *normals);

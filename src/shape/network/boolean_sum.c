@@ -59,7 +59,7 @@ static void keep_rims(const bat_network_side *u, const bat_network_side *v, doub
 
 /* ---- periodic ---- */
 
-/* Clamped rows of a cubic whose ends go on in each other with two derivatives become those of
+/* Clamped rows of a cubic whose ends continue each other with two derivatives become those of
  * the periodic form: all but the first two stay, and the last three are not needed. These two
  * are blossoms of the first span at the knots before it, which are those at the end, a period
  * less. */

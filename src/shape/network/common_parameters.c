@@ -155,7 +155,7 @@ static batten_status monotone_map(int nodes, const double *u, const double *at, 
     return status;
 }
 
-/* How far the nodes are from the places where they shall stand, along the curve. */
+/* How far the nodes are from the places where they belong, along the curve. */
 static batten_status nodes_off(const bat_network_curve *c, int nodes, const double *u,
                                double *off)
 {
@@ -195,7 +195,7 @@ static batten_status make_map(const bat_network *net, int family, bat_network_cu
     return monotone_map(nodes, u, c->at, periodic, &c->map);
 }
 
-/* Do all curves of a closed family go on smoothly where they close? */
+/* Do all curves of a closed family are smooth where they close? */
 static batten_status find_smooth(bat_network_family *f)
 {
     f->smooth = f->closed;

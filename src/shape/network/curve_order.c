@@ -150,7 +150,7 @@ static batten_status order_along(task *t, int family)
 
 /* How the directions of curves k and `before` of a family agree where they cross curve l of the
  * other: the cosine of the angle between their tangents when that of `before` is carried along
- * l without turning; 0 where there are none. */
+ * l without turning; 0 where there are no such curves. */
 static batten_status carried_cosine(const task *t, int family, int k, int before, int l,
                                     double *cosine)
 {

@@ -93,7 +93,7 @@ static void drop_second(bat_network *net, bat_network_pairs *pairs, int family, 
 }
 
 /* Two curves of a family that meet another one in the same point are one curve, at the seam of
- * closed ones; else the network is none. */
+ * closed ones; else there is no network. */
 batten_status bat_network_drop_repeated(bat_network *net, bat_network_pairs *pairs, int family)
 {
     bat_network_family *f = &net->family[family];

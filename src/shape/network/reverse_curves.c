@@ -65,7 +65,7 @@ static batten_status count_cut(bat_network *net, int family, const bat_network_c
     const double length = bat_distance(3, first, last) / net->scale;
     char name[BAT_NETWORK_LABEL];
     if (!net->options->cut && length > net->gap / net->scale)
-        return bat_fail(BATTEN_NOT_COMPATIBLE, "%s goes on by %g beyond the network",
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "%s extends %g beyond the network",
                         bat_network_label(net, family, c, name), length);
     net->report.cut = bat_max(net->report.cut, length);
     return BATTEN_OK;

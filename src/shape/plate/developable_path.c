@@ -52,7 +52,7 @@ static batten_status fill_lattice(const bat_plate *plate, node *nodes)
             status = bat_fail(BATTEN_NOT_COMPATIBLE,
                               "the edges touch at %g of the first and %g of the second",
                               places[i].u, places[SIDE + j].u);
-        /* Edges may meet at their ends; elsewhere a ruling without planes is none. */
+        /* Edges may meet at their ends; elsewhere a line without planes is not a ruling. */
         n->sine = 0;
         n->cosine = is_end ? 1 : 0;
     }

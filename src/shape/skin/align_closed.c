@@ -211,7 +211,7 @@ static batten_status marks_of(const bat_skin *t, int k, double *to)
     return BATTEN_OK;
 }
 
-/* Where the marks shall be in all sections: in the mean, over [0, 1]. */
+/* Where the marks are put in all sections: in the mean, over [0, 1]. */
 static batten_status mean_marks(const bat_skin *t, double *own, double *mean)
 {
     const int n = t->options->mark_count;
@@ -246,7 +246,7 @@ static batten_status by_marks(const bat_skin *t, int k, double *own, double *slo
     batten_curve *map = NULL;
     if (status == BATTEN_OK)
         status = batten_slopes(n + 2, mean, own, BATTEN_SLOPE_STEFFEN, slopes);
-    if (status == BATTEN_OK) /* the map shall stand still nowhere, at its ends neither */
+    if (status == BATTEN_OK) /* the map must stand still nowhere, not even at its ends */
         for (int j = 0; j < n + 2; j += n + 1) {
             const int i = bat_min_int(j, n);
             slopes[j] = bat_max(slopes[j], (own[i + 1] - own[i]) / (mean[i + 1] - mean[i]) / 4);

@@ -18,8 +18,8 @@ batten_status bat_common_knots(int count, const batten_curve *const *curves, dou
 typedef struct {
     double tolerance; /* how far a curve may move, > 0 */
     int held_count;
-    const double *held; /* [held_count] knots inside (0, 1), rising, that all shall have */
-    bool seam; /* the curves close smoothly: so shall the results, with two derivatives */
+    const double *held; /* [held_count] knots inside (0, 1), rising, that all get */
+    bool seam;          /* the curves close smoothly: so do the results, with two derivatives */
 } bat_common_request;
 
 /* The same. With held knots or a seam the exact union, which has neither, is taken only when

@@ -1,4 +1,4 @@
-/* Combs: knots that many curves shall have. */
+/* Combs: knots that many curves share. */
 #include "numeric/rounding.h"
 #include "shape/skin/common_knots_parts.h"
 

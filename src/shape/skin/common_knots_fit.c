@@ -66,7 +66,7 @@ static void add_samples(normal *e)
 }
 
 /* The first two derivatives at the seam, as rows upon the inner control points, and what they
- * shall be: [2][n - 2] and [2][width]. */
+ * must be: [2][n - 2] and [2][width]. */
 static void seam_rows(const bat_spline *fit, const double *first, const double *last,
                       double *rows, double *wanted)
 {
@@ -104,7 +104,7 @@ static void seam_gauge(const bat_spline *fit, const double *rows, const double *
 }
 
 /* Move the inner control points by what, in the measure of the least squares, is least, so that
- * the ends go on smoothly in each other. */
+ * the ends continue each other smoothly. */
 static batten_status close_seam(const bat_fitting *f, const double *gram, bat_spline *fit,
                                 const double *first, const double *last)
 {

@@ -5,7 +5,7 @@
 #include "shape/skin/common_knots.h"
 #include "spline/curve/curve.h"
 
-/* Knots that all sections shall have, `inner` of them inside (0, 1). */
+/* Knots that all sections are to have, `inner` of them inside (0, 1). */
 typedef struct {
     int inner, capacity;
     double *knots; /* [capacity] rising, p times where a corner is */

@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* At a knot that stands p times, its first at i: by how much the curve is faster behind it,
- * when its tangent goes on; 0 at a corner, 1 at other knots. */
+ * when its tangent is continuous; 0 at a corner, 1 at other knots. */
 static double speed_ratio(const batten_curve *curve, int i)
 {
     const int p = batten_curve_degree(curve), d = batten_curve_dimension(curve);

@@ -244,7 +244,7 @@ static batten_status begin_at(bat_skin *t, int k, bool closed)
     const batten_interval domain = batten_curve_domain(t->placed[k]);
     if (!(starts[k] >= domain.a && starts[k] <= domain.b))
         return bat_fail(BATTEN_OUT_OF_DOMAIN,
-                        "section %d shall begin at %g, outside its domain [%g, %g]", k,
+                        "section %d cannot begin at %g, outside its domain [%g, %g]", k,
                         starts[k], domain.a, domain.b);
     if (!closed)
         return bat_fail(BATTEN_BAD_ARGUMENT,

@@ -83,7 +83,7 @@ static batten_status check_rows(rows *r)
 
 /* ---- parameters and knots ---- */
 
-/* Each row from 0 to 1; what is wrong is said with the row before it. */
+/* Each row from 0 to 1; a message about it names the row. */
 static batten_status parametrize_row(const rows *r, int k)
 {
     const int n = r->counts[k];

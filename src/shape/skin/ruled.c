@@ -16,7 +16,7 @@ batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 alo
                                       batten_surface **out)
 {
     if (!isfinite(along.x) || !isfinite(along.y) || !isfinite(along.z))
-        return bat_fail(BATTEN_NOT_FINITE, "the curve shall be extruded along (%g, %g, %g)",
+        return bat_fail(BATTEN_NOT_FINITE, "the curve cannot be extruded along (%g, %g, %g)",
                         along.x, along.y, along.z);
     if (bat_vec3_norm(along) == 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the vector to extrude along has no length");

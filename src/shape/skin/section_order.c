@@ -62,7 +62,7 @@ static bool step_across(const samples *a, const samples *b, int i, double size, 
     return bat_norm(3, out) > 1e-6 * size;
 }
 
-/* Do the steps across turn back between one place and the next? A surface that goes on turns
+/* Do the steps across turn back between one place and the next? A continuous surface turns
  * them little by little; 120 degrees at once are a crossing. */
 static bool crosses(const samples *a, const samples *b)
 {

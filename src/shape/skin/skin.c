@@ -59,7 +59,7 @@ static batten_status check_sections(int count, const batten_surface_skin_options
 
 /* ---- the whole ---- */
 
-/* The sections as they shall be met: `placed`. */
+/* The sections that the surface must pass: `placed`. */
 static batten_status place_sections(bat_skin *t)
 {
     const size_t n = (size_t)t->count;

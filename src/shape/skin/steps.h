@@ -70,7 +70,7 @@ int bat_skin_sort_knots(int count, double *knots);
 
 /* ---- crease_cures.c ---- */
 
-/* Speeds that do not jump where the tangent goes on, of polynomial sections. */
+/* Speeds that do not jump where the tangent is continuous, of polynomial sections. */
 batten_status bat_skin_stretch(bat_skin *t);
 /* The same of rational ones, with their weights; not done when one cannot be helped so. */
 batten_status bat_skin_rescale(bat_skin *t, bool *done);

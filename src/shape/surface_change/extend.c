@@ -1,4 +1,4 @@
-/* Surfaces made longer at an edge: turned so that it is the end of v, gone on, turned back. */
+/* Surfaces made longer at an edge: turned so that it is the end of v, extended, turned back. */
 #include "shape/surface_change/extend.h"
 #include "numeric/rounding.h"
 
@@ -123,7 +123,7 @@ static batten_status check_edge(const task *t, double *slowest, double *bend)
         if (!(speed * width > BAT_ROUNDING * size))
             return bat_fail(BATTEN_SINGULAR_HERE,
                             "the surface stands still across the edge at %.9g along it: it has "
-                            "no direction to go on",
+                            "no direction to extend",
                             t->u[i]);
         const batten_vec3 slope = bat_vec3_scale(bat_vec3_of(3, values + 6), 1 / speed);
         const batten_vec3 second = bat_vec3_scale(bat_vec3_of(3, values + 15), 1 / speed);
@@ -133,7 +133,7 @@ static batten_status check_edge(const task *t, double *slowest, double *bend)
     }
     if (!(far > BAT_ROUNDING * size))
         return bat_fail(BATTEN_SINGULAR_HERE,
-                        "the edge is a point: the surface has no way to go on there");
+                        "the edge is a point: the surface cannot be extended there");
     return BATTEN_OK;
 }
 
@@ -175,7 +175,7 @@ static batten_status find_way(const task *t, double guess, batten_surface **out)
     }
     return bat_fail(
         status == BATTEN_OK ? BATTEN_TOLERANCE_NOT_MET : status,
-        "the surface cannot go on by %g: %g of its parameter was tried, which gives %g",
+        "the surface cannot be extended by %g: %g of its parameter was tried, which gives %g",
         t->length, way, least);
 }
 
@@ -264,9 +264,9 @@ static batten_status check_request(const batten_surface *surface, batten_edge ed
                         "an extension by %g within %g: both must be above 0", length,
                         tolerance);
     if (extension == BATTEN_EXTEND_SPIRAL)
-        return bat_fail(BATTEN_UNSUPPORTED, "surfaces do not go on along spirals");
+        return bat_fail(BATTEN_UNSUPPORTED, "surfaces cannot be extended along spirals");
     if (surface->kind != &bat_nurbs_kind || surface->dimension != 3)
-        return bat_fail(BATTEN_UNSUPPORTED, "only NURBS surfaces in space can go on");
+        return bat_fail(BATTEN_UNSUPPORTED, "only NURBS surfaces in space can be extended");
     if (batten_surface_is_periodic(surface, across_u(edge) ? BATTEN_U : BATTEN_V))
         return bat_fail(BATTEN_NOT_COMPATIBLE, "a periodic surface has no edge there");
     return BATTEN_OK;

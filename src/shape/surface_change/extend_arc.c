@@ -136,7 +136,7 @@ static batten_status check_weights(const bat_nurbs *nurbs)
     for (int i = 1; nurbs->weights && i < m; i++)
         if (fabs(nurbs->weights[i * n + n - 1] / nurbs->weights[n - 1] - 1) > 1e-14)
             return bat_fail(BATTEN_UNSUPPORTED,
-                            "the edge has different weights: 'natural' or 'line' go on there, "
+                            "the edge has different weights: 'natural' or 'line' extend it, "
                             "or make the surface polynomial first");
     return BATTEN_OK;
 }

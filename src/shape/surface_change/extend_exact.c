@@ -1,5 +1,5 @@
 /*
- * Extensions that are exact. For S = A / w the rows A, w may go on straight with the
+ * Extensions that are exact. For S = A / w the rows A, w may continue straight with the
  * derivatives A' + g A, w' + g w for any number g: S' is the same. g is such that w does not
  * grow, so that the extension reaches as far as is asked; where w' = c w all along the edge, g
  * = -c, and w stays what it is.

@@ -285,7 +285,7 @@ static batten_status check_fillet(const task *t, const double *start)
     for (int k = 0; k < 2; k++) {
         const batten_surface *surface = t->rolling.surfaces[k];
         if (surface->kind != &bat_nurbs_kind || surface->dimension != 3)
-            return bat_fail(BATTEN_UNSUPPORTED, "surface %d is no NURBS surface in space",
+            return bat_fail(BATTEN_UNSUPPORTED, "surface %d is not a NURBS surface in space",
                             k + 1);
         for (int j = 0; start && j < 2; j++) {
             const batten_interval d = batten_surface_domain(surface, (batten_direction)j);

@@ -171,7 +171,7 @@ static batten_status try_exact(task *t, batten_surface **out)
     if (status == BATTEN_OK)
         status = factor_direction(t, 1);
     if (status == BATTEN_SINGULAR_SYSTEM)
-        return BATTEN_OK; /* knots that leave nothing to interpolate: there is none */
+        return BATTEN_OK; /* knots that leave nothing to interpolate: no exact surface */
     if (status == BATTEN_OK)
         status = sample(t);
     if (status != BATTEN_OK)

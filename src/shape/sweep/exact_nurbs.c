@@ -293,7 +293,7 @@ batten_status batten_surface_tabulated(const batten_curve *curve, batten_vec3 di
     const double norm = bat_vec3_norm(direction);
     if (!isfinite(norm) || !isfinite(from) || !isfinite(to))
         return bat_fail(BATTEN_NOT_FINITE,
-                        "the lines shall go along (%g, %g, %g) from %g to %g", direction.x,
+                        "the lines cannot go along (%g, %g, %g) from %g to %g", direction.x,
                         direction.y, direction.z, from, to);
     if (norm == 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the direction of the lines has no length");

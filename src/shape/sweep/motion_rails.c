@@ -122,7 +122,7 @@ static void find_chord(const between *m, double v, const double *d, bat_jet3 *ch
     for (int k = 0; k < 4; k++)
         for (int c = 0; c < 3; c++)
             e[3 * k + c] = meet ? d[3 * (k + 1) + c] / (k + 1) : d[3 * k + c];
-    const double unit = bat_norm(3, e); /* squares shall be numbers */
+    const double unit = bat_norm(3, e); /* squares must not overflow */
     for (int i = 0; i < 12; i++)
         e[i] /= unit;
     const double sign = meet && v == 1 ? -1 : 1;
@@ -143,7 +143,7 @@ static batten_status find_rise(const double (*rails)[15], const bat_jet3 *chord,
         const double speed = bat_norm(3, rails[k] + 3);
         double slope[12];
         if (!(speed > 0))
-            return bat_fail(BATTEN_SINGULAR_HERE, "rail %d has no tangent at %g of the way",
+            return bat_fail(BATTEN_SINGULAR_HERE, "rail %d has no tangent at %g of its length",
                             k + 1, v);
         for (int i = 0; i < 12; i++)
             slope[i] = rails[k][3 + i] / speed;
@@ -152,9 +152,9 @@ static batten_status find_rise(const double (*rails)[15], const bat_jet3 *chord,
     const bat_jet3 sum = bat_jet3_add(mean[0], mean[1]);
     const bat_jet3 square = bat_jet3_cross(sum, *chord);
     if (!(bat_vec3_norm(bat_jet3_in_v(&square, 0)) > BAT_LEAST_SINE))
-        return bat_fail(BATTEN_SINGULAR_HERE,
-                        "at %g of the way the rails have no mean tangent across their chord",
-                        v);
+        return bat_fail(
+            BATTEN_SINGULAR_HERE,
+            "at %g of their length the rails have no mean tangent across their chord", v);
     *rise = bat_jet3_unit(square);
     return BATTEN_OK;
 }
@@ -180,7 +180,7 @@ static batten_status between_pose(const bat_motion *motion, double v, batten_sid
     for (int i = 0; i < 15; i++)
         d[i] = rails[1][i] - rails[0][i];
     if (!(bat_norm(3, d) + bat_norm(3, d + 3) > 0))
-        return bat_fail(BATTEN_SINGULAR_HERE, "the rails run together at %g of the way", v);
+        return bat_fail(BATTEN_SINGULAR_HERE, "the rails meet at %g of their length", v);
     bat_jet3 chord, rise;
     bat_jet length;
     find_chord(m, v, d, &chord, &length);
@@ -348,7 +348,8 @@ static batten_status check_meeting(const between *m)
         if (status == BATTEN_OK && least <= m->tolerance)
             status = bat_fail(
                 BATTEN_NOT_COMPATIBLE,
-                "the rails cross or meet at %g of the way, where they are %g apart", at, least);
+                "the rails cross or meet at %g of their length, where they are %g apart", at,
+                least);
         if (status != BATTEN_OK)
             return status;
     }

@@ -11,7 +11,7 @@ typedef struct {
     double tolerance;   /* rails nearer than that meet */
 } bat_rails;
 
-/* The ends of sections, (0, 0, 0) and (1, 0, 0), go on the two rails, of three dimensions; the
+/* The ends of sections, (0, 0, 0) and (1, 0, 0), run along the two rails, of three dimensions; the
  * domain is [0, 1]. */
 batten_status bat_motion_between(const bat_rails *rails, bat_motion **out);
 

@@ -119,7 +119,7 @@ static batten_status check_options(const batten_surface_sweep_options *o)
         status = bat_spine_check_scale(o->scale_y, "scale in y");
     if (status == BATTEN_OK && o->up && o->guide)
         status =
-            bat_fail(BATTEN_BAD_ARGUMENT, "the frames shall look both upward and at a guide");
+            bat_fail(BATTEN_BAD_ARGUMENT, "the frames cannot look both upward and at a guide");
     if (status == BATTEN_OK && o->up && !isfinite(bat_vec3_norm(*o->up)))
         status =
             bat_fail(BATTEN_NOT_FINITE, "upward is (%g, %g, %g)", o->up->x, o->up->y, o->up->z);

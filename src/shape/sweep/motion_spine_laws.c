@@ -12,7 +12,7 @@ bat_jet bat_share(double length, const bat_jet *speed, double whole)
     return bat_jet_of_v(d);
 }
 
-/* A law at a share of the way, and how it goes on. */
+/* A law at a share of the path, and its derivatives. */
 static batten_status law_at(const batten_curve *law, const bat_jet *share, batten_side side,
                             bat_jet *out)
 {

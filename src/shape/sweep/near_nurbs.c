@@ -109,7 +109,7 @@ static batten_status interpolate(fitting *f)
     }
     f->size = bat_largest((int)(f->row * (size_t)n), f->rows);
     if (!isfinite(f->size))
-        return bat_fail(BATTEN_OVERFLOW, "the sweep has coordinates that are no numbers");
+        return bat_fail(BATTEN_OVERFLOW, "the coordinates of the sweep overflow");
     const batten_status status = bat_banded_factor(n, q, q, f->band);
     if (status == BATTEN_OK)
         bat_banded_solve(n, q, q, f->band, f->row, f->rows);

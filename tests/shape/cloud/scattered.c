@@ -764,7 +764,7 @@ TEST(N1_bad_scattered_data_are_refused)
         uv[2 * i] = 3;
     CHECK_STATUS(batten_surface_scattered(uv, (batten_points){1, 100, z}, NULL, NULL, NULL, &s),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("along u: that is no area");
+    CHECK_MESSAGE("along u, which encloses no area");
     CHECK(s == NULL);
 }
 

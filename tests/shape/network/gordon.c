@@ -415,7 +415,7 @@ TEST(curves_that_go_on_are_cut_or_refused)
     surface = NULL;
     options.cut = false;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("profile 1 goes on by 0.");
+    CHECK_MESSAGE("profile 1 extends 0.");
     network_end(&n);
 }
 

@@ -107,7 +107,7 @@ TEST(closed_sections_begin_where_they_are_told)
         CHECK_STATUS(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options,
                                          NULL, v, &report, &surface),
                      BATTEN_OUT_OF_DOMAIN);
-        CHECK_MESSAGE("section 1 shall begin at 1000");
+        CHECK_MESSAGE("section 1 cannot begin at 1000");
         options.turn = true;
         CHECK_STATUS(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options,
                                          NULL, v, &report, &surface),

@@ -62,7 +62,7 @@ TEST(G7_networks_with_gaps_are_refused_by_name)
          "'lone' (7 of 7) meets no other curve; 'rib-2' (2 of 7) is nearest, 200 away"},
         {"{gordon: ribs, guides: ribs}",
          "profile 'rib-1' (1 of 3) and guide 'rib-1' (1 of 3) "},
-        {"{gordon: [rib-1, rib-2], guides: long, cut: no}", "goes on by 1500 beyond"},
+        {"{gordon: [rib-1, rib-2], guides: long, cut: no}", "extends 1500 beyond"},
         {"{gordon: ribs, guides: keel}", "there is 1 guide"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
