@@ -71,7 +71,7 @@ TEST(what_a_coons_patch_cannot_use_is_said)
     static const char *const rows[][2] = {
         {"{coons: [s, e, n2, w]}", "corner 3, between curves 3 and 4, is open by 0.5"},
         {"{coons: [s, e, n, w], kind: third, blend: cubic}", "no H"},
-        {"{coons: [s, e1, n, w, e2]}", "how many each side has"},
+        {"{coons: [s, e1, n, w, e2]}", "the number on each side is given"},
         {"{coons: [s, e, n, w], sides: [1, 1, 2]}", "'sides' has 3 counts"},
         {"{coons: [s, e, n, w], twists: origin}", "takes no twists"},
         {"{coons: [s, e, n, w], kind: twists, twists: [[0, 0, 1], [0, 0, 2]]}",
