@@ -66,7 +66,7 @@ TEST(six_curves_in_any_order_and_direction_make_four_sides)
     CHECK_STATUS(batten_boundary_sides(6, given, empty, 1e-9, NULL, sides),
                  BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_boundary_sides(6, given, NULL, 1e-9, NULL, sides), BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("how many each side has");
+    CHECK_MESSAGE("the number on each side is given");
     release(curves, 6);
 }
 
