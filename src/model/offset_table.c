@@ -1,19 +1,8 @@
-/* Tables of offsets: stations and named lines of points, and which of them are selected. */
-#include "base/base.h"
+/* Tables of offsets: stations and named lines of points. */
+#include "model/offset_table.h"
 #include "base/plural.h"
-#include <batten/offset_table.h>
 
 #include <string.h>
-
-struct batten_offset_table {
-    bat_references references;
-    double unit_metres;
-    int line_count, station_count;
-    batten_table_line *lines;
-    batten_table_station *stations;
-    batten_table_point *points; /* of all stations, one after another */
-    char *names;
-};
 
 /* ---- checks ---- */
 
@@ -222,7 +211,7 @@ const batten_table_station *batten_offset_table_station(const batten_offset_tabl
     return &offsets->stations[station];
 }
 
-static size_t all_points(const batten_offset_table *offsets)
+size_t bat_offset_table_points(const batten_offset_table *offsets)
 {
     const batten_table_station *last = &offsets->stations[offsets->station_count - 1];
     return (size_t)(last->points - offsets->points) + (size_t)last->point_count;
@@ -232,7 +221,7 @@ batten_box batten_offset_table_box(const batten_offset_table *offsets)
 {
     const batten_table_point *first = offsets->points;
     batten_vec3 low = {first->x, first->y, first->z}, high = low;
-    for (size_t i = 1; i < all_points(offsets); i++) {
+    for (size_t i = 1; i < bat_offset_table_points(offsets); i++) {
         const batten_table_point *point = &offsets->points[i];
         low = (batten_vec3){bat_min(low.x, point->x), bat_min(low.y, point->y),
                             bat_min(low.z, point->z)};
@@ -240,171 +229,4 @@ batten_box batten_offset_table_box(const batten_offset_table *offsets)
                              bat_max(high.z, point->z)};
     }
     return (batten_box){low, high};
-}
-
-/* ---- selecting ---- */
-
-batten_offset_table_selection batten_offset_table_everything(void)
-{
-    const batten_interval all = {-INFINITY, INFINITY};
-    return (batten_offset_table_selection){.size = sizeof(batten_offset_table_selection),
-                                           .scale = 1,
-                                           .x = all,
-                                           .y = all,
-                                           .z = all};
-}
-
-static batten_status check_interval(batten_interval interval, const char *name)
-{
-    if (interval.a <= interval.b)
-        return BATTEN_OK;
-    return bat_fail(BATTEN_BAD_ARGUMENT, "the part %s = %g to %g is empty", name, interval.a,
-                    interval.b);
-}
-
-static batten_status check_selection(const batten_offset_table_selection *selection)
-{
-    if (!isfinite(selection->scale))
-        return bat_fail(BATTEN_NOT_FINITE, "the scale is %g", selection->scale);
-    if (selection->scale <= 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the scale is %g, not above 0", selection->scale);
-    batten_status status = check_interval(selection->x, "x");
-    if (status == BATTEN_OK)
-        status = check_interval(selection->y, "y");
-    if (status == BATTEN_OK)
-        status = check_interval(selection->z, "z");
-    return status;
-}
-
-/* What is on its way from the old table to the new one. */
-typedef struct {
-    const batten_offset_table_selection *selection;
-    int line_count, station_count;
-    int *line_numbers; /* from old lines to new ones; -1 for a line without points */
-    batten_table_line *lines;
-    batten_table_station *stations;
-    batten_table_point *points; /* room for all; each station's begin where they began */
-} selected;
-
-/* 0 - x and not -x: the origin stays 0 and does not become -0. */
-static double new_x(const selected *work, double x)
-{
-    return work->selection->scale * (work->selection->reverse ? 0 - x : x);
-}
-
-static double new_z(const selected *work, double z)
-{
-    return work->selection->scale * (work->selection->upside_down ? 0 - z : z);
-}
-
-static bool is_inside(batten_interval interval, double value)
-{
-    return interval.a <= value && value <= interval.b;
-}
-
-static int keep_points(const selected *work, const batten_table_station *station,
-                       batten_table_point *kept)
-{
-    int count = 0;
-    for (int i = 0; i < station->point_count; i++) {
-        batten_table_point point = station->points[i];
-        point.x = new_x(work, point.x);
-        point.y *= work->selection->scale;
-        point.z = new_z(work, point.z);
-        if (is_inside(work->selection->x, point.x) && is_inside(work->selection->y, point.y) &&
-            is_inside(work->selection->z, point.z))
-            kept[count++] = point;
-    }
-    return count;
-}
-
-/* Of the points on the centre line at the lower end leave the highest; return the new count. */
-static int trim_centre(int count, batten_table_point *points)
-{
-    const bool upward = points[0].z <= points[count - 1].z;
-    int run = 0;
-    while (run < count && points[upward ? run : count - 1 - run].y == 0)
-        run++;
-    if (run < 2)
-        return count;
-    if (upward)
-        memmove(points, points + run - 1, (size_t)(count - run + 1) * sizeof *points);
-    return count - run + 1;
-}
-
-static void select_stations(const batten_offset_table *offsets, selected *work)
-{
-    const int n = offsets->station_count;
-    for (int i = 0; i < n; i++) {
-        batten_table_station station =
-            offsets->stations[work->selection->reverse ? n - 1 - i : i];
-        batten_table_point *kept = work->points + (station.points - offsets->points);
-        station.x = new_x(work, station.x);
-        station.point_count = keep_points(work, &station, kept);
-        station.points = kept;
-        if (station.point_count > 0 && work->selection->trim_centre)
-            station.point_count = trim_centre(station.point_count, kept);
-        if (station.point_count > 0)
-            work->stations[work->station_count++] = station;
-    }
-}
-
-/* Number the lines that still have a point. */
-static void select_lines(const batten_offset_table *offsets, selected *work)
-{
-    for (int i = 0; i < offsets->line_count; i++)
-        work->line_numbers[i] = -1;
-    for (int i = 0; i < work->station_count; i++)
-        for (int j = 0; j < work->stations[i].point_count; j++)
-            if (work->stations[i].points[j].line >= 0)
-                work->line_numbers[work->stations[i].points[j].line] = 0;
-    for (int i = 0; i < offsets->line_count; i++)
-        if (work->line_numbers[i] == 0) {
-            work->lines[work->line_count] = offsets->lines[i];
-            work->lines[work->line_count].z = new_z(work, offsets->lines[i].z);
-            work->line_numbers[i] = work->line_count++;
-        }
-}
-
-static batten_status select_into(const batten_offset_table *offsets, selected *work,
-                                 batten_offset_table **out)
-{
-    const size_t point_count = all_points(offsets);
-    /* Places that no point comes to keep a zero: line 0, which is harmless below. */
-    select_stations(offsets, work);
-    if (work->station_count == 0)
-        return bat_fail(BATTEN_NOT_FOUND, "none of the %zu points lies inside the selection",
-                        point_count);
-    select_lines(offsets, work);
-    for (size_t i = 0; i < point_count && offsets->line_count > 0; i++)
-        if (work->points[i].line >= 0)
-            work->points[i].line = work->line_numbers[work->points[i].line];
-    const double unit = work->selection->unit_metres;
-    return batten_offset_table_create(unit == 0 ? offsets->unit_metres : unit, work->line_count,
-                                      work->lines, work->station_count, work->stations, out);
-}
-
-batten_status batten_offset_table_select(const batten_offset_table *offsets,
-                                         const batten_offset_table_selection *selection,
-                                         batten_offset_table **out)
-{
-    batten_offset_table_selection chosen = batten_offset_table_everything();
-    batten_status status = BAT_TAKE_OPTIONS(batten_offset_table_selection, selection, &chosen);
-    if (status == BATTEN_OK)
-        status = check_selection(&chosen);
-    if (status != BATTEN_OK)
-        return status;
-    selected work = {.selection = &chosen};
-    work.line_numbers = bat_array((size_t)offsets->line_count, sizeof *work.line_numbers);
-    work.lines = bat_array((size_t)offsets->line_count, sizeof *work.lines);
-    work.stations = bat_array((size_t)offsets->station_count, sizeof *work.stations);
-    work.points = bat_array(all_points(offsets), sizeof *work.points);
-    status = BATTEN_OUT_OF_MEMORY;
-    if (work.line_numbers && work.lines && work.stations && work.points)
-        status = select_into(offsets, &work, out);
-    bat_release(work.points);
-    bat_release(work.stations);
-    bat_release(work.lines);
-    bat_release(work.line_numbers);
-    return status;
 }

@@ -7,9 +7,9 @@
 batten_surface_scattered_options batten_surface_scattered_defaults(void)
 {
     return (batten_surface_scattered_options){.size = sizeof(batten_surface_scattered_options),
-                                      .degree_u = 3,
-                                      .degree_v = 3,
-                                      .corrections = 20};
+                                              .degree_u = 3,
+                                              .degree_v = 3,
+                                              .corrections = 20};
 }
 
 static int count_empty(const bat_scatter *s, bool *held)

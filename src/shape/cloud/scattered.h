@@ -114,6 +114,13 @@ batten_status bat_scatter_assemble(bat_scatter *s);
 batten_status bat_scatter_open(bat_scatter *s);
 /* Control points and distances with this lambda. */
 batten_status bat_scatter_solve(bat_scatter *s, double lambda);
+/* An entry of the matrix with this lambda. */
+static inline double bat_net_entry(const bat_net_system *y, size_t k, double lambda)
+{
+    return y->data[k] + lambda * y->energy[k] + bat_max(0, y->floor - lambda) * y->open[k];
+}
+/* By conjugate gradients, from what was solved before (net_gradients.c). */
+batten_status bat_scatter_solve_gradients(bat_scatter *s, double lambda);
 /* The trace, from the probes, after bat_scatter_solve. */
 double bat_scatter_freedom(const bat_scatter *s);
 

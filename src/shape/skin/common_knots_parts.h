@@ -28,6 +28,13 @@ typedef struct {
     bat_work *work;
 } bat_fitting;
 
+/* ---- the sections over [0, 1] (common_knots_sections.c) ---- */
+
+/* Fills in dimension, width, degree, kind and `given`. */
+batten_status bat_common_take(bat_fitting *f, const batten_curve *const *sections);
+/* BAD_ARGUMENT when the tolerance is lost in the rounding of the coordinates. */
+batten_status bat_common_check_tolerance(const bat_fitting *f);
+
 /* ---- combs (common_knots_comb.c) ---- */
 
 batten_status bat_comb_make(int capacity, bat_comb *c);

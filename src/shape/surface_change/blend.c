@@ -12,22 +12,19 @@
 
 #include <string.h>
 
-enum { MOST = 3, MOST_ROWS = 2 * MOST, SAMPLES = 33, CURVES = 2 * MOST };
-
-/* Six curves over [0, 1], those of the first ribbon before those of the second, and how much of
- * each is in each row. */
-typedef struct {
-    int count[2];                 /* curves in use on either side */
-    batten_curve *curves[CURVES]; /* [side * MOST + order]; NULL where not in use */
-    double part[CURVES][MOST_ROWS];
-} blend;
+enum {
+    MOST = BAT_BLEND_ORDERS,
+    MOST_ROWS = BAT_BLEND_ROWS,
+    SAMPLES = 33,
+    CURVES = BAT_BLEND_CURVES
+};
 
 typedef struct {
     const batten_surface *const *surfaces;
     const batten_surface_blend_end *ends;
     double tolerance, size;
     batten_surfaces_blend_report *report;
-    blend *b;
+    bat_blend *b;
 } task;
 
 batten_surface_blend_end batten_surfaces_blend_defaults(batten_edge edge)
@@ -37,19 +34,6 @@ batten_surface_blend_end batten_surfaces_blend_defaults(batten_edge edge)
                                       .to = 1,
                                       .continuity = 2,
                                       .bulge = 1};
-}
-
-static void free_blend(void *data)
-{
-    blend *b = data;
-    for (int i = 0; b && i < CURVES; i++)
-        batten_curve_unref(b->curves[i]);
-    bat_release(b);
-}
-
-static int rows_of(const blend *b)
-{
-    return b->count[0] + b->count[1];
 }
 
 /* ---- ribbons ---- */
@@ -85,7 +69,7 @@ static batten_status take_side(task *t, int side)
     return status;
 }
 
-static batten_status turn_second(blend *b)
+static batten_status turn_second(bat_blend *b)
 {
     batten_status status = BATTEN_OK;
     for (int k = 0; k < b->count[1] && status == BATTEN_OK; k++) {
@@ -174,9 +158,9 @@ static batten_status find_scale(const task *t, int side, double distance, double
 
 /* Row j from either end: the Taylor polynomial there in Bezier form, sum over i of
  * C(j, i) (q - i)! / q! S^(i), S^(i) being taken away from the edge at the far end. */
-static void fill_parts(blend *b, int side, double scale)
+static void fill_parts(bat_blend *b, int side, double scale)
 {
-    const int q = rows_of(b) - 1;
+    const int q = bat_blend_rows(b) - 1;
     for (int j = 0; j < b->count[side]; j++) {
         double factor = 1; /* (q - i)! / q! scale^i (-1)^i for slopes that leave at v = 1 */
         for (int i = 0; i <= j; i++) {
@@ -201,11 +185,11 @@ static bool weights_agree(int count, batten_curve *const *curves)
     return true;
 }
 
-static batten_status fill_nurbs(const blend *b, batten_curve *const *unified,
+static batten_status fill_nurbs(const bat_blend *b, batten_curve *const *unified,
                                 batten_surface **out)
 {
     const batten_curve *first = unified[0];
-    const int q = rows_of(b) - 1;
+    const int q = bat_blend_rows(b) - 1;
     const bat_nurbs_shape shape = {.dimension = 3,
                                    .degree = {first->degree, q},
                                    .count = {first->count, q + 1},
@@ -235,50 +219,7 @@ static batten_status fill_nurbs(const blend *b, batten_curve *const *unified,
     return bat_nurbs_finish(made, out);
 }
 
-/* ---- the kind "blend", for weights that differ ---- */
-
-/* A polynomial in Bezier form and its derivatives to order 3. */
-static void bezier(int q, const double *rows, double v, int order, double *out)
-{
-    double work[MOST_ROWS], basis[MOST_ROWS];
-    memcpy(work, rows, (size_t)(q + 1) * sizeof *work);
-    for (int l = 0; l <= order; l++) {
-        out[l] = 0;
-        if (q - l < 0)
-            continue;
-        bat_bernstein(q - l, v, 1 - v, basis);
-        for (int r = 0; r <= q - l; r++)
-            out[l] += basis[r] * work[r];
-        for (int r = 0; r < q - l; r++)
-            work[r] = (q - l) * (work[r + 1] - work[r]);
-    }
-}
-
-static batten_status evaluate(const void *data, double u, double v, batten_side side_u,
-                              batten_side side_v, int order, double *out)
-{
-    const blend *b = data;
-    (void)side_v;
-    memset(out, 0, (size_t)BATTEN_SURFACE_DERIVATIVES(order) * 3 * sizeof *out);
-    for (int k = 0; k < CURVES; k++) {
-        double along[12], across[4];
-        if (!b->curves[k])
-            continue;
-        const batten_status status =
-            batten_curve_evaluate_side(b->curves[k], u, side_u, order, along);
-        if (status != BATTEN_OK)
-            return status;
-        bezier(rows_of(b) - 1, b->part[k], v, order, across);
-        for (int total = 0; total <= order; total++)
-            for (int l = 0; l <= total; l++)
-                for (int c = 0; c < 3; c++)
-                    out[3 * BATTEN_SURFACE_DERIVATIVE(total - l, l) + c] +=
-                        across[l] * along[3 * (total - l) + c];
-    }
-    return BATTEN_OK;
-}
-
-static const bat_formula formula = {"blend", evaluate, NULL, free_blend};
+/* ---- near, for weights that differ ---- */
 
 /* Over the knots that the curves have together. Takes the blend over. */
 static batten_status make_near(task *t, const batten_curve *unified, batten_surface **out)
@@ -297,7 +238,8 @@ static batten_status make_near(task *t, const batten_curve *unified, batten_surf
             u.smoothness, bat_max_int(0, unified->degree - bat_knots_multiplicity(
                                                                unified->degree, unified->count,
                                                                unified->knots, breaks[s])));
-    batten_status status = bat_formula_create(&formula, t->b, 3, &u, &v, t->size, &truth);
+    batten_status status =
+        bat_formula_create(&bat_blend_formula, t->b, 3, &u, &v, t->size, &truth);
     if (status == BATTEN_OK) {
         t->b = NULL;
         status = batten_surface_to_nurbs(truth, t->tolerance, &error, out);
@@ -406,7 +348,7 @@ batten_status batten_surfaces_blend(const batten_surface *const surfaces[2],
         return status;
     t.b = bat_array(1, sizeof *t.b);
     status = t.b ? blend_edges(&t, out) : BATTEN_OUT_OF_MEMORY;
-    free_blend(t.b);
+    bat_blend_free(t.b);
     if (status == BATTEN_OK && report)
         *report = found;
     return status;

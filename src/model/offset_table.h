@@ -1,0 +1,20 @@
+/* What a table of offsets is made of. */
+#ifndef BAT_OFFSET_TABLE_H
+#define BAT_OFFSET_TABLE_H
+#include "base/base.h"
+#include <batten/offset_table.h>
+
+struct batten_offset_table {
+    bat_references references;
+    double unit_metres;
+    int line_count, station_count;
+    batten_table_line *lines;
+    batten_table_station *stations;
+    batten_table_point *points; /* of all stations, one after another */
+    char *names;
+};
+
+/* How many points all stations have together. */
+size_t bat_offset_table_points(const batten_offset_table *offsets);
+
+#endif
