@@ -115,8 +115,9 @@ TEST(a_chain_in_space_has_no_inflections_and_its_points_require_none)
                                  {0.2, -0.192, 0}, {0.6, -0.384, 0}, {1, 0, 0}};
     batten_chain *chain = NULL;
     batten_fairness fairness;
-    CHECK_OK(batten_chain_create(3, 1, &span, NULL, false, 1e-12, &chain));
-    CHECK_OK(batten_chain_fairness(chain, 6, &points[0][0], &fairness));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){3, 1, &span, NULL, false}, 1e-12, &chain));
+    CHECK_OK(batten_chain_fairness(chain, (batten_points){3, 6, &points[0][0]}, &fairness));
     CHECK_INT(fairness.inflections, 0);
     CHECK_INT(fairness.excess_inflections, 0);
     CHECK(fairness.fair && fairness.max_curvature > 1);
