@@ -58,6 +58,20 @@ if(BATTEN_DESIGN)
     batten_pkgconfig(batten-design "Batten's design documents" "batten batten-picture" "yaml-0.1" "-lm")
 endif()
 
+# Manual pages of the main calls, from their doc blocks; where there is no Python, the headers say the same.
+find_package(Python3 COMPONENTS Interpreter QUIET)
+if(Python3_Interpreter_FOUND)
+    set(stamp ${PROJECT_BINARY_DIR}/man3/.made)
+    set(maker ${PROJECT_SOURCE_DIR}/docs/reference/man.py)
+    file(GLOB all_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/batten/*.h)
+    add_custom_command(OUTPUT ${stamp}
+        COMMAND ${Python3_EXECUTABLE} ${maker} ${PROJECT_VERSION} ${PROJECT_BINARY_DIR}/man3
+        COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+        DEPENDS ${maker} ${PROJECT_SOURCE_DIR}/docs/reference/main-calls.txt ${all_headers})
+    add_custom_target(batten-man3 ALL DEPENDS ${stamp})
+    install(DIRECTORY ${PROJECT_BINARY_DIR}/man3/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man3 FILES_MATCHING PATTERN "*.3")
+endif()
+
 if(TARGET batten-command)
     install(TARGETS batten-command)
     set(made ${PROJECT_BINARY_DIR}/cli)

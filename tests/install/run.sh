@@ -58,6 +58,9 @@ for file in share/man/man1/batten.1 share/man/man5/batten-design.5 share/bash-co
     share/batten/design.schema.json; do
     [ -s "$prefix/$file" ] || { echo "not installed: $file"; exit 1; }
 done
+if [ -d "$build/man3" ]; then
+    [ -s "$prefix/share/man/man3/batten_curve_interpolate.3" ] || { echo "not installed: the manual pages of calls"; exit 1; }
+fi
 bash -n "$prefix/share/bash-completion/completions/batten"
 if [ "$kind" = static ]; then
     [ -e "$libdir/libbatten.a" ] || { echo "there is no static library"; exit 1; }
