@@ -51,8 +51,8 @@ batten_status unit_length_in(const arguments *given, const char *name, double me
         return BATTEN_OK;
     if (own > 0 && !(metres > 0))
         return batten_fail(BATTEN_BAD_ARGUMENT,
-                           "--%s is %s, and the file does not say its unit; --from-unit may",
-                           name, text);
+                           "--%s is %s, and the file gives no unit; --from-unit may", name,
+                           text);
     *out = own > 0 && own != metres ? value * own / metres : value;
     return BATTEN_OK;
 }

@@ -68,7 +68,7 @@ static batten_status change_unit(double from, double to, batten_notes *notes,
         status = to_unit(from, model);
     else if (batten_model_unit_metres(*model) == 0 && to > 0)
         batten_notes_add(notes, "", 0, "",
-                         "the file does not say its unit; its numbers are taken to be in %s "
+                         "the file gives no unit; its numbers are taken to be in %s "
                          "already (--from-unit says otherwise)",
                          batten_unit_name(to));
     if (status == BATTEN_OK && to > 0 && to != batten_model_unit_metres(*model))

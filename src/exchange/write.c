@@ -47,8 +47,9 @@ static bool has_kind(const batten_model *model, batten_object_kind kind)
 /* One schema of STEP has meshes; whoever did not choose it is told. */
 static const char *mesh_hint(const bat_format_row *row)
 {
-    return row->format == BATTEN_FORMAT_STEP ? "; of schema ap242 (--schema ap242) they do"
-                                             : "";
+    return row->format == BATTEN_FORMAT_STEP
+               ? "; those of schema ap242 (--schema ap242) hold meshes"
+               : "";
 }
 
 /* A file would hold nothing of a model that is not empty. */
@@ -63,7 +64,8 @@ static batten_status nothing(const bat_format_row *row, const batten_model *mode
             ? BATTEN_OUT_OF_MEMORY
             : bat_fail(
                   BATTEN_UNSUPPORTED,
-                  "%s files hold %s, and of the %d object%s ('%.60s' first) none is such%s",
+                  "%s files hold %s, and none of the %d object%s ('%.60s' first) is of that "
+                  "kind%s",
                   row->title, kinds.bytes, count, bat_plural(count),
                   batten_model_object(model, 0)->name, held ? "" : mesh_hint(row));
     batten_text_free(&kinds);
@@ -232,7 +234,7 @@ static batten_status find_writer(const batten_write_options *options,
 {
     *row = options ? bat_format_of(options->format) : NULL;
     if (!*row || options->format == BATTEN_FORMAT_AUTO)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "no format is named to write in");
+        return bat_fail(BATTEN_BAD_ARGUMENT, "no format to write is given");
     if (!(*row)->write)
         return bat_fail(BATTEN_UNSUPPORTED, "%s files cannot be written", (*row)->title);
     return BATTEN_OK;
@@ -354,7 +356,7 @@ batten_status batten_write_file(const batten_model *model, const char *path,
     size_t size = 0;
     if (!batten_write_choose(path, model, &chosen))
         return bat_fail(BATTEN_UNSUPPORTED,
-                        "the ending of '%s' names no format that is written", path);
+                        "the ending of '%s' names no format that can be written", path);
     status = batten_write_memory(model, &chosen, notes, &data, &size);
     if (status == BATTEN_OK)
         status = batten_save_file(path, data, size);

@@ -174,7 +174,8 @@ TEST(instances_of_what_a_format_does_not_hold_are_left_out)
         if (i % 2 == 0) {
             CHECK_STATUS(batten_write_prepare(model, &options, notes, &prepared),
                          BATTEN_UNSUPPORTED);
-            CHECK_MESSAGE("files hold meshes, and of the 1 object ('arm' first) none is such");
+            CHECK_MESSAGE("files hold meshes, and none of the 1 object ('arm' first) is of "
+                          "that kind");
         } else {
             CHECK_OK(batten_write_prepare(model, &options, notes, &prepared));
             CHECK_INT(batten_model_count(prepared), 1);

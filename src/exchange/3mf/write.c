@@ -77,7 +77,7 @@ static const char *unit_of(writing *w, double metres)
                          "3MF has no unit of %g m; what is written is in millimetres", metres);
     } else
         batten_notes_add(w->notes, "", 0, "",
-                         "the model names no unit; its numbers are taken for millimetres");
+                         "the model has no unit; its numbers are taken as millimetres");
     return "millimeter";
 }
 

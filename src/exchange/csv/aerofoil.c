@@ -61,7 +61,7 @@ static batten_status leave_out(reading *r)
     r->left_out++;
     input->left_out++;
     batten_notes_add(input->notes, input->file, r->table.line, "",
-                     "this row is no point; it is left out");
+                     "this row is not a point; it is left out");
     return BATTEN_OK;
 }
 
@@ -189,8 +189,7 @@ static batten_status put_in_order(reading *r)
     double(*points)[3] = r->points.items;
     if (r->points.count < 3)
         return bat_input_fail(r->table.input, BATTEN_BAD_FORMAT, 0,
-                              "an aerofoil needs 3 points at least; here are %zu",
-                              r->points.count);
+                              "an aerofoil needs at least 3 points, not %zu", r->points.count);
     batten_status status = BATTEN_OK;
     if (bat_are_aerofoil_counts(points[0], points[1]))
         status = order_lednicer(r);

@@ -95,7 +95,7 @@ batten_status bat_columns_unit(const bat_separated *table, const bat_column *col
         const char *text = table->fields[k].text;
         if (own == 0 && strpbrk(text, "[("))
             batten_notes_add(table->input->notes, table->input->file, table->line, "",
-                             "'%.40s' says no unit that is known", text);
+                             "unknown unit in '%.40s'", text);
         if (own > 0 && unit > 0 && own != unit)
             return bat_field_fail(table, k,
                                   "'%.40s' is in another unit than the columns before",
@@ -106,7 +106,7 @@ batten_status bat_columns_unit(const bat_separated *table, const bat_column *col
     }
     if (said && silent)
         batten_notes_add(table->input->notes, table->input->file, table->line, "",
-                         "only some columns say a unit; all are taken to be in %g m", unit);
+                         "only some columns give a unit; all are taken to be in %g m", unit);
     *unit_metres = unit;
     return BATTEN_OK;
 }

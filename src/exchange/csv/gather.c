@@ -85,7 +85,7 @@ static batten_status check_source(const bat_gather_table *t, size_t begin, size_
         return BATTEN_OK;
     return bat_input_fail(
         t->from->input, BATTEN_BAD_FORMAT, bat_max_int(first->row, point->row),
-        "station x = %g stands twice in the table, as number %d and %d", point->station,
+        "station x = %g appears twice in the table, as numbers %d and %d", point->station,
         bat_min_int(first->source, point->source), bat_max_int(first->source, point->source));
 }
 

@@ -211,7 +211,7 @@ static batten_status read_row(loft *l)
         status = read_block(l);
     if (status == BATTEN_OK && l->block == NO_BLOCK)
         status = bat_input_fail(l->table->input, BATTEN_BAD_FORMAT, l->table->line,
-                                "the first column must say length, heights or widths here");
+                                "the first column must be length, heights or widths here");
     if (status == BATTEN_OK)
         status = l->block == LENGTHS ? read_lengths(l) : read_line(l);
     return status;

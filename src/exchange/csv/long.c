@@ -26,7 +26,7 @@ static batten_status read_header(bat_separated *table, layout *columns, double *
             batten_notes_add(table->input->notes, table->input->file, table->line, "",
                              "column '%.40s' is not read", text);
         else if (columns->at[kind] >= 0)
-            status = bat_field_fail(table, k, "'%.40s' says the same as '%.40s'", text,
+            status = bat_field_fail(table, k, "'%.40s' repeats '%.40s'", text,
                                     table->fields[columns->at[kind]].text);
         columns->at[kind] = k;
     }

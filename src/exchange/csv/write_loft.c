@@ -25,18 +25,18 @@ static batten_status find_points(writing *w)
             if (p->line < 0)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
                                 "point %d of station '%.60s' is on no line; a table in feet, "
-                                "inches and eighths is one of lines",
+                                "inches and eighths consists of lines",
                                 k, station->name);
             if (p->x != station->x)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
                                 "point %d of station '%.60s' is at x = %g, not at %g as its "
-                                "station; a table of lines cannot say so",
+                                "station; a table of lines cannot express that",
                                 k, station->name, p->x, station->x);
             int *at = &w->at[p->line * w->stations + s];
             if (*at >= 0)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
                                 "line '%.60s' has two points at station '%.60s'; a table of "
-                                "lines cannot say so",
+                                "lines cannot express that",
                                 batten_offset_table_line(w->offsets, p->line)->name,
                                 station->name);
             *at = k;

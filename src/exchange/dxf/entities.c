@@ -152,7 +152,7 @@ static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_
                                           NULL, out);
     if (status == BATTEN_OK)
         batten_notes_add(pairs->input->notes, pairs->input->file, pairs->line, "SPLINE",
-                         "it says only %zu point%s%s; a curve was put through them%s", count,
+                         "it has only %zu point%s%s; a curve was put through them%s", count,
                          bat_plural(count),
                          !has_start && !has_end ? ""
                          : has_start && has_end ? " and the directions at its ends"

@@ -208,7 +208,7 @@ batten_status bat_dxf_get_reals(const bat_dxf_pairs *pairs, int code, size_t cou
     double *made = NULL;
     size_t at = 0;
     if (bat_dxf_count(pairs, code) != count)
-        return bat_fail(BATTEN_BAD_FORMAT, "group %d stands %zu times, need %zu", code,
+        return bat_fail(BATTEN_BAD_FORMAT, "group %d appears %zu times, expected %zu", code,
                         bat_dxf_count(pairs, code), count);
     batten_status status = bat_input_array(pairs->input, count, sizeof *made, &made);
     for (size_t i = 0; status == BATTEN_OK && i < pairs->groups.count; i++)

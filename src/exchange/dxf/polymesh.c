@@ -109,7 +109,7 @@ static batten_status fill(const bat_dxf_polyline *polyline, const char *name, ba
     if (status == BATTEN_OK)
         status = polyline->is_polyface ? add_faces(polyline, mesh) : add_grid(polyline, mesh);
     if (status == BATTEN_OK && mesh->triangles.count == 0)
-        status = bat_fail(BATTEN_BAD_FORMAT, "it is a mesh, and of its %zu faces none is good",
+        status = bat_fail(BATTEN_BAD_FORMAT, "it is a mesh, and none of its %zu faces is valid",
                           mesh->polygons);
     return status == BATTEN_OK ? bat_indexed_add(mesh, name, model) : status;
 }

@@ -51,7 +51,7 @@ static batten_status build_block(bat_dxf_reading *r, bat_dxf_block *b, int depth
     if (b->model)
         return BATTEN_OK;
     if (b->is_at_work)
-        return bat_fail(BATTEN_BAD_FORMAT, "block '%.60s' holds itself", b->is.name);
+        return bat_fail(BATTEN_BAD_FORMAT, "block '%.60s' contains itself", b->is.name);
     if (depth > DEEPEST)
         return bat_fail(BATTEN_UNSUPPORTED, "block '%.60s' lies more than %d deep", b->is.name,
                         DEEPEST);
@@ -80,7 +80,8 @@ static batten_status count_places(bat_dxf_reading *r, const bat_dxf_places *plac
     const int64_t count = (int64_t)places->columns * places->rows;
     if (count > 1 && count > MOST_IN_ARRAYS - r->in_arrays)
         return bat_fail(BATTEN_UNSUPPORTED,
-                        "it is an array of %d x %d, and all arrays may have %d places",
+                        "it is an array of %d x %d, and arrays may have at most %d places in "
+                        "all",
                         places->columns, places->rows, MOST_IN_ARRAYS);
     r->in_arrays += count > 1 ? (int)count : 0;
     if (count == 1 && ++r->instances > MOST_INSTANCES)
@@ -138,7 +139,7 @@ static batten_status add_insert(bat_dxf_filling *f)
         status = build_block(f->r, b, f->depth + 1);
     if (status == BATTEN_OK && b->has_lost && batten_model_count(b->model) == 0)
         status = bat_fail(BATTEN_BAD_FORMAT,
-                          "block '%.60s' is empty, for what it holds is left out", b->is.name);
+                          "block '%.60s' is empty: its contents are left out", b->is.name);
     if (status != BATTEN_OK)
         return status;
     bat_dxf_read_look(f, layer_name, &object);

@@ -17,8 +17,7 @@ static batten_status read_header(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
             r->unit_metres = bat_dxf_unit_of((int)bat_max(0, bat_min(100, code)));
     }
     if (r->unit_metres == 0)
-        batten_notes_add(r->input->notes, r->input->file, 0, "",
-                         "the file does not say its unit");
+        batten_notes_add(r->input->notes, r->input->file, 0, "", "the file gives no unit");
     return BATTEN_OK;
 }
 

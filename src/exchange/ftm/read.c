@@ -36,8 +36,7 @@ static batten_status find_points(bat_ftm_reading *r)
             return BATTEN_OK;
         }
     }
-    return bat_input_fail(r->input, BATTEN_BAD_FORMAT, 0,
-                          "no control points are found in the model");
+    return bat_input_fail(r->input, BATTEN_BAD_FORMAT, 0, "the model has no control points");
 }
 
 static void note_vanished(const bat_ftm_reading *r, bat_span line, const double point[3])
@@ -63,7 +62,7 @@ static batten_status read_points(bat_ftm_reading *r)
             note_vanished(r, line, point);
         else
             status = bat_input_fail(r->input, BATTEN_BAD_FORMAT, (int)r->at + 1,
-                                    "point %d has no three coordinates", i);
+                                    "point %d does not have three coordinates", i);
         r->at += BAT_FTM_LINES_OF_POINT;
     }
     return status;

@@ -280,7 +280,7 @@ static batten_status read_all(reading *r)
                                      r->input->limits.entities, "objects");
         else if (status == BATTEN_OK && number == 0)
             status = bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->words.line,
-                                    "no header of an object stands here");
+                                    "expected the header of an object here");
         if (status == BATTEN_OK && bat_g2_is_header(r->words))
             status = read_object(r, ++number);
         if (status == BATTEN_OK)

@@ -284,7 +284,7 @@ batten_status bat_write_g2(const batten_model *model, const batten_write_options
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
         status = put_object(&w, batten_model_object(model, i));
     if (status == BATTEN_OK && unit > 0 && batten_unit_name(unit))
-        batten_notes_remark(notes, "", 0, "", "the format says no unit; its numbers are in %s",
+        batten_notes_remark(notes, "", 0, "", "the format has no unit; its numbers are in %s",
                             batten_unit_name(unit));
     return status;
 }

@@ -215,7 +215,8 @@ static batten_status path_of(const batten_object *object, batten_notes *notes, b
         return status;
     if (!*use) {
         batten_notes_add(notes, "", 0, object->name,
-                         "left out: this %s is no chain of arcs and lines; the feature 'arcs' "
+                         "left out: this %s is not a chain of arcs and lines; the feature "
+                         "'arcs' "
                          "makes one of a curve",
                          batten_object_kind_name(object->kind));
     } else if (!is_level(path)) {
@@ -263,7 +264,7 @@ static batten_status put_paths(program *p, const batten_model *model, batten_not
     }
     if (p->paths == 0)
         return bat_fail(BATTEN_UNSUPPORTED, "G-code holds chains of arcs and polylines in "
-                                            "planes z = constant, and there are none");
+                                            "planes z = constant; the model has none");
     return BATTEN_OK;
 }
 

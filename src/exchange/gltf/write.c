@@ -215,7 +215,7 @@ static void remark(const bat_gltf_writing *w, double unit)
 {
     if (unit == 0)
         batten_notes_add(w->notes, "", 0, "",
-                         "the model names no unit; its numbers are taken for metres");
+                         "the model has no unit; its numbers are taken as metres");
     if (w->error > 0)
         batten_notes_remark(w->notes, "", 0, "",
                             "coordinates are rounded to 32 bits: at most %.3g m off", w->error);

@@ -88,7 +88,7 @@ static bool check_polygon(bat_indexed *mesh, int line)
                          mesh->polygons, k + 1, (long long)corners[k] + 1,
                          corners[k] >= 0 && (uint64_t)corners[k] < mesh->count
                              ? "which could not be read"
-                             : "which there is not");
+                             : "which does not exist");
     input->left_out++;
     return false;
 }

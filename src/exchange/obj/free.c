@@ -86,7 +86,7 @@ static batten_status begin_shape(bat_obj *obj, int open)
             f->range[k / 2][k % 2] = (double)NAN;
     batten_status status = bat_obj_corners(obj, &f->corners, &bad);
     if (status == BATTEN_OK && bad) {
-        leave_out(obj, f->line, "a control point is no index");
+        leave_out(obj, f->line, "a control point is not an index");
         f->open = 0;
     }
     return status;

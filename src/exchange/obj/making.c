@@ -33,7 +33,8 @@ bool bat_obj_check_corners(const bat_obj_making *m, const bat_obj_element *eleme
         return true;
     const bool no_vertex = !bat_obj_is_vertex(obj, corners[k].vertex);
     batten_notes_add(obj->input->notes, obj->input->file, element->line, "",
-                     "the element is left out: its corner %zu has %s %lld, which there is not",
+                     "the element is left out: its corner %zu has %s %lld, which does not "
+                     "exist",
                      k + 1, no_vertex ? "vertex" : "normal",
                      (long long)(no_vertex ? corners[k].vertex : corners[k].normal) + 1);
     obj->input->left_out++;

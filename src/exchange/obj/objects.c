@@ -137,7 +137,7 @@ static void remark_unused(const bat_obj *obj)
         loose += !bat_obj_vertex_at(obj, (int64_t)i)->is_used;
     if (loose)
         batten_notes_remark(input->notes, input->file, 0, "",
-                            "%zu of %zu vertices are of no element; not kept", loose,
+                            "%zu of %zu vertices belong to no element; not kept", loose,
                             obj->vertices.count);
     if (obj->textures)
         batten_notes_remark(input->notes, input->file, 0, "",

@@ -105,7 +105,7 @@ static batten_status read_element(bat_obj *obj, bat_obj_kind kind, size_t least)
     if (!bad && element.count >= least)
         return bat_obj_add(obj, &element);
     batten_notes_add(obj->input->notes, obj->input->file, element.line, "",
-                     "the %s is left out: %d of its %zu corners are no indices", names[kind],
+                     "the %s is left out: %d of its %zu corners are not indices", names[kind],
                      bad, element.count);
     obj->input->left_out++;
     obj->corners.count = element.first;
@@ -161,7 +161,7 @@ static batten_status read_statement(bat_obj *obj, bat_span word)
             return status;
         char shown[BAT_SHOWN_SIZE];
         batten_notes_add(obj->input->notes, obj->input->file, obj->scan.line, "",
-                         "the statement '%.40s' is not known",
+                         "unknown statement '%.40s'",
                          bat_shown(word.bytes, word.length, shown));
         obj->input->left_out++;
     }

@@ -9,8 +9,7 @@
 
 static batten_status bad_line(const bat_pcd_reading *r, const char *what)
 {
-    return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                          "the header is no good here: %s", what);
+    return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line, "bad header: %s", what);
 }
 
 static batten_status read_fields(bat_pcd_reading *r, bat_scan *words)
@@ -38,9 +37,9 @@ static batten_status read_of_fields(bat_pcd_reading *r, bat_scan *words, char wh
         if (what == 'T') {
             f->type = word.bytes[0];
             if (word.length != 1 || !strchr("IUF", f->type))
-                return bad_line(r, "a type is I, U or F");
+                return bad_line(r, "a type must be I, U or F");
         } else if (!bat_word_integer(word, 1, what == 'S' ? 8 : 65536, &number))
-            return bad_line(r, "a size or count is none");
+            return bad_line(r, "a size or count is not a whole number that is allowed");
         else if (what == 'S')
             f->size = (int)number;
         else
@@ -54,7 +53,7 @@ static batten_status read_count(bat_pcd_reading *r, bat_scan *words, size_t *cou
     bat_span word;
     int64_t number = 0;
     if (!bat_next_in_line(words, &word) || !bat_word_integer(word, 0, INT_MAX, &number))
-        return bad_line(r, "a count is none");
+        return bad_line(r, "a count is not a whole number");
     *count = (size_t)number;
     return BATTEN_OK;
 }
@@ -68,7 +67,7 @@ static batten_status read_form(bat_pcd_reading *r, bat_scan *words)
         if (bat_word_is(word, names[k]))
             r->data = (bat_pcd_form)(BAT_PCD_ASCII + k);
     return r->data == BAT_PCD_NO_DATA
-               ? bad_line(r, "data are ascii, binary or binary_compressed")
+               ? bad_line(r, "data must be ascii, binary or binary_compressed")
                : BATTEN_OK;
 }
 
@@ -82,8 +81,8 @@ static void note_viewpoint(const bat_pcd_reading *r, bat_scan *words)
         if (!bat_next_in_line(words, &word) || !bat_word_number(word, &number) ||
             number != usual[k]) {
             batten_notes_remark(r->input->notes, r->input->file, r->line, "",
-                                "the sensor has a place of its own; the points stay as they "
-                                "are");
+                                "the sensor has a position of its own; the points are not "
+                                "moved");
             return;
         }
     }
@@ -111,7 +110,7 @@ static batten_status read_line(bat_pcd_reading *r, bat_span line)
     if (bat_word_is(word, "DATA"))
         return read_form(r, &words);
     if (!bat_word_is(word, "VIEWPOINT"))
-        return bad_line(r, "no line of a header begins so");
+        return bad_line(r, "unknown header line");
     note_viewpoint(r, &words);
     return BATTEN_OK;
 }
@@ -127,7 +126,8 @@ static batten_status find_axes(bat_pcd_reading *r)
                 r->axis[a] = k;
         if (r->axis[a] < 0)
             return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                                  "no field is %s, once for each point", names[a]);
+                                  "there is no field %s with one value for each point",
+                                  names[a]);
     }
     for (int k = 0; k < r->field_count; k++) {
         const bat_pcd_field *f = &r->fields[k];
@@ -136,7 +136,7 @@ static batten_status find_axes(bat_pcd_reading *r)
             f->type != 'F' && (f->size == 1 || f->size == 2 || f->size == 4 || f->size == 8);
         if (r->data != BAT_PCD_ASCII && !is_real && !is_whole)
             return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                                  "no number of type %c has %d byte%s", f->type, f->size,
+                                  "a number of type %c cannot have %d byte%s", f->type, f->size,
                                   bat_plural(f->size));
         others +=
             k != r->axis[0] && k != r->axis[1] && k != r->axis[2] && !bat_word_is(f->name, "_");

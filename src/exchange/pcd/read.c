@@ -74,7 +74,7 @@ static batten_status read_ascii(bat_pcd_reading *r)
         else {
             r->input->left_out++;
             batten_notes_add(r->input->notes, r->input->file, r->line, "",
-                             "point %zu is left out: a coordinate is missing or no number",
+                             "point %zu is left out: a coordinate is missing or not a number",
                              count);
         }
         if (status == BATTEN_OK && count % 10000 == 0)
@@ -182,8 +182,8 @@ static batten_status make_model(const bat_pcd_reading *r, batten_model **out)
     batten_model *model = NULL;
     if (r->nowhere)
         batten_notes_remark(r->input->notes, r->input->file, 0, "",
-                            "%zu point%s %s nowhere (NaN); not kept", r->nowhere,
-                            bat_plural(r->nowhere), bat_one_or_many(r->nowhere, "is", "are"));
+                            "%zu point%s %s no position (NaN); not kept", r->nowhere,
+                            bat_plural(r->nowhere), bat_one_or_many(r->nowhere, "has", "have"));
     if (r->read.count == 0 && r->points > 0)
         return bat_input_fail(r->input, BATTEN_BAD_FORMAT, 0, "no point could be read");
     batten_status status = batten_model_create(0, &model);

@@ -29,8 +29,7 @@ static bool type_of(bat_span word, bat_ply_type *type)
 
 static batten_status bad_line(const bat_input *input, int line, const char *what)
 {
-    return bat_input_fail(input, BATTEN_BAD_FORMAT, line, "the header is no good here: %s",
-                          what);
+    return bat_input_fail(input, BATTEN_BAD_FORMAT, line, "bad header: %s", what);
 }
 
 static batten_status read_format(bat_input *input, bat_scan *words, int line,
@@ -40,12 +39,11 @@ static batten_status read_format(bat_input *input, bat_scan *words, int line,
     bat_span form, version;
     int k = 0;
     if (!bat_next_in_line(words, &form) || !bat_next_in_line(words, &version))
-        return bad_line(input, line, "a format and its version are wanted");
+        return bad_line(input, line, "expected a format and its version");
     while (k < 3 && !bat_word_is(form, names[k]))
         k++;
     if (k == 3 || !bat_word_is(version, "1.0"))
-        return bat_input_fail(input, BATTEN_UNSUPPORTED, line,
-                              "the form '%.*s' %.*s of PLY is not known",
+        return bat_input_fail(input, BATTEN_UNSUPPORTED, line, "unknown PLY form '%.*s' %.*s",
                               (int)bat_min_int(40, (int)form.length), form.bytes,
                               (int)bat_min_int(40, (int)version.length), version.bytes);
     header->form = (bat_ply_form)k;
@@ -60,7 +58,7 @@ static batten_status read_element(bat_input *input, bat_scan *words, int line,
     int64_t number = 0;
     if (!bat_next_in_line(words, &element.name) || !bat_next_in_line(words, &count) ||
         !bat_word_integer(count, 0, (int64_t)1 << 40, &number))
-        return bad_line(input, line, "an element has a name and a count");
+        return bad_line(input, line, "an element needs a name and a count");
     element.count = (size_t)number;
     return bat_list_add(input, &header->elements, &element);
 }
@@ -78,7 +76,7 @@ static batten_status read_property(bat_input *input, bat_scan *words, int line,
     }
     good = good && type_of(word, &property.type) && bat_next_in_line(words, &property.name);
     if (!good)
-        return bad_line(input, line, "a property has a type that is known, and a name");
+        return bad_line(input, line, "a property needs a known type and a name");
     bat_ply_element *elements = header->elements.items;
     elements[header->elements.count - 1].properties++;
     return bat_list_add(input, &header->properties, &property);
@@ -101,9 +99,9 @@ static batten_status read_line(bat_input *input, bat_span text, int line,
     if (bat_word_is(word, "property"))
         return read_property(input, &words, line, header);
     if (!bat_word_is(word, "end_header"))
-        return bad_line(input, line, "no line of a header begins so");
+        return bad_line(input, line, "unknown header line");
     *is_end = true;
-    return *has_form ? BATTEN_OK : bad_line(input, line, "no line has named the format");
+    return *has_form ? BATTEN_OK : bad_line(input, line, "the format line is missing");
 }
 
 batten_status bat_ply_header_read(bat_input *input, bat_ply_header *header)

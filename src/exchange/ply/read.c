@@ -65,7 +65,7 @@ static batten_status take_face(bat_ply_reading *r, const bat_ply_property *prope
     r->mesh.polygons++;
     r->input->left_out++;
     batten_notes_add(r->input->notes, r->input->file, line, "",
-                     "face %zu is left out: a number is missing, or its count is no count",
+                     "face %zu is left out: a number is missing, or its count is invalid",
                      index + 1);
     return BATTEN_OK;
 }

@@ -87,7 +87,7 @@ batten_status bat_input_as_text(bat_input *input)
     if (zero) {
         const size_t at = (size_t)(zero - input->data);
         return bat_input_fail(input, BATTEN_BAD_FORMAT, line_of(input, at),
-                              "byte %zu is zero; this is no text", at);
+                              "byte %zu is zero; this is not text", at);
     }
     return BATTEN_OK;
 }

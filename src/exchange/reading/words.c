@@ -26,7 +26,7 @@ static size_t bytes_left(const bat_words *words)
 static batten_status ended(const bat_words *words, const char *what)
 {
     return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
-                          "the text ends where %s should stand", what);
+                          "the text ends where %s is expected", what);
 }
 
 batten_status bat_words_real(bat_words *words, const char *what, double *value)

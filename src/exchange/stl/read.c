@@ -129,7 +129,8 @@ batten_status bat_read_stl(bat_input *input, batten_model **out)
                                                     : bat_input_as_text(input);
     if (status == BATTEN_OK && !bytes && !is_text(input))
         status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0,
-                                "this is no STL: neither 'solid' and 'facet' nor a header of "
+                                "this is not STL: it has neither 'solid' and 'facet' nor a "
+                                "header of "
                                 "84 bytes and triangles");
     if (status == BATTEN_OK)
         status = batten_model_create(0, &model);

@@ -107,7 +107,7 @@ static batten_status add_facet(reading *r)
     if (is_whole && r->comma.length && bat_first_not_finite(corners, 9) < 9) {
         r->input->left_out++;
         batten_notes_add(r->input->notes, r->input->file, line, "",
-                         "triangle %zu is left out: '%.40s' is no number; decimals stand after "
+                         "triangle %zu is left out: '%.40s' is not a number; decimals follow "
                          "a point",
                          index + 1, bat_shown(r->comma.bytes, r->comma.length, shown));
         return BATTEN_OK;
@@ -164,7 +164,7 @@ static void note_stray(reading *r, bat_span word)
     r->input->left_out += is_facet;
     batten_notes_add(r->input->notes, r->input->file, r->words.line, "",
                      is_facet ? "a triangle outside of a solid is left out: '%.40s'"
-                              : "'%.40s' is no word of a solid",
+                              : "unexpected word '%.40s' in a solid",
                      bat_shown(word.bytes, word.length, shown));
 }
 

@@ -178,7 +178,7 @@ static batten_status add_shape(reading *r)
         return leave_out(r, kind, batten_message());
     if (r->parts == 0)
         batten_notes_remark(r->input->notes, r->input->file, r->xml.line, kind,
-                            "it has no length; there is no curve of it");
+                            "it has no length and makes no curve");
     return bat_census_read(r->input, &r->census, kind);
 }
 

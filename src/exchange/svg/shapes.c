@@ -35,7 +35,7 @@ static batten_status numbers_of(const bat_xml *xml, int count, const char *const
                                 : 0;
         char shown[BAT_SHOWN_SIZE];
         if (unit == 0)
-            return bat_fail(BATTEN_BAD_FORMAT, "its %s is '%.40s', which is no length",
+            return bat_fail(BATTEN_BAD_FORMAT, "its %s is '%.40s', which is not a length",
                             names[k], bat_shown(text.bytes, text.length, shown));
         if (unit != BAT_SVG_PIXEL)
             values[k] *= unit / BAT_SVG_PIXEL;

@@ -27,7 +27,7 @@ static double length_of(const bat_xml *xml, const char *name)
     const bool is_share = at < text.length && text.bytes[at] == '%';
     if (!(length > 0) && !is_share && !bat_svg_says(text, "auto"))
         batten_notes_add(xml->input->notes, xml->input->file, xml->line, "svg",
-                         "its %s is '%.40s', which is no length of a sheet", name,
+                         "its %s is '%.40s', which is not a length for a sheet", name,
                          bat_shown(text.bytes, text.length, shown));
     return length;
 }

@@ -257,10 +257,9 @@ static batten_status put_object(writing *w, const batten_object *object, batten_
         return BATTEN_OK;
     }
     if (box.high.z > box.low.z && !w->upright)
-        batten_notes_add(
-            notes, "", 0, object->name,
-            "it is drawn as seen along z; that it reaches from z = %g to %g is lost", box.low.z,
-            box.high.z);
+        batten_notes_add(notes, "", 0, object->name,
+                         "it is drawn as seen along z; its extent from z = %g to %g is lost",
+                         box.low.z, box.high.z);
     batten_status status = bat_path_of(object, &is_path, &path);
     if (status != BATTEN_OK)
         return status;
@@ -343,6 +342,6 @@ batten_status bat_write_svg(const batten_model *model, const batten_write_option
                             "the lower left corner of the sheet is x = %g, y = %g of the model",
                             w.left, w.bottom);
     if (status == BATTEN_OK && w.shapes == 0 && batten_model_count(model) > 0)
-        status = bat_fail(BATTEN_UNSUPPORTED, "SVG files hold curves, and there are none");
+        status = bat_fail(BATTEN_UNSUPPORTED, "SVG files hold curves; the model has none");
     return status;
 }

@@ -32,7 +32,7 @@ TEST(what_is_no_aerofoil_is_refused)
 {
     check_refused("a\n0 0\n.5 .1\n1 0\n", BATTEN_FORMAT_AEROFOIL, BATTEN_BAD_FORMAT,
                   "begin at x = 0 and end at x = 1");
-    check_refused("a\n1 0\n0 0\n", BATTEN_FORMAT_AEROFOIL, BATTEN_BAD_FORMAT, "needs 3 points");
+    check_refused("a\n1 0\n0 0\n", BATTEN_FORMAT_AEROFOIL, BATTEN_BAD_FORMAT, "needs at least 3 points");
     check_refused("a\n3 4\n0 0\n.5 .1\n1 .01\n0 0\n.4 -.05\n1 -.01\n", BATTEN_FORMAT_AEROFOIL,
                   BATTEN_BAD_FORMAT, "t:2: 3 and 4 points are announced, but 6 follow");
     check_refused("a\n1 ...\n", BATTEN_FORMAT_AEROFOIL, BATTEN_BAD_FORMAT,

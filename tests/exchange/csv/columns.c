@@ -40,7 +40,7 @@ TEST(F6_two_units_in_one_header_are_refused)
     check_refused("x_m,y_mm\n1,2\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
                   "t:1: column 5: 'y_mm' is in another unit");
     batten_model *model =
-        read_noting("x_m,y\n1,2\n", BATTEN_FORMAT_POINTS, "only some columns say a unit");
+        read_noting("x_m,y\n1,2\n", BATTEN_FORMAT_POINTS, "only some columns give a unit");
     CHECK_BITS(batten_model_unit_metres(model), 1.0);
     batten_model_unref(model);
 }
@@ -48,7 +48,7 @@ TEST(F6_two_units_in_one_header_are_refused)
 TEST(F6_a_unit_that_is_not_known_is_told)
 {
     batten_model *model = read_noting("x [furlong],y\n1,2\n", BATTEN_FORMAT_POINTS,
-                                      "'x [furlong]' says no unit that is known");
+                                      "unknown unit in 'x [furlong]'");
     CHECK_BITS(batten_model_unit_metres(model), 0.0);
     batten_model_unref(model);
 }

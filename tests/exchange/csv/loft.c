@@ -57,7 +57,7 @@ TEST(rows_that_are_not_known_are_refused_by_name)
     check_refused("axis,name,0\nlength,x,0\nButtocks,d1,2\n", BATTEN_FORMAT_AUTO,
                   BATTEN_UNSUPPORTED, "t:3: rows of 'Buttocks'");
     check_refused("axis,name,0\n,x,0\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
-                  "t:2: the first column must say");
+                  "t:2: the first column must be length");
     check_refused("axis,name\nlength,x\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
                   "t:1: the first row names no station");
 }

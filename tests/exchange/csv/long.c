@@ -68,7 +68,7 @@ TEST(columns_that_are_not_known_or_twice_there_are_named)
     batten_model_unref(read_noting("x,z,y,draft\n0,0,1,7\n", BATTEN_FORMAT_OFFSET_TABLE,
                                    "column 'draft' is not read"));
     check_refused("x,z,y,height\n0,0,1,7\n", BATTEN_FORMAT_OFFSET_TABLE, BATTEN_BAD_FORMAT,
-                  "t:1: column 7: 'height' says the same as 'z'");
+                  "t:1: column 7: 'height' repeats 'z'");
     check_refused("x,z,y\n0,,1\n", BATTEN_FORMAT_OFFSET_TABLE, BATTEN_BAD_FORMAT,
                   "t:2: column 3");
 }

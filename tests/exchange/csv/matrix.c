@@ -19,9 +19,9 @@ TEST(the_corner_says_which_way_a_matrix_stands)
 TEST(two_columns_or_rows_of_one_station_are_refused)
 {
     check_refused("height\\station,0,1,0\n0,1,2,3\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
-                  "station x = 0 stands twice in the table, as number 1 and 3");
+                  "station x = 0 appears twice in the table, as numbers 1 and 3");
     check_refused("station\\height,0,1\n0,1,2\n0,3,4\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
-                  "t:3: station x = 0 stands twice in the table, as number 1 and 2");
+                  "t:3: station x = 0 appears twice in the table, as numbers 1 and 2");
 }
 
 TEST(a_corner_that_makes_no_sense_is_no_matrix)

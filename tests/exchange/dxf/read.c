@@ -390,8 +390,8 @@ TEST(P1_a_block_that_holds_itself_is_left_out)
                   BATTEN_FORMAT_AUTO, notes, &model),
         BATTEN_PARTLY_READ);
     if (!batten_notes_dropped(notes)) {
-        CHECK(has_note(notes, "block 'a' holds itself"));
-        CHECK(has_note(notes, "block 'b' is empty, for what it holds is left out"));
+        CHECK(has_note(notes, "block 'a' contains itself"));
+        CHECK(has_note(notes, "block 'b' is empty: its contents are left out"));
         CHECK(has_note(notes, "there is no block 'none'"));
     }
     batten_model_unref(model);
@@ -428,7 +428,7 @@ TEST(P1_blocks_lie_32_deep_and_what_is_deeper_leaves_no_empty_instances)
     CHECK_INT(batten_model_object(model, 0)->kind, BATTEN_OBJECT_CURVE);
     if (!batten_notes_dropped(notes)) {
         CHECK(has_note(notes, "block 'b32' lies more than 32 deep"));
-        CHECK(has_note(notes, "block 'b0' is empty, for what it holds is left out"));
+        CHECK(has_note(notes, "block 'b0' is empty: its contents are left out"));
     }
     batten_notes_free(notes);
     batten_model_unref(model);
@@ -490,16 +490,16 @@ TEST(P2_a_bad_entity_is_left_out_and_the_next_is_read)
         {"0 CIRCLE|8 0|10 0|20 0|40 1|230 0|", "the normal of its plane is 0"},
         {"0 ELLIPSE|8 0|10 0|20 0|11 0|21 0|40 1|", "its half axes are 0 and 0"},
         {"0 SPLINE|8 0|70 0|71 3|40 0|40 1|10 0|20 0|10 1|20 1|",
-         "group 40 stands 2 times, need 6"},
+         "group 40 appears 2 times, expected 6"},
         {"0 SPLINE|8 0|70 0|71 99|10 0|20 0|", "its degree is 99"},
         {"0 SPLINE|8 0|70 0|71 1|40 0|40 0|40 1|40 1|10 0|20 0|10 1|",
-         "group 20 stands 1 times"},
+         "group 20 appears 1 times"},
         {"0 LWPOLYLINE|8 0|90 1|10 0|20 0|", "a path of 1 point"},
         {"0 POLYLINE|8 0|70 64|0 VERTEX|10 0|20 0|0 SEQEND|8 0|",
-         "it is a mesh, and of its 0 faces none is good"},
+         "it is a mesh, and none of its 0 faces is valid"},
         {"0 POLYLINE|8 0|70 64|0 VERTEX|70 192|10 0|20 0|0 VERTEX|70 128|71 1|72 1|73 2|"
          "0 SEQEND|8 0|",
-         "it is a mesh, and of its 1 faces none is good"},
+         "it is a mesh, and none of its 1 faces is valid"},
         {"0 POLYLINE|8 0|70 16|71 2|72 1000000|0 VERTEX|70 64|10 0|20 0|0 SEQEND|8 0|",
          "it has 1 points where its grid of 2 x 1000000"},
         {"0 INSERT|8 0|2 nothing|", "there is no block 'nothing'"},
@@ -684,7 +684,7 @@ TEST(P1_arrays_that_are_too_large_or_in_one_place_are_told)
         int count;
     } cases[] = {
         {"70 1000000|71 1000000|44 1|45 1|", "it is an array of 1000000 x 1000000", 1},
-        {"70 2147483647|71 2147483647|44 1|45 1|", "all arrays may have 100000 places", 1},
+        {"70 2147483647|71 2147483647|44 1|45 1|", "arrays may have at most 100000 places", 1},
         {"70 3|71 30000|44 1|45 1|", "it is an array of 3 x 30000", 20001},
         {"70 5|71 2|45 1|", "its 5 columns lie 0 apart", 3},
         {"70 5|71 2|44 1|", "its 2 rows lie 0 apart", 6},

@@ -50,7 +50,7 @@ TEST(F2_a_ship_cut_anywhere_is_refused)
 TEST(S2_counts_beyond_the_lines_of_a_ship_are_refused)
 {
     check_refused("FREE!ship\n2.6\n1000000000\n0 0 0\n1\n0\n0\n", BATTEN_FORMAT_AUTO,
-                  BATTEN_BAD_FORMAT, "no control points are found");
+                  BATTEN_BAD_FORMAT, "has no control points");
     check_refused("FREE!ship\n3\n0 0 0\n1\n0\n0\n0 0 0\n1\n0\n0\n0 0 0\n1\n0\n0\n900\n",
                   BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
                   "t:15: the number of edges is not a whole number from 0 to 0");

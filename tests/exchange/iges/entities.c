@@ -88,7 +88,7 @@ TEST(N4_what_is_no_whole_number_is_no_count)
     check_left_out(126, "126,1e3,3,0,0,1,0,0.;", "parameter 1, '1e3', is not a whole number");
     check_left_out(126, "126,2.,2,0,0,1,0,0.;", "parameter 1, '2.', is not a whole number");
     check_left_out(126, "126,2,2x,0,0,1,0,0.;", "parameter 2, '2x', is not a number");
-    check_left_out(126, "126,2,1Hx,0,0,1,0,0.;", "parameter 2 is no number but a string");
+    check_left_out(126, "126,2,1Hx,0,0,1,0,0.;", "parameter 2 is not a number but a string");
     check_left_out(126, "126,99999999999999999999,2,0;", "too large for a count");
 }
 
@@ -111,7 +111,7 @@ TEST(polynomial_but_with_weights_keeps_them_with_a_note)
         iges_one(
             126,
             "126,2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,2.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;"),
-        BATTEN_FORMAT_AUTO, "it calls itself polynomial");
+        BATTEN_FORMAT_AUTO, "it is declared polynomial");
     CHECK(batten_curve_is_rational(batten_model_object(model, 0)->curve));
     batten_model_unref(model);
     model = read_noting(
@@ -249,7 +249,7 @@ TEST(Q4_wrong_colours_are_none_and_said_once)
                  {-4, "4 is not the odd number of an entity"},
                  {-3, "it refers to entity D3 as type 314, which is of type 124"},
                  {-5, "D5: part 2 is 120 percent"},
-                 {-7, "D7: parameter 2 is no number but a string"}};
+                 {-7, "D7: parameter 2 is not a number but a string"}};
     for (int i = 0; i < COUNT(cases); i++)
         for (int count = 1; count < 4; count += 2) {
             char words[200];
@@ -277,7 +277,7 @@ TEST(Q4_wrong_levels_are_none_and_said_once)
         {-99, "it refers to entity D99, which is missing"},
         {-1, "it refers to entity D1 as type 406, which is of type 110"},
         {-3, "it refers to entity D3 as a list of levels, form 1, which is of form 15"},
-        {-5, "D5: parameter 2 is no number but a string"}};
+        {-5, "D5: parameter 2 is not a number but a string"}};
     for (int i = 0; i < COUNT(cases); i++) {
         char words[200], level[9];
         iges_text file = iges_begin();
@@ -327,8 +327,8 @@ TEST(Q4_references_to_nothing_to_another_type_or_in_a_ring_leave_the_entity_out)
     check_bad_matrix(2, 0, unit, "2 is not the odd number of an entity");
     check_bad_matrix(-3, 0, unit, "-3 is not the odd number");
     check_bad_matrix(3, 3, unit, "its matrices refer to one another in a ring");
-    check_bad_matrix(3, 0, "124,1.,0.,0.;", "the matrix D3 is off a rotation by 1");
-    check_bad_matrix(3, 0, "124,2.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.;", "off a rotation by 3");
+    check_bad_matrix(3, 0, "124,1.,0.,0.;", "the matrix D3 differs from a rotation by 1");
+    check_bad_matrix(3, 0, "124,2.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.;", "differs from a rotation by 3");
     check_bad_matrix(3, 0, "124,a;", "parameter 1, 'a', is not a number");
     check_bad_matrix(3, 0, "124,1.", "is not a number");
 }
@@ -340,7 +340,8 @@ TEST(a_matrix_that_is_nearly_a_rotation_is_made_one_with_a_note)
     iges_add(&file, 124, 0, 0, 0, "00000000",
              "124,1.0000001,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.;");
     batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
-                                      "the matrix is off a rotation by 2e-07; made a rotation");
+                                      "the matrix differs from a rotation by 2e-07; made a "
+                                      "rotation");
     CHECK_BITS(batten_curve_points(batten_model_object(model, 0)->curve)[0], 1.0);
     batten_model_unref(model);
 }
@@ -379,9 +380,9 @@ TEST(references_say_what_is_a_part_and_flags_that_disagree_are_noted)
     iges_add(&file, 110, 0, 0, 0, "00000500", IGES_LINE);
     iges_add(&file, 110, 0, 0, 0, "00000000", "110,0.,0.,0.,1.,0.,0.;");
     iges_add(&file, 102, 0, 0, 0, "00000000", "102,1,5;");
-    batten_model *model = read_noting(
-        iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
-        "entities that call themselves parts of others, but to which nothing refers: 1");
+    batten_model *model =
+        read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
+                    "entities declared as parts of others to which nothing refers: 1");
     CHECK_INT(batten_model_count(model), 2);
     CHECK_BITS(batten_curve_points(batten_model_object(model, 0)->curve)[0], 1.0);
     CHECK_BITS(batten_curve_points(batten_model_object(model, 1)->curve)[0], 0.0);
@@ -398,7 +399,7 @@ TEST(P4_entities_of_other_types_are_counted_by_name)
     bat_iges_name_of_type(&reading, 150, name);
     CHECK_TEXT(name, "150 block");
     bat_iges_name_of_type(&reading, 5001, name);
-    CHECK_TEXT(name, "5001, a type that is not known");
+    CHECK_TEXT(name, "5001, an unknown type");
     iges_text named = iges_begin();
     iges_add(&named, 158, 0, 0, 0, "00000000", "158,1.;");
     iges_check_left_out(&named, "entities of this type are not read; this is the first");

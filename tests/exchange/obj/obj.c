@@ -37,16 +37,16 @@ TEST(N4_indices_that_are_none_leave_the_face_out)
     static const struct {
         const char *face, *words;
     } cases[] = {
-        {"f 1 2 5\n", "its corner 3 has vertex 5, which there is not"},
-        {"f 1 2 0\n", "1 of its 3 corners are no indices"},
-        {"f 1 2 -5\n", "1 of its 3 corners are no indices"},
-        {"f 1 2 x\n", "1 of its 3 corners are no indices"},
-        {"f 1 2 3e1\n", "1 of its 3 corners are no indices"},
-        {"f 1 2 99999999999\n", "1 of its 3 corners are no indices"},
-        {"f 1 2 3/1/1/1\n", "1 of its 3 corners are no indices"},
-        {"f 1//2 2//1 3//1\n", "its corner 1 has normal 2, which there is not"},
-        {"f 1 2\n", "0 of its 2 corners are no indices"},
-        {"l 1\n", "0 of its 1 corners are no indices"},
+        {"f 1 2 5\n", "its corner 3 has vertex 5, which does not exist"},
+        {"f 1 2 0\n", "1 of its 3 corners are not indices"},
+        {"f 1 2 -5\n", "1 of its 3 corners are not indices"},
+        {"f 1 2 x\n", "1 of its 3 corners are not indices"},
+        {"f 1 2 3e1\n", "1 of its 3 corners are not indices"},
+        {"f 1 2 99999999999\n", "1 of its 3 corners are not indices"},
+        {"f 1 2 3/1/1/1\n", "1 of its 3 corners are not indices"},
+        {"f 1//2 2//1 3//1\n", "its corner 1 has normal 2, which does not exist"},
+        {"f 1 2\n", "0 of its 2 corners are not indices"},
+        {"l 1\n", "0 of its 1 corners are not indices"},
         {"p 7\n", "its corner 1 has vertex 7"},
     };
     for (int i = 0; i < COUNT(cases); i++) {
@@ -139,7 +139,7 @@ TEST(colours_and_normals_of_meshes_come_back)
         "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 0.1\nv 9 9 9\nvn 0 0 1\nvn 0 1 "
         "0\nf 1//1 2//1 3//2\nf 1//1 3//2 2//2\n";
     batten_model *model =
-        read_noting(text, BATTEN_FORMAT_OBJ, "1 of 4 vertices are of no element; not kept");
+        read_noting(text, BATTEN_FORMAT_OBJ, "1 of 4 vertices belong to no element; not kept");
     const batten_mesh_parts *p = mesh_at(model, 0);
     CHECK_INT(p->vertex_count, 3);
     CHECK_BITS(p->colours[8], 0.1);
@@ -311,13 +311,13 @@ TEST(free_form_shapes_that_are_none_are_left_out_with_the_reason)
         {"cstype bspline\ndeg 1\ncurv nan 1 1 2\nparm u 0 0 1 1\nend\n", "outside its knots"},
         {"cstype bspline\ndeg 1\ncurv 0 1 1 9\nparm u 0 0 1 1\nend\n", "that there is not"},
         {"cstype bspline\ndeg 1\ncurv 0 1 1 x\nparm u 0 0 1 1\nend\n",
-         "a control point is no index"},
+         "a control point is not an index"},
         {"cstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\n", "its 'end' is missing"},
         {"v 1 1 1 -1\ncstype rat bspline\ndeg 1\ncurv 0 1 1 5\nparm u 0 0 1 1\nend\n",
          "weight 1 is -1"},
         {"cstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 4\nparm u 0 0 1 1\nparm v 0 0 1 1\nend\n",
          "the free-form surface is left out"},
-        {"gibberish 1 2\n", "the statement 'gibberish' is not known"},
+        {"gibberish 1 2\n", "unknown statement 'gibberish'"},
     };
     for (int i = 0; i < COUNT(cases); i++) {
         char body[300];

@@ -94,12 +94,12 @@ TEST(damaged_lzf_is_refused)
 TEST(N1_points_that_are_nowhere_are_told)
 {
     batten_model *model = read_noting(XYZ "POINTS 2\nDATA ascii\nnan nan nan\n4 5 6\n",
-                                      BATTEN_FORMAT_PCD, "1 point is nowhere (NaN); not kept");
+                                      BATTEN_FORMAT_PCD, "1 point has no position (NaN); not kept");
     CHECK_INT(batten_model_object(model, 0)->point_count, 1);
     batten_model_unref(model);
     const char *text = XYZ "POINTS 2\nDATA ascii\n1 2\n4 5 6\n";
     model = read_partly(text, strlen(text), BATTEN_FORMAT_PCD,
-                        "point 1 is left out: a coordinate is missing or no number");
+                        "point 1 is left out: a coordinate is missing or not a number");
     batten_model_unref(model);
     model = read_noting(HEADER "FIELDS x y z rgb\nPOINTS 1\nVIEWPOINT 1 0 0 1 0 0 0\nDATA "
                                "ascii\n1 2 3 4\n",
@@ -113,15 +113,15 @@ TEST(F1_headers_of_clouds_that_are_none_are_refused_by_line)
         const char *text, *words;
     } cases[] = {
         {"", "t: the file is empty"},
-        {HEADER "NONSENSE\n", "t:3: the header is no good here: no line"},
-        {HEADER "FIELDS x y\nDATA ascii\n", "no field is z"},
+        {HEADER "NONSENSE\n", "t:3: bad header: unknown header line"},
+        {HEADER "FIELDS x y\nDATA ascii\n", "there is no field z"},
         {HEADER "FIELDS x y z\nSIZE 4 4\n", "fewer words than fields"},
-        {HEADER "FIELDS x y z\nSIZE 4 4 9\n", "a size or count is none"},
-        {HEADER "FIELDS x y z\nCOUNT 1 1 0\n", "a size or count is none"},
-        {HEADER "FIELDS x y z\nTYPE F F Q\n", "a type is I, U or F"},
-        {HEADER "POINTS -1\n", "a count is none"},
-        {HEADER "FIELDS x y z\nDATA zip\n", "data are ascii"},
-        {HEADER "FIELDS x y z\nSIZE 3 4 4\nPOINTS 1\nDATA binary\n", "type F has 3 bytes"},
+        {HEADER "FIELDS x y z\nSIZE 4 4 9\n", "a size or count is not a whole number"},
+        {HEADER "FIELDS x y z\nCOUNT 1 1 0\n", "a size or count is not a whole number"},
+        {HEADER "FIELDS x y z\nTYPE F F Q\n", "a type must be I, U or F"},
+        {HEADER "POINTS -1\n", "a count is not a whole number"},
+        {HEADER "FIELDS x y z\nDATA zip\n", "data must be ascii"},
+        {HEADER "FIELDS x y z\nSIZE 3 4 4\nPOINTS 1\nDATA binary\n", "type F cannot have 3 bytes"},
         {XYZ "POINTS 5\nDATA ascii\n", "no point could be read"},
         {XYZ "POINTS 5\nDATA binary_compressed\n", "0 bytes of compressed points are promised"},
     };

@@ -97,7 +97,7 @@ TEST(P2_triangles_outside_of_solids_are_left_out)
     CHECK_INT(mesh_at(model, 0)->triangle_count, 1);
     batten_model_unref(model);
     snprintf(text, sizeof text, "solid a\n%scolour 1 0 0\n%sendsolid a\n", facet, facet);
-    model = read_noting(text, BATTEN_FORMAT_STL, "'colour' is no word of a solid");
+    model = read_noting(text, BATTEN_FORMAT_STL, "unexpected word 'colour' in a solid");
     CHECK_INT(mesh_at(model, 0)->triangle_count, 2);
     batten_model_unref(model);
 }
@@ -205,8 +205,8 @@ TEST(S1_more_triangles_than_the_limit_are_refused)
 TEST(F1_what_is_no_stl_is_refused)
 {
     check_refused("", BATTEN_FORMAT_STL, BATTEN_BAD_FORMAT, "the file is empty");
-    check_refused("x", BATTEN_FORMAT_STL, BATTEN_BAD_FORMAT, "this is no STL");
-    check_refused("solid only", BATTEN_FORMAT_STL, BATTEN_BAD_FORMAT, "this is no STL");
+    check_refused("x", BATTEN_FORMAT_STL, BATTEN_BAD_FORMAT, "this is not STL");
+    check_refused("solid only", BATTEN_FORMAT_STL, BATTEN_BAD_FORMAT, "this is not STL");
     check_refused("solid s\nfacet\n", BATTEN_FORMAT_STL, BATTEN_BAD_FORMAT,
                   "no triangle could be read");
 }
@@ -388,7 +388,7 @@ TEST(N1_decimal_commas_are_named)
                        "facet normal 0,0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                        "vertex 0 1 0\nendloop\nendfacet\nendsolid\n";
     batten_model *model = read_partly(text, strlen(text), BATTEN_FORMAT_STL,
-                                      "triangle 1 is left out: '1,5' is no number");
+                                      "triangle 1 is left out: '1,5' is not a number");
     CHECK_INT(mesh_at(model, 0)->triangle_count, 1);
     batten_model_unref(model);
 }

@@ -232,8 +232,8 @@ TEST(P2_a_bad_shape_is_left_out_and_the_next_is_read)
         {"<polyline points=\"1 1 2 2 3\"/>", "its points are broken after the first 2; what"},
         {"<polygon points=\"1 1 2 2, 3 3 x\"/>", "its points are broken after the first 3"},
         {"<path d=\"M0 0L1 1L2\"/>", "what stands before it is kept"},
-        {"<circle r=\"50%\"/>", "its r is '50%', which is no length"},
-        {"<rect width=\"wide\" height=\"1\"/>", "its width is 'wide', which is no length"},
+        {"<circle r=\"50%\"/>", "its r is '50%', which is not a length"},
+        {"<rect width=\"wide\" height=\"1\"/>", "its width is 'wide', which is not a length"},
         {"<svg viewBox=\"0 0 1 1\"><path d=\"M0 0L1 1\"/></svg>", "on a sheet of its own"},
         {"<use href=\"#a\"/>", "0 read, 1 left out"},
     };

@@ -54,7 +54,7 @@ static batten_status read_name_property(const bat_iges_item *owner, int id, char
         if (is_string && text.length > 0)
             status = copy_text(reading->input, text, name);
         else if (!is_string && text.length > 0)
-            status = bat_fail(BATTEN_BAD_FORMAT, "parameter 2 is no string");
+            status = bat_fail(BATTEN_BAD_FORMAT, "parameter 2 is not a string");
     }
     bat_iges_close(&item);
     if (bat_iges_is_fault_of_data(status)) {
@@ -244,7 +244,7 @@ batten_status bat_iges_group(bat_iges_reading *reading, const bat_iges_entry *en
         if (++depth > reading->input->limits.nesting ||
             length > reading->input->limits.string_bytes) {
             bat_iges_note(reading, entry,
-                          "its groups are in one another in a ring, or more than %d deep; "
+                          "its groups contain one another in a ring, or more than %d deep; "
                           "taken as in none",
                           reading->input->limits.nesting);
             return copy_text(reading->input, (bat_span){"", 0}, out);

@@ -103,7 +103,7 @@ static batten_status make_canonical(const equation *said, canonical *out)
     if (out->a > 0 && (is_parabola || out->b > 0) &&
         isfinite(out->a + out->b + out->origin[0] + out->origin[1]))
         return BATTEN_OK;
-    return bat_fail(BATTEN_SINGULAR_HERE, "the equation %g %g %g %g %g %g is that of no curve",
+    return bat_fail(BATTEN_SINGULAR_HERE, "the equation %g %g %g %g %g %g describes no curve",
                     said->a, said->b, said->c, said->d, said->e, said->f);
 }
 
@@ -133,7 +133,7 @@ batten_status bat_iges_read_conic(bat_iges_item *item)
     const int said = item->entry->form;
     if (said > 0 && kinds[said] != form.kind)
         bat_iges_note(item->reading, item->entry,
-                      "it calls itself %s, which its equation is not; the equation counts",
+                      "it is declared %s, but its equation is not; the equation is used",
                       names[said]);
     const bat_conic conic = {form.kind,
                              {{form.origin[0], form.origin[1], q.z},
@@ -150,6 +150,6 @@ batten_status bat_iges_read_conic(bat_iges_item *item)
     const double miss = bat_max(off(&conic, start), off(&conic, end));
     if (miss > tolerance)
         bat_iges_note(item->reading, item->entry,
-                      "a conic whose ends are %g off its equation; the equation counts", miss);
+                      "a conic whose ends are %g off its equation; the equation is used", miss);
     return bat_conic_part(&conic, start, end, forward, tolerance, &item->curve);
 }

@@ -33,7 +33,7 @@ bool bat_iges_weights_matter(const bat_iges_item *item, bool polynomial, size_t 
         return false;
     if (polynomial)
         bat_iges_note(item->reading, item->entry,
-                      "it calls itself polynomial, but its weights differ; they are kept");
+                      "it is declared polynomial, but its weights differ; they are kept");
     return true;
 }
 
@@ -183,7 +183,7 @@ static batten_status make_polyline(bat_iges_item *item, int count, const double 
 {
     double *knots = NULL;
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "a row of %d point%s is no curve", count,
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "a row of %d point%s is not a curve", count,
                         bat_plural(count));
     batten_status status =
         bat_input_array(item->reading->input, (size_t)count + 2, sizeof *knots, &knots);

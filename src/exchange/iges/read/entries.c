@@ -27,7 +27,7 @@ void bat_iges_name_of_type(const bat_iges_reading *reading, int type,
     if (row->type == type)
         snprintf(name, BAT_IGES_TYPE_NAME, "%s", row->name);
     else
-        snprintf(name, BAT_IGES_TYPE_NAME, "%d, a type that is not known", type);
+        snprintf(name, BAT_IGES_TYPE_NAME, "%d, an unknown type", type);
 }
 
 const bat_iges_entry *bat_iges_entry_at(const bat_iges_reading *reading, size_t place)

@@ -42,7 +42,7 @@ static batten_status definition(bat_iges_reading *reading, int id, batten_model 
         return status;
     bat_iges_shape *shape = bat_iges_shape_of(reading, entry);
     if (shape->state == BAT_IGES_BUSY)
-        return bat_fail(BATTEN_BAD_FORMAT, "subfigure D%d is a part of itself", id);
+        return bat_fail(BATTEN_BAD_FORMAT, "subfigure D%d contains itself", id);
     if (shape->state == BAT_IGES_BAD)
         return bat_fail(BATTEN_BAD_FORMAT, "it refers to entity D%d, which cannot be read", id);
     if (shape->state == BAT_IGES_NEW) {

@@ -62,8 +62,7 @@ batten_status bat_iges_open(bat_iges_reading *reading, const bat_iges_entry *ent
     *item = (bat_iges_item){
         .reading = reading, .entry = entry, .row = bat_iges_row_of(reading, entry->type)};
     if (reading->depth >= reading->input->limits.nesting)
-        return bat_fail(BATTEN_BAD_FORMAT,
-                        "entities lie within entities more than %d deep, the limit",
+        return bat_fail(BATTEN_BAD_FORMAT, "entities are nested more than %d deep, the limit",
                         reading->input->limits.nesting);
     bat_iges_parameters *parameters = NULL;
     batten_status status = frame(reading, &parameters);

@@ -45,13 +45,13 @@ static batten_status read_matrix(bat_iges_item *item, batten_affine *map)
     const double skew = skewness((const double(*)[3])map->m);
     /* Matrices of single precision, of 7 digits, are rotations; worse ones are something else. */
     if (!(skew <= 1e-6))
-        return bat_fail(BATTEN_BAD_FORMAT, "the matrix D%d is off a rotation by %g", entry->id,
-                        skew);
+        return bat_fail(BATTEN_BAD_FORMAT, "the matrix D%d differs from a rotation by %g",
+                        entry->id, skew);
     if (skew > BAT_WRITTEN) {
         bat_iges_shape *shape = bat_iges_shape_of(item->reading, entry);
         if (shape->state == BAT_IGES_NEW)
             bat_iges_note(item->reading, entry,
-                          "the matrix is off a rotation by %g; made a rotation", skew);
+                          "the matrix differs from a rotation by %g; made a rotation", skew);
         shape->state = BAT_IGES_READ;
         make_orthonormal(map->m);
     }

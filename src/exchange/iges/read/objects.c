@@ -69,7 +69,7 @@ batten_status bat_iges_add(bat_iges_reading *reading, const bat_iges_entry *entr
     bat_iges_item item;
     bat_iges_shape *shape = bat_iges_shape_of(reading, entry);
     if (bat_iges_row_of(reading, entry->type)->kind == BAT_IGES_PART)
-        return leave_out(reading, entry, "it is no geometry by itself");
+        return leave_out(reading, entry, "it is not geometry by itself");
     if (shape->state == BAT_IGES_BUSY) {
         bat_fail(BATTEN_BAD_FORMAT, "it is a part of itself");
         return leave_out(reading, entry, batten_message());
@@ -230,8 +230,8 @@ void bat_iges_note_oddities(const bat_iges_reading *reading)
     note_fields(reading);
     if (reading->orphans)
         batten_notes_add(notes, file, 0, "",
-                         "entities that call themselves parts of others, but to which nothing "
-                         "refers: %d; read on their own",
+                         "entities declared as parts of others to which nothing refers: %d; "
+                         "read on their own",
                          reading->orphans);
     if (reading->swapped_loops)
         batten_notes_add(notes, file, 0, "",
@@ -244,7 +244,8 @@ void bat_iges_note_oddities(const bat_iges_reading *reading)
                          bat_one_or_many(reading->turned_loops, "runs", "run"));
     if (reading->gaps)
         batten_notes_add(notes, file, 0, "",
-                         "edges of faces that begin off the end of the one before, by %g at "
+                         "edges of faces that start away from the end of the one before, by "
+                         "%g at "
                          "most: %d; put together halfway",
                          reading->largest_gap, reading->gaps);
     if (reading->loose)

@@ -113,12 +113,13 @@ static void note_no_unit(const bat_input *input, bool said, int flag, bat_span n
         bat_shown(name.bytes, name.length < 80 ? name.length : 80, word);
     if (said || name.length > 0)
         batten_notes_add(input->notes, input->file, 0, "",
-                         "its unit has %s%s%s%s%s, which IGES does not know; taken as inch",
+                         "its unit has %s%s%s%s%s, which IGES does not have; inches are "
+                         "assumed",
                          number, said && word[0] ? " and " : "", word[0] ? "the name '" : "",
                          word, word[0] ? "'" : "");
     else
         batten_notes_add(input->notes, input->file, 0, "",
-                         "the file does not say its unit; taken as inch");
+                         "the file gives no unit; inches are assumed");
 }
 
 static batten_status read_unit(bat_iges_reading *reading)
@@ -139,7 +140,7 @@ static batten_status read_unit(bat_iges_reading *reading)
         note_no_unit(input, said, flag, name);
     } else if (by_name > 0 && by_name != unit) {
         batten_notes_add(input->notes, input->file, 0, "",
-                         "the unit has the flag %d and the name '%.*s'; the flag counts", flag,
+                         "the unit has the flag %d and the name '%.*s'; the flag is used", flag,
                          (int)name.length, name.bytes);
     }
     reading->unit_metres = unit;
@@ -293,7 +294,8 @@ batten_status bat_read_iges(bat_input *input, batten_model **out)
     batten_status status = bat_iges_recognise(input, &is_iges);
     if (status == BATTEN_OK && !is_iges)
         status = bat_input_fail(input, BATTEN_BAD_FORMAT, 1,
-                                "no IGES file: column 73 of its first record has no S or G");
+                                "not an IGES file: column 73 of its first record has no S or "
+                                "G");
     if (status == BATTEN_OK)
         status = read_all(&reading);
     if (status == BATTEN_OK)

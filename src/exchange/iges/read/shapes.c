@@ -120,7 +120,7 @@ batten_status bat_iges_curve(bat_iges_reading *reading, int id, const batten_cur
     const bat_iges_shape *shape = NULL;
     batten_status status = keep_kind(reading, id, BAT_IGES_CURVE, &shape);
     if (status == BATTEN_OK && !shape->curve)
-        status = bat_fail(BATTEN_BAD_FORMAT, "entity D%d is points and no curve", id);
+        status = bat_fail(BATTEN_BAD_FORMAT, "entity D%d is a set of points, not a curve", id);
     if (status == BATTEN_OK)
         *out = shape->curve;
     return status;
@@ -131,7 +131,7 @@ batten_status bat_iges_surface(bat_iges_reading *reading, int id, const batten_s
     const bat_iges_shape *shape = NULL;
     batten_status status = keep_kind(reading, id, BAT_IGES_SURFACE, &shape);
     if (status == BATTEN_OK && !shape->surface)
-        status = bat_fail(BATTEN_BAD_FORMAT, "entity D%d is a face and no surface", id);
+        status = bat_fail(BATTEN_BAD_FORMAT, "entity D%d is a face, not a surface", id);
     if (status == BATTEN_OK)
         *out = shape->surface;
     return status;

@@ -68,7 +68,7 @@ static batten_status refuse(const bat_iges_parameters *parameters, size_t index)
     char copy[64];
     const size_t length = text.length < sizeof copy ? text.length : sizeof copy;
     if (token->kind == BAT_IGES_STRING || text.length > BAT_IGES_LONGEST_NUMBER)
-        return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu is no number but %s", index,
+        return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu is not a number but %s", index,
                         token->kind == BAT_IGES_STRING ? "a string" : "a long text");
     for (size_t i = 0; i < length; i++)
         copy[i] = text.bytes[i] == 'D' || text.bytes[i] == 'd' ? 'E' : text.bytes[i];

@@ -85,8 +85,8 @@ static batten_status find_items(const bat_step_import *import,
     items[0] = items[1];
     items[1] = first;
     bat_step_warn(file, transform,
-                  "its items stand in the representations the other way about than these are "
-                  "related; each is taken where it stands");
+                  "the items of its relation belong to the opposite representations; each is "
+                  "used where it belongs");
     return BATTEN_OK;
 }
 
@@ -102,7 +102,7 @@ static batten_status read_transform(bat_step_import *import, const bat_step_inst
     batten_affine at[2];
     if (!record)
         return bat_step_fail(file, transform, BATTEN_UNSUPPORTED,
-                             "it is no ITEM_DEFINED_TRANSFORMATION");
+                             "it is not an ITEM_DEFINED_TRANSFORMATION");
     batten_status status = find_items(import, transform, record, pair, items);
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
         bat_step_scale scale;
@@ -223,7 +223,7 @@ static batten_status read_mapped(bat_step_import *import, bat_step_representatio
         status == BATTEN_OK ? bat_step_as(file, map, "REPRESENTATION_MAP") : NULL;
     if (status == BATTEN_OK && !source)
         status = bat_step_fail(file, map, BATTEN_BAD_FORMAT,
-                               "it stands where a REPRESENTATION_MAP should");
+                               "it is given where a REPRESENTATION_MAP is expected");
     if (status == BATTEN_OK)
         status = bat_step_get_reference(file, source, 0, &origin);
     if (status == BATTEN_OK)
@@ -231,9 +231,10 @@ static batten_status read_mapped(bat_step_import *import, bat_step_representatio
     bat_step_representation *child =
         status == BATTEN_OK ? bat_step_representation_of(import, mapped) : NULL;
     if (status != BATTEN_OK || !child)
-        return status != BATTEN_OK ? status
-                                   : bat_step_fail(file, mapped, BATTEN_BAD_FORMAT,
-                                                   "it stands where a representation should");
+        return status != BATTEN_OK
+                   ? status
+                   : bat_step_fail(file, mapped, BATTEN_BAD_FORMAT,
+                                   "it is given where a representation is expected");
     bat_step_scale_of(import, child, &inner);
     bat_step_scale_of(import, parent, &outer);
     status = bat_step_read_place(file, origin, &inner, &from);

@@ -103,7 +103,7 @@ static batten_status finish_body(const bat_step_target *target, const bat_step_i
     }
     if (is_solid && !whole)
         bat_step_warn(&import->file, item,
-                      "%d of its faces are left out; what is left is no solid",
+                      "%d of its faces are left out; what is left is not a solid",
                       topology->left_out);
     const batten_body_face *patch =
         !is_solid && topology->has_spline ? bat_step_whole_patch(body) : NULL;

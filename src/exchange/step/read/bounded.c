@@ -64,7 +64,7 @@ batten_status bat_step_body_bounded(bat_step_topology *t, const bat_step_instanc
     const int mark = bat_builder_mark(&t->builder);
     if (!record)
         return bat_step_fail(t->file, instance, BATTEN_BAD_FORMAT,
-                             "it stands where a CURVE_BOUNDED_SURFACE should");
+                             "it is given where a CURVE_BOUNDED_SURFACE is expected");
     batten_status status = bat_step_get_string(t->file, record, 0, sizeof name, name);
     if (status == BATTEN_OK)
         status = bat_step_get_reference(t->file, record, 1, &basis);

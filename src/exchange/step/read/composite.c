@@ -13,7 +13,9 @@ static batten_status read_segment(const bat_step_reading *reading,
     if (!record)
         record = bat_step_as(file, instance, "REPARAMETRISED_COMPOSITE_CURVE_SEGMENT");
     if (!record)
-        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "it is no segment of a curve");
+        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT,
+                             "it is not a segment of a "
+                             "curve");
     batten_status status = bat_step_get_logical(file, record, 1, &forward);
     if (status == BATTEN_OK)
         status = bat_step_get_reference(file, record, 2, &parent);

@@ -134,7 +134,7 @@ batten_status bat_step_conic_part(const bat_step_reading *reading,
     /* An angle of a million radians has lost ten of its digits, and means nothing. */
     if (!(fabs(low) < 1e6 && fabs(high) < 1e6))
         return bat_step_fail(reading->file, instance, BATTEN_BAD_FORMAT,
-                             "the angles %g and %g are no angles of a part", t0, t1);
+                             "the angles %g and %g do not bound a part", t0, t1);
     high -= around * floor((high - low) / around);
     if (high - low < BAT_WRITTEN || high - low > around - BAT_WRITTEN)
         high = low + around; /* the same place: all around */

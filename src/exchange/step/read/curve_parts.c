@@ -124,7 +124,7 @@ static void note_miss(const bat_step_reading *reading, const bat_step_instance *
     const bat_input *input = reading->file->input;
     if (miss > reading->scale.tolerance)
         batten_notes_add(input->notes, input->file, bat_step_line(reading->file, instance->at),
-                         "", "#%llu: an end is %g off the curve; it ends at the foot",
+                         "", "#%llu: an end is %g off the curve; it ends at the nearest point",
                          (unsigned long long)instance->id, miss);
 }
 

@@ -179,7 +179,7 @@ static batten_status find_parts(bat_step_topology *t, edge *e)
     const bat_step_instance *ends[2] = {NULL, NULL};
     if (!record)
         return bat_step_fail(t->file, e->instance, BATTEN_BAD_FORMAT,
-                             "it stands where an EDGE_CURVE should");
+                             "it is given where an EDGE_CURVE is expected");
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
         status = bat_step_get_reference(t->file, record, 1 + k, &ends[k]);

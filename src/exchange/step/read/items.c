@@ -211,9 +211,9 @@ static batten_status refuse(const bat_step_target *target, const bat_step_instan
         target->import->annotations++;
         return BATTEN_OK;
     }
-    return bat_step_leave_item(target, item,
-                               bat_step_fail(&target->import->file, item, BATTEN_UNSUPPORTED,
-                                             "it is not of a kind that is read"));
+    return bat_step_leave_item(
+        target, item,
+        bat_step_fail(&target->import->file, item, BATTEN_UNSUPPORTED, "its kind is not read"));
 }
 
 static batten_status read_alone(const bat_step_target *target, const bat_step_instance *item,

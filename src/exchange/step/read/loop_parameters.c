@@ -49,7 +49,7 @@ static batten_status read_parameters(bat_step_topology *t, const bat_step_instan
     if (status != BATTEN_OK) {
         bat_step_warn(
             t->file, geometry,
-            "its curve in the parameters is left out, the one in space counts: %.200s",
+            "its curve in the parameters is left out, the one in space is used: %.200s",
             batten_message());
         return BATTEN_OK;
     }

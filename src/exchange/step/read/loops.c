@@ -62,7 +62,7 @@ static batten_status read_use(bat_step_topology *t, const bat_step_instance *ins
     bool forward = true;
     if (!record)
         return bat_step_fail(t->file, instance, BATTEN_BAD_FORMAT,
-                             "it stands where an ORIENTED_EDGE should");
+                             "it is given where an ORIENTED_EDGE is expected");
     batten_status status = bat_step_get_reference(t->file, record, 3, &edge);
     if (status == BATTEN_OK)
         status = bat_step_get_logical(t->file, record, 4, &forward);
@@ -134,7 +134,7 @@ static batten_status read_vertex_loop(bat_step_topology *t, const bat_step_insta
         status = bat_step_read_vertex(t, vertex, &t->vertex_loop);
     if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED)
         return status;
-    bat_step_warn(t->file, loop, "%.300s; the loop is not regarded", batten_message());
+    bat_step_warn(t->file, loop, "%.300s; the loop is ignored", batten_message());
     t->vertex_loop = -1;
     return BATTEN_OK;
 }
@@ -148,7 +148,8 @@ static batten_status read_loop(bat_step_topology *t, const bat_step_instance *lo
     if (bat_step_as(t->file, loop, "VERTEX_LOOP"))
         return read_vertex_loop(t, loop);
     if (!edges && !polygon)
-        return bat_step_fail(t->file, loop, BATTEN_BAD_FORMAT, "it stands where a loop should");
+        return bat_step_fail(t->file, loop, BATTEN_BAD_FORMAT,
+                             "it is given where a loop is expected");
     batten_status status =
         edges ? read_edge_loop(t, loop, edges) : read_polygon(t, loop, polygon);
     if (status == BATTEN_OK && reversed)
@@ -168,7 +169,7 @@ static batten_status read_bound(bat_step_topology *t, const bat_step_instance *b
         record = bat_step_as(t->file, bound, "FACE_BOUND");
     if (!record)
         return bat_step_fail(t->file, bound, BATTEN_BAD_FORMAT,
-                             "it stands where a FACE_BOUND should");
+                             "it is given where a FACE_BOUND is expected");
     batten_status status = bat_step_get_reference(t->file, record, 1, &loop);
     if (status == BATTEN_OK)
         status = bat_step_get_logical(t->file, record, 2, &forward);

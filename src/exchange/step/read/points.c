@@ -81,7 +81,8 @@ static batten_status read_numbers(const bat_step_reading *reading,
     const bat_step_record *record = bat_step_as(file, instance, keyword);
     double read[3] = {0, 0, 0};
     if (!record)
-        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "it is no %s", keyword);
+        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "it is not of the type %s",
+                             keyword);
     size_t at = bat_step_argument(file, record, 1);
     const bat_step_value list = bat_step_value_at(file, at);
     if (list.kind != BAT_STEP_LIST)
@@ -165,7 +166,7 @@ batten_status bat_step_vector_in(const bat_step_reading *reading,
     double magnitude = 0;
     batten_vec3 direction;
     if (!record)
-        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "it is no VECTOR");
+        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "it is not a VECTOR");
     batten_status status = bat_step_get_reference(file, record, 1, &along);
     if (status == BATTEN_OK)
         status = bat_step_get_real(file, record, 2, &magnitude);
@@ -204,7 +205,7 @@ batten_status bat_step_frame_in(const bat_step_reading *reading,
     if (is_axis)
         record = bat_step_as(file, instance, "AXIS1_PLACEMENT");
     if (!record)
-        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "it is no placement in %s",
+        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "it is not a placement in %s",
                              is_plane ? "the plane" : "space");
     const bat_step_instance *location = NULL;
     double point[3] = {0, 0, 0};

@@ -154,7 +154,7 @@ static void note_schema(const bat_step_import *import)
         if (length >= strlen(known[k]) && is_same(schema, known[k], strlen(known[k])))
             return;
     batten_notes_add(import->input->notes, import->input->file, 0, "",
-                     "the schema '%.100s' is not known; what is known of it is read", schema);
+                     "unknown schema '%.100s'; the entities that are known are read", schema);
 }
 
 /* ---- the whole ---- */
@@ -188,7 +188,7 @@ static batten_status read_all(bat_step_import *import, batten_model **out)
     bat_census_note(input, &import->census);
     if (import->annotations)
         batten_notes_add(input->notes, input->file, 0, "",
-                         "%d annotations of a drawing are no shapes and not read",
+                         "%d annotations of a drawing are not shapes and are not read",
                          import->annotations);
     if (batten_model_count(model) == 0 && input->left_out > 0) {
         batten_model_unref(model);

@@ -47,7 +47,7 @@ static batten_status make_curve(const bat_step_reading *reading,
             return curves[k].read(&inner, instance, record, out);
     }
     return bat_step_fail(reading->file, instance, BATTEN_UNSUPPORTED,
-                         "it is no curve that is read");
+                         "it is not a curve that can be read");
 }
 
 /* ---- surfaces ---- */
@@ -95,7 +95,7 @@ static batten_status make_surface(const bat_step_reading *reading,
         status = whole_elementary(&inner, instance, &elementary, basis.is_reversed, out);
     else if (status == BATTEN_OK)
         status = bat_step_fail(reading->file, instance, BATTEN_UNSUPPORTED,
-                               "it is no surface that is read");
+                               "it is not a surface that can be read");
     bat_step_basis_end(&basis);
     return status;
 }

@@ -25,8 +25,9 @@ static batten_status implied_knots(const bat_step_file *file, const knot_source 
     const int p = from->degree, n = from->count;
     if (from->kind == BEZIER && (n - 1) % p != 0)
         return bat_step_fail(file, from->instance, BATTEN_BAD_FORMAT,
-                             "%d points are no whole number of Bezier pieces of degree %d", n,
-                             p);
+                             "%d points do not make a whole number of Bezier pieces of degree "
+                             "%d",
+                             n, p);
     for (int i = 0; i <= n + p; i++)
         if (from->kind == UNIFORM)
             knots[i] = i - p;

@@ -72,7 +72,7 @@ static batten_status read_coordinates(mesh *m, const bat_step_instance *instance
     size_t at = 0;
     if (!record)
         return bat_step_fail(m->file, instance, BATTEN_BAD_FORMAT,
-                             "it stands where a COORDINATES_LIST should");
+                             "it is given where a COORDINATES_LIST is expected");
     batten_status status = bat_step_get_list(m->file, record, 2, &count, &at);
     if (status == BATTEN_OK && m->points.count + (size_t)count > INT_MAX)
         status =
@@ -198,7 +198,9 @@ static batten_status read_face(mesh *m, const bat_step_instance *face)
     const bat_step_instance *list = NULL;
     corners c = {.m = m, .face = face};
     if (kind < 0)
-        return bat_step_fail(m->file, face, BATTEN_UNSUPPORTED, "it is no face of triangles");
+        return bat_step_fail(m->file, face, BATTEN_UNSUPPORTED,
+                             "it is not a face of "
+                             "triangles");
     c.record = bat_step_as(m->file, face, faces[kind].keyword);
     const int index = faces[kind].index;
     batten_status status = bat_step_get_reference(m->file, c.record, 1, &list);

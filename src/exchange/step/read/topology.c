@@ -164,8 +164,8 @@ static batten_status read_face(bat_step_topology *t, const bat_step_instance *ou
     const bat_step_record *record = status == BATTEN_OK ? face_record(t, face) : NULL;
     bat_step_made *made = bat_step_made_of(t, face);
     if (status == BATTEN_OK && !record)
-        status =
-            bat_step_fail(t->file, face, BATTEN_BAD_FORMAT, "it stands where a face should");
+        status = bat_step_fail(t->file, face, BATTEN_BAD_FORMAT,
+                               "it is given where a face is expected");
     if (status == BATTEN_OK && made->stamp == bat_step_stamp(t, BAT_STEP_FACE))
         status = bat_step_fail(t->file, face, BATTEN_BAD_FORMAT,
                                "the face is part of two shells, or twice of one");
@@ -253,7 +253,7 @@ static batten_status check_closed(bat_step_topology *t, const bat_step_instance 
         counts[p->uses[i].edge] = 0;
     if (open)
         bat_step_warn(t->file, shell,
-                      "it is said to be closed, but %d of its edges are of one face only: not "
+                      "it is declared closed, but %d of its edges are of one face only: not "
                       "watertight",
                       open);
     return BATTEN_OK;
@@ -273,7 +273,7 @@ batten_status bat_step_body_shell(bat_step_topology *t, const bat_step_instance 
     const bat_step_record *record = shell_record(t, shell, &closed);
     if (!record)
         return bat_step_fail(t->file, shell, BATTEN_BAD_FORMAT,
-                             "it stands where a shell should");
+                             "it is given where a shell is expected");
     status = bat_step_get_list(t->file, record, 1, &count, &at);
     if (status == BATTEN_OK && count == 0)
         return bat_step_fail(t->file, shell, BATTEN_BAD_FORMAT, "the shell has no faces");

@@ -88,7 +88,7 @@ static quantity of_name(const bat_step_file *file, const bat_step_instance *unit
         return what;
     *noted = true;
     if (what == UNKNOWN)
-        bat_step_warn(file, unit, "the unit '%s' has the factor %g; it is not regarded",
+        bat_step_warn(file, unit, "the unit '%s' has the factor %g; it is ignored",
                       bat_shown(name, strlen(name), shown), value);
     else
         bat_step_warn(file, unit, "the unit '%s' has the factor %g; by its name %g %s is taken",
@@ -226,12 +226,11 @@ static double accuracy(const bat_step_file *file, bat_step_units *units,
         return stated;
     if (!units->noted_accuracy && stated > 0)
         batten_notes_remark(file->input->notes, file->input->file, 0, "",
-                            "the file says that it is accurate to %g at a size of %g; %g is "
-                            "taken",
+                            "the file states an accuracy of %g at a size of %g; %g is used",
                             stated, size, usual);
     else if (!units->noted_accuracy)
         batten_notes_remark(file->input->notes, file->input->file, 0, "",
-                            "the file does not say how accurate it is; %g is taken", usual);
+                            "the file states no accuracy; %g is used", usual);
     units->noted_accuracy = true;
     return usual;
 }
@@ -278,14 +277,14 @@ void bat_step_units_of(const bat_step_file *file, bat_step_units *units,
         metres = 0.001;
         if (!units->noted_none)
             batten_notes_add(notes, file->input->file, line, "",
-                             "the file does not say its unit of length; taken as mm");
+                             "the file gives no unit of length; millimetres are assumed");
         units->noted_none = true;
     }
     if (radians == 0) {
         radians = 1;
         if (!units->noted_angle)
             batten_notes_remark(notes, file->input->file, line, "",
-                                "the file does not say its unit of angle; taken as radian");
+                                "the file gives no unit of angle; radians are assumed");
         units->noted_angle = true;
     }
     if (units->unit_metres == 0)

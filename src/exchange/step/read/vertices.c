@@ -112,7 +112,7 @@ batten_status bat_step_read_vertex(bat_step_topology *t, const bat_step_instance
     }
     if (!record)
         return bat_step_fail(t->file, instance, BATTEN_BAD_FORMAT,
-                             "it stands where a VERTEX_POINT should");
+                             "it is given where a VERTEX_POINT is expected");
     batten_status status = bat_step_get_reference(t->file, record, 1, &point);
     if (status == BATTEN_OK)
         status = bat_step_vertex_at(t, point, index);

@@ -87,7 +87,7 @@ static void go_on(reading *r, size_t *at)
                      bat_step_line(r->file, is_end ? r->statement : scan->at), entity, "%s%s",
                      is_end ? "the file ends here: " : scan->problem,
                      is_end       ? scan->problem
-                     : is_comment ? "; nothing behind it is read"
+                     : is_comment ? "; nothing after it is read"
                                   : "; left out");
     if (is_end || is_comment)
         input->is_cut = true;
@@ -159,10 +159,10 @@ static batten_status scan_instance(reading *r, size_t *at)
     batten_status status = BATTEN_OK;
     const size_t first = r->file->records.count;
     if (r->section != DATA && !r->has_data)
-        note_damage(r, *at, "instances stand outside a DATA section");
+        note_damage(r, *at, "there are instances outside a DATA section");
     r->has_data = true;
     if (!bat_step_scan_id(scan, at, &r->id) ||
-        !bat_step_scan_byte(scan, at, '=', "'=' should follow the number of an instance") ||
+        !bat_step_scan_byte(scan, at, '=', "expected '=' after the number of an instance") ||
         !bat_step_scan_blank(scan, at))
         return BATTEN_OK;
     if (*at < scan->size && scan->data[*at] == '(') {
@@ -176,7 +176,7 @@ static batten_status scan_instance(reading *r, size_t *at)
         status = scan_record(r, at);
     }
     if (status == BATTEN_OK && !scan->problem &&
-        bat_step_scan_byte(scan, at, ';', "';' should stand behind an instance"))
+        bat_step_scan_byte(scan, at, ';', "expected ';' after an instance"))
         return add_instance(r, first);
     r->file->records.count = first;
     return status;
@@ -209,8 +209,7 @@ static void scan_header_record(reading *r, size_t keyword, size_t length, size_t
     const char *word = r->scan.data + keyword;
     *end = at;
     if (!bat_step_scan_list(&r->scan, end) ||
-        !bat_step_scan_byte(&r->scan, end, ';',
-                            "';' should stand behind a record of the header"))
+        !bat_step_scan_byte(&r->scan, end, ';', "expected ';' after a record of the header"))
         return;
     if (length == 11 && memcmp(word, "FILE_SCHEMA", length) == 0)
         take_string(r, keyword, at, 0, sizeof file->schema, file->schema);
@@ -268,7 +267,7 @@ static bool scan_section(reading *r, size_t begin, size_t end, size_t *at)
     } else if (!is_word(scan, begin, end, "ISO-10303-21")) {
         return false;
     }
-    if (bat_step_scan_byte(scan, at, ';', "';' should stand here"))
+    if (bat_step_scan_byte(scan, at, ';', "expected ';' here"))
         r->file->has_end |= r->is_over;
     return true;
 }
@@ -343,7 +342,7 @@ static void note_ending(reading *r)
         note_damage(r, scan->lower_case, "keywords are in lower case; read as in upper case");
     if (scan->broken_string != SIZE_MAX)
         note_damage(r, scan->broken_string,
-                    "a string runs over the end of a line; the break is dropped");
+                    "a string continues over the end of a line; the break is dropped");
     if (scan->bare_point != SIZE_MAX)
         note_damage(r, scan->bare_point,
                     "a number has no digit before its point; read as with a 0");

@@ -89,7 +89,7 @@ bool bat_step_scan_keyword(bat_step_scanner *scanner, size_t *at)
            (bat_step_in(data[end], BAT_STEP_LETTER | BAT_STEP_DIGIT) || data[end] == '-'))
         classes |= bat_step_class[(unsigned char)data[end++]];
     if (end == *at || !bat_step_in(data[*at], BAT_STEP_LETTER))
-        return wrong(scanner, *at, "a keyword should stand here");
+        return wrong(scanner, *at, "expected a keyword here");
     if ((classes & BAT_STEP_LOWER) && scanner->lower_case == SIZE_MAX)
         scanner->lower_case = *at;
     *at = end;
@@ -103,7 +103,7 @@ bool bat_step_scan_id(bat_step_scanner *scanner, size_t *at, uint64_t *id)
     uint64_t value = 0;
     for (; end < scanner->size && bat_step_in(data[end], BAT_STEP_DIGIT); end++) {
         if (value > (UINT64_MAX - 9) / 10)
-            return wrong(scanner, *at, "the number behind '#' is too large");
+            return wrong(scanner, *at, "the number after '#' is too large");
         value = 10 * value + (uint64_t)(data[end] - '0');
     }
     if (end == *at + 1)
@@ -161,7 +161,7 @@ static bool scan_binary(bat_step_scanner *scanner, size_t *at)
         end++;
     scanner->far = end;
     if (end >= scanner->size || data[end] != '"')
-        return wrong(scanner, *at, "a binary value has something else than 0-9 and A-F");
+        return wrong(scanner, *at, "a binary value has characters other than 0-9 and A-F");
     if (end - *at - 1 > scanner->string_bytes)
         return wrong(scanner, *at, "a binary value is longer than the limit");
     *at = end + 1;
@@ -228,7 +228,7 @@ static bool scan_simple(bat_step_scanner *scanner, size_t *at, bool *is_typed)
                    : scan_enum(scanner, at);
     default:
         if (!bat_step_in(c, BAT_STEP_LETTER))
-            return wrong(scanner, *at, "a value should stand here");
+            return wrong(scanner, *at, "expected a value here");
         *is_typed = true;
         return bat_step_scan_keyword(scanner, at);
     }
@@ -242,7 +242,7 @@ static bool scan_after(bat_step_scanner *scanner, size_t *at, int *depth)
             return false;
         const char c = *at < scanner->size ? scanner->data[*at] : '\0';
         if (c != ',' && c != ')')
-            return wrong(scanner, *at, "',' or ')' should stand here");
+            return wrong(scanner, *at, "expected ',' or ')' here");
         ++*at;
         if (c == ',')
             break;
@@ -259,10 +259,10 @@ bool bat_step_scan_list(bat_step_scanner *scanner, size_t *at)
         if (!bat_step_scan_blank(scanner, at))
             return false;
         if (*at >= scanner->size)
-            return wrong(scanner, *at, "a value should stand here");
+            return wrong(scanner, *at, "expected a value here");
         const bool is_open = scanner->data[*at] == '(';
         if (is_typed && !is_open)
-            return wrong(scanner, *at, "'(' should follow a keyword");
+            return wrong(scanner, *at, "expected '(' after a keyword");
         is_typed = false;
         if (is_open) {
             if (++depth > scanner->nesting)

@@ -102,7 +102,7 @@ static void drop_doubles(bat_step_file *file)
         char entity[32];
         snprintf(entity, sizeof entity, "#%llu", (unsigned long long)instances[i].id);
         batten_notes_add(input->notes, input->file, bat_step_line(file, instances[i].at),
-                         entity, "the number is given again; line %d counts, this is left out",
+                         entity, "the number is given again; line %d is used, this is left out",
                          bat_step_line(file, instances[kept - 1].at));
         input->left_out++;
     }

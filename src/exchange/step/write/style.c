@@ -69,7 +69,7 @@ static bool note_bare(bat_step_writing *w)
 {
     if (w->is_bare && !w->has_noted_bare)
         batten_notes_add(w->step.notes, "", 0, "",
-                         "AP203 has no colours, layers, groups and hidden objects; left out");
+                         "AP203 has no colours, layers, groups or hidden objects; left out");
     w->has_noted_bare |= w->is_bare;
     return w->is_bare;
 }

@@ -350,8 +350,7 @@ batten_status bat_write_step(const batten_model *model, const batten_write_optio
     batten_status status = BATTEN_OK;
     if (options->schema != BATTEN_STEP_AP214 && options->schema != BATTEN_STEP_AP203 &&
         options->schema != BATTEN_STEP_AP242)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no schema %d of STEP",
-                        (int)options->schema);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown STEP schema %d", (int)options->schema);
     if (batten_model_unit_metres(model) > 0) {
         scaled = batten_model_ref(model);
     } else {

@@ -138,7 +138,7 @@ TEST(S4_composites_nested_deeper_than_the_limit_are_refused)
                  BATTEN_PARTLY_READ);
     CHECK_INT(batten_model_count(model), 1);
     if (batten_notes_dropped(notes) == 0)
-        CHECK(has_note(notes, "entities lie within entities more than 64 deep"));
+        CHECK(has_note(notes, "entities are nested more than 64 deep"));
     batten_notes_free(notes);
     batten_model_unref(model);
 }
@@ -196,7 +196,7 @@ TEST(conics_that_are_none_are_left_out_and_wrong_forms_are_noted)
     }
     const double ellipse[6] = {1, 0, 4, 0, 0, -4};
     check_conic("104,1.,0.,4.,0.,0.,-4.,3.,2.,0.,0.,1.;", 2, ellipse, (double[]){2, 0, 0, 1},
-                "it calls itself a hyperbola");
+                "it is declared a hyperbola");
 }
 
 TEST(a_conic_may_be_scaled_and_its_ends_are_put_onto_it_with_a_note)
@@ -205,7 +205,7 @@ TEST(a_conic_may_be_scaled_and_its_ends_are_put_onto_it_with_a_note)
     check_conic("104,1E200,0.,1E200,0.,0.,-1E200,3.,1.,0.,0.,1.;", 1, circle,
                 (double[]){1, 0, 0, 1}, "");
     check_conic("104,1.,0.,1.,0.,0.,-1.,3.,3.,0.,0.,3.;", 1, circle, (double[]){1, 0, 0, 1},
-                "a conic whose ends are 2 off its equation; the equation counts");
+                "a conic whose ends are 2 off its equation; the equation is used");
 }
 
 TEST(copious_data_are_points_polylines_and_loops)
@@ -249,7 +249,7 @@ TEST(Q5_copious_data_for_drawings_or_of_an_unknown_kind_are_left_out)
                  {"106,4,2,0.,1.,2.,3.,4.;", 2, "its points are of kind 4, not 1, 2 or 3"},
                  {"106,2,3,1.,2.,3.,4.,5.,6.;", 2, "9 parameters, need 12"},
                  {"106,2,0;", 2, "it has 0 points"},
-                 {"106,2,1,1.,2.,3.;", 12, "a row of 1 point is no curve"}};
+                 {"106,2,1,1.,2.,3.;", 12, "a row of 1 point is not a curve"}};
     for (int i = 0; i < COUNT(cases); i++) {
         iges_text file = iges_begin();
         iges_add(&file, 106, cases[i].form, 0, 0, "00000000", cases[i].text);

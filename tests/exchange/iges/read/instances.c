@@ -117,7 +117,7 @@ TEST(Q4_groups_in_a_ring_or_of_nothing_are_noted)
     iges_add(&file, 402, 7, 0, 0, "00000000", "402,2,1,5;");
     iges_add(&file, 402, 7, 0, 0, "00000000", "402,1,3;");
     batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
-                                      "its groups are in one another in a ring");
+                                      "its groups contain one another in a ring");
     CHECK_TEXT(batten_model_object(model, 0)->group, "");
     batten_model_unref(model);
     iges_text bad = iges_begin();

@@ -23,13 +23,13 @@ TEST(the_unit_is_that_of_the_flag_or_of_the_name)
         {"10,", "", 0.01},
         {"3,2HCM", "", 0.01},
         {"3,3Hmil", "", 0.0000254},
-        {"2,1HM", "the flag counts", 0.001},
+        {"2,1HM", "the flag is used", 0.001},
         {",2HMM", "", 0.001},
-        {",", "does not say its unit; taken as inch", 0.0254},
+        {",", "gives no unit; inches are assumed", 0.0254},
         {"3,4HEL L", "has the flag 3 and the name 'EL L', which", 0.0254},
         {"3,20Haaaaaaaaaaaaaaaaaaaa", "the name 'aaaaaaaaaaaaaaaaaaaa'", 0.0254},
         {"77,2HMM", "has the flag 77 and the name 'MM', which", 0.0254},
-        {"77,", "has the flag 77, which IGES does not know", 0.0254},
+        {"77,", "has the flag 77, which IGES does not have", 0.0254},
         {",3HFOO", "has the name 'FOO', which", 0.0254},
     };
     for (int i = 0; i < COUNT(cases); i++) {
@@ -63,7 +63,7 @@ TEST(F7_other_forms_of_IGES_are_refused_by_name)
     check_refused(text, BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED, "compressed form");
     snprintf(text, sizeof text, "%72sB      1\n", "");
     check_refused(text, BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED, "binary form");
-    check_refused("1 2\n", BATTEN_FORMAT_IGES, BATTEN_BAD_FORMAT, "no IGES file");
+    check_refused("1 2\n", BATTEN_FORMAT_IGES, BATTEN_BAD_FORMAT, "not an IGES file");
     check_refused("", BATTEN_FORMAT_IGES, BATTEN_BAD_FORMAT, "the file is empty");
 }
 

@@ -247,7 +247,9 @@ TEST(Q3_strings_may_run_over_records_but_not_over_the_section)
         {"406,1,1000000000Hx;", "curve D1",
          "its name, D3, cannot be read: a string of 1000000000 characters; the limit is"},
         {"406,1,99999999999999999999Hx;", "curve D1", "its name, D3, cannot be read"},
-        {"406,1,-3Habc;", "curve D1", "its name, D3, cannot be read: parameter 2 is no string"},
+        {"406,1,-3Habc;", "curve D1",
+         "its name, D3, cannot be read: parameter 2 is not a "
+         "string"},
         {"406,1,3Habcd;", "curve D1", "a string of 3 characters is followed by 'd'"},
         {"406,1, 3Ha;c , 7;", "a;c", ""},
     };

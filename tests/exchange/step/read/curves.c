@@ -121,11 +121,11 @@ TEST(P2_bad_placements_and_points_are_named)
          "#51=CARTESIAN_POINT((1.,2.,3.));",
          "#51 CARTESIAN_POINT: argument 2 is missing, not a list"},
         {"#100=CIRCLE('',#50,1.);#50=AXIS2_PLACEMENT_3D('',#2,$,$);",
-         "#2 DIRECTION: it is no CARTESIAN_POINT"},
+         "#2 DIRECTION: it is not of the type CARTESIAN_POINT"},
         {"#100=CIRCLE('',#50,1.);#50=AXIS2_PLACEMENT_3D('',#1,#51,$);"
          "#51=DIRECTION('',(0.,0.,0.));",
          "#51 DIRECTION: it has no length"},
-        {"#100=CIRCLE('',#8,1.);", "#8 LINE: it is no placement in space"},
+        {"#100=CIRCLE('',#8,1.);", "#8 LINE: it is not a placement in space"},
         {"#100=CIRCLE('',#4);", "#100 CIRCLE: argument 3 is missing"},
         {"#100=CIRCLE('',#4,1.,2.);",
          "#100 CIRCLE: argument 4 is a real, not one that belongs"},
@@ -135,8 +135,8 @@ TEST(P2_bad_placements_and_points_are_named)
         {"#100=CIRCLE('',#400,1.);",
          "#100 CIRCLE: argument 2 refers to #400, which is missing"},
         {"#100=ELLIPSE('',#4,1.,0.);", "#100 ELLIPSE: its second half axis is 0"},
-        {"#100=CARTESIAN_POINT('',(1.,2.,3.));", "it is no curve that is read"},
-        {"#100=FANCY_CURVE('',#4);", "#100 FANCY_CURVE: it is no curve that is read"},
+        {"#100=CARTESIAN_POINT('',(1.,2.,3.));", "it is not a curve that can be read"},
+        {"#100=FANCY_CURVE('',#4);", "#100 FANCY_CURVE: it is not a curve that can be read"},
     };
     for (int k = 0; k < COUNT(cases); k++) {
         const bool is_unsupported = k >= COUNT(cases) - 2;
@@ -377,13 +377,13 @@ TEST(P3_inconsistent_splines_are_refused_with_both_numbers)
         {"#100=B_SPLINE_CURVE_WITH_KNOTS('',2,(),.U.,.F.,.F.,(3,3),(0.,1.),.U.);",
          BATTEN_TOO_FEW_POINTS, "0 points are too few"},
         {"#100=B_SPLINE_CURVE_WITH_KNOTS('',2,(#30,#31,#4),.U.,.F.,.F.,(3,3),(0.,1.),.U.);",
-         BATTEN_BAD_FORMAT, "#4 AXIS2_PLACEMENT_3D: it is no CARTESIAN_POINT"},
+         BATTEN_BAD_FORMAT, "#4 AXIS2_PLACEMENT_3D: it is not of the type CARTESIAN_POINT"},
         {"#100=B_SPLINE_CURVE_WITH_KNOTS(2,(#30,#31,#32),.U.,.F.,.F.,(3,3),(0.,1.),.U.);",
          BATTEN_BAD_FORMAT, "argument 1 is an integer, not a string"},
         {"#100=B_SPLINE_CURVE_WITH_KNOTS('',2,(#30,#31,#32),.U.,.F.,.F.,(3,3),(0.,1.));",
          BATTEN_BAD_FORMAT, "argument 9 is missing"},
         {"#100=BEZIER_CURVE('',2,(#30,#31,#32,#33),.U.,.F.,.F.);", BATTEN_BAD_FORMAT,
-         "4 points are no whole number of Bezier pieces of degree 2"},
+         "4 points do not make a whole number of Bezier pieces of degree 2"},
         {"#100=(BEZIER_CURVE()B_SPLINE_CURVE(2,(#30,#31,#32),.U.,.F.,.F.)"
          "RATIONAL_B_SPLINE_CURVE((1.,2.)));",
          BATTEN_BAD_FORMAT, "#100 RATIONAL_B_SPLINE_CURVE: it has 2 weights for 3 points"},
@@ -425,7 +425,7 @@ TEST(step_composite_curves_run_head_to_tail)
                   BATTEN_NOT_COMPATIBLE, "#100 COMPOSITE_CURVE: ");
     check_refusal("#100=COMPOSITE_CURVE('',(),.U.);", BATTEN_BAD_FORMAT, "it has no segments");
     check_refusal("#100=COMPOSITE_CURVE('',(#1),.U.);", BATTEN_BAD_FORMAT,
-                  "#1 CARTESIAN_POINT: it is no segment");
+                  "#1 CARTESIAN_POINT: it is not a segment");
 }
 
 TEST(P1_rings_of_curves_are_refused)

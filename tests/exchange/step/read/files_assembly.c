@@ -86,7 +86,7 @@ TEST(assemblies_two_deep_are_placed_and_their_parts_made_once)
     for (int order = 0; order < 4; order++) {
         const char *file = ship(order & 1, order & 2);
         const char *words =
-            order & 2 ? "its items stand in the representations the other way about" : "";
+            order & 2 ? "the items of its relation belong to the opposite representations" : "";
         batten_model *model = read_noting(file, BATTEN_FORMAT_STEP, words), *flat = NULL;
         CHECK_BITS(batten_model_unit_metres(model), 0.001);
         CHECK_INT(batten_model_depth(model), 2);

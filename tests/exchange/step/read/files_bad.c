@@ -65,11 +65,12 @@ TEST(P1_a_face_with_a_bad_reference_is_left_out)
     } cases[] = {
         {"#154=ADVANCED_FACE('side 3',(#144),#9999,.T.);\n", "#9999", 5},
         {"#154=ADVANCED_FACE('side 3',(#9998),#234,.T.);\n", "#9998", 5},
-        {"#154=ADVANCED_FACE('side 3',(#134),#234,.T.);\n", "where a FACE_BOUND should", 5},
-        {"#154=ADVANCED_FACE('side 3',(#144),#1,.T.);\n", "is no surface", 5},
+        {"#154=ADVANCED_FACE('side 3',(#134),#234,.T.);\n", "where a FACE_BOUND is expected",
+         5},
+        {"#154=ADVANCED_FACE('side 3',(#144),#1,.T.);\n", "is not a surface", 5},
         {"#154=ORIENTED_FACE('side 3',*,#154,.T.);\n", "refers to itself", 5},
-        {"#144=FACE_BOUND('',#144,.T.);\n", "where a loop should", 5},
-        {"#113=ORIENTED_EDGE('',*,*,#113,.T.);\n", "where an EDGE_CURVE should", 5},
+        {"#144=FACE_BOUND('',#144,.T.);\n", "where a loop is expected", 5},
+        {"#113=ORIENTED_EDGE('',*,*,#113,.T.);\n", "where an EDGE_CURVE is expected", 5},
         {"#12=LINE('',#4,#44);\n", "", 3},
         {"#81=EDGE_CURVE('',#9,#10,#9997,.T.);\n", "could not be read before", 4},
         {"#181=CLOSED_SHELL('',(#151,#151,#152,#153,#154,#155,#156));\n", "twice of one", 6},
@@ -108,7 +109,7 @@ TEST(P4_items_of_unknown_kind_are_counted_by_name)
 {
     const char *file = box_with("#990=SHAPE_REPRESENTATION('',(#1000,#1001,#1002),#900);\n"
                                 "#1001=BANANA('',4);\n#1002=TEXT_LITERAL('',$);\n");
-    check_read(file, BATTEN_PARTLY_READ, "not of a kind that is read", 6, true);
+    check_read(file, BATTEN_PARTLY_READ, "its kind is not read", 6, true);
     check_read(file, BATTEN_PARTLY_READ, "0 read, 1 left out", 6, true);
     check_read(file, BATTEN_PARTLY_READ, "1 annotations", 6, true);
 }
@@ -119,7 +120,7 @@ TEST(P4_an_unknown_schema_is_noted)
     char *made = test_array(strlen(file) + 1, 1);
     memcpy(made, file, strlen(file));
     memcpy(strstr(made, "AUTOMOTIVE_DESIGN"), "A_U_T_O", 7);
-    check_read(made, BATTEN_OK, "is not known", 6, true);
+    check_read(made, BATTEN_OK, "unknown schema", 6, true);
 }
 
 TEST(P6_a_file_without_units_is_in_millimetres_and_says_so)
@@ -128,7 +129,7 @@ TEST(P6_a_file_without_units_is_in_millimetres_and_says_so)
                            "#900=LINE('',#1,#41);\n", "#901=BANANA();\n",
                            "#990=SHAPE_REPRESENTATION('',(#1000),$);\n"};
     for (int k = 0; k < COUNT(cases); k++)
-        check_read(box_with(cases[k]), BATTEN_OK, "taken as mm", 6, true);
+        check_read(box_with(cases[k]), BATTEN_OK, "millimetres are assumed", 6, true);
 }
 
 TEST(P6_units_of_all_kinds_are_understood)
@@ -165,7 +166,7 @@ TEST(P6_a_unit_of_nothing_or_less_of_another_goes_by_its_name_and_says_so)
     } cases[] = {
         {"INCH", "-25.4", "'INCH' has the factor -25.4; by its name 0.0254 m is taken", 0.0254},
         {"INCH", "0.", "'INCH' has the factor 0; by its name 0.0254 m is taken", 0.0254},
-        {"ELL", "-1.", "'ELL' has the factor -1; it is not regarded", 0.001},
+        {"ELL", "-1.", "'ELL' has the factor -1; it is ignored", 0.001},
         {"INCH", "2.", "", 0.002}};
     for (int k = 0; k < COUNT(cases); k++) {
         char unit[300];

@@ -130,7 +130,7 @@ TEST(what_speaks_against_the_apex_of_a_cone_is_noted)
     static const struct {
         const char *vertex, *said;
     } cases[] = {{"#27=CARTESIAN_POINT('',(0.,0.,5.));\n", "is 3 from its apex"},
-                 {"#27=DIRECTION('',(0.,0.,5.));\n", "the loop is not regarded"}};
+                 {"#27=DIRECTION('',(0.,0.,5.));\n", "the loop is ignored"}};
     for (int k = 0; k < COUNT(cases); k++) {
         batten_model *model =
             read_tip(cone, true, "#63,#66", cases[k].vertex, BATTEN_OK, cases[k].said);

@@ -357,7 +357,7 @@ TEST(P2_bad_surfaces_are_named)
         {"#100=SURFACE_OF_LINEAR_EXTRUSION('',#8,#7);", BATTEN_BAD_FORMAT,
          "its line runs along its direction"},
         {"#100=SURFACE_OF_LINEAR_EXTRUSION('',#20,#5);", BATTEN_BAD_FORMAT,
-         "#5 AXIS1_PLACEMENT: it is no VECTOR"},
+         "#5 AXIS1_PLACEMENT: it is not a VECTOR"},
         {"#100=OFFSET_SURFACE('',#50,-3.,.F.);#50=SPHERICAL_SURFACE('',#4,2.);",
          BATTEN_BAD_FORMAT, "the distance -3 is more than the radius"},
         {"#100=RECTANGULAR_TRIMMED_SURFACE('',#50,0.,0.,0.,1.,.T.,.T.);#50=PLANE('',#4);",
@@ -365,7 +365,7 @@ TEST(P2_bad_surfaces_are_named)
         {"#100=RECTANGULAR_TRIMMED_SURFACE('',#100,0.,1.,0.,1.,.T.,.T.);", BATTEN_UNSUPPORTED,
          "a part of such a surface"},
         {"#100=OFFSET_SURFACE('',#100,1.,.F.);", BATTEN_BAD_FORMAT, "it stands on itself"},
-        {"#100=CIRCLE('',#4,1.);", BATTEN_UNSUPPORTED, "it is no surface that is read"},
+        {"#100=CIRCLE('',#4,1.);", BATTEN_UNSUPPORTED, "it is not a surface that can be read"},
     };
     for (int k = 0; k < COUNT(cases); k++)
         check_refusal(cases[k].data, cases[k].status, cases[k].words);

@@ -91,7 +91,7 @@ TEST(step_leniencies_are_noted_once)
                  "keywords are in lower case", 0);
     check_points(step_whole("#1=CARTESIAN_POINT('\na\r\n',(1.,2.,3.5));\n"
                             "#2=CARTESIAN_POINT('b',(-40.,5.,6.));"),
-                 "a string runs over the end of a line", 0);
+                 "a string continues over the end of a line", 0);
     check_points(step_whole("#1=CARTESIAN_POINT('a',(1.,2.,3.5));\n"
                             "#2=CARTESIAN_POINT('b',(-40.,+.5E1,6.));"),
                  "no digit before its point", 0);
@@ -125,7 +125,7 @@ TEST(P6_the_header_says_who_wrote_it)
     CHECK_OK(step_begin(&t, "ISO-10303-21;HEADER;FILE_NAME($);FILE_SCHEMA(());FILE_NAME('x',;"
                             "ENDSEC;DATA;" STEP_TAIL));
     CHECK_TEXT(t.file.schema, "");
-    step_check_note(&t, "a value should stand here");
+    step_check_note(&t, "expected a value here");
     step_end(&t);
 }
 
@@ -135,25 +135,25 @@ TEST(P2_a_broken_instance_is_left_out_alone)
     const struct {
         const char *bad, *note;
     } cases[] = {
-        {"#5=X(1,,2);", "a value should stand here; left out"},
-        {"#5=X(1,);", "a value should stand here"},
-        {"#5=X(1", "',' or ')' should stand here"},
-        {"#5=X 1);", "'(' should follow a keyword"},
-        {"#5=X(Y);", "'(' should follow a keyword"},
-        {"#5=X(1))", "';' should stand behind an instance"},
-        {"#5=X(1)", "';' should stand behind an instance"},
-        {"#5 X(1);", "'=' should follow"},
-        {"#5=;", "a keyword should stand here"},
+        {"#5=X(1,,2);", "expected a value here; left out"},
+        {"#5=X(1,);", "expected a value here"},
+        {"#5=X(1", "expected ',' or ')' here"},
+        {"#5=X 1);", "expected '(' after a keyword"},
+        {"#5=X(Y);", "expected '(' after a keyword"},
+        {"#5=X(1))", "expected ';' after an instance"},
+        {"#5=X(1)", "expected ';' after an instance"},
+        {"#5 X(1);", "expected '='"},
+        {"#5=;", "expected a keyword here"},
         {"#5=();", "the instance is empty"},
-        {"#5=(X(1)Y);", "'(' should follow a keyword"},
+        {"#5=(X(1)Y);", "expected '(' after a keyword"},
         {"#5=X(#);", "'#' has no number"},
-        {"#5=X(#99999999999999999999);", "the number behind '#' is too large"},
-        {"#99999999999999999999=X();", "the number behind '#' is too large"},
+        {"#5=X(#99999999999999999999);", "the number after '#' is too large"},
+        {"#99999999999999999999=X();", "the number after '#' is too large"},
         {"#-5=X();", "'#' has no number"},
         {"#5=X(.T);", "a word between dots has no second dot"},
-        {"#5=X(\"0G\");", "a binary value has something else"},
-        {"#5=X('it's');", "',' or ')' should stand here"},
-        {"#5=X('it);", "',' or ')' should stand here"},
+        {"#5=X(\"0G\");", "a binary value has characters other"},
+        {"#5=X('it's');", "expected ',' or ')' here"},
+        {"#5=X('it);", "expected ',' or ')' here"},
         {"what is this;", "neither an instance nor the end of a section"},
         {"FILE_NAME('');", "neither an instance nor the end of a section"},
         {"&", "neither an instance nor the end of a section"},
@@ -217,7 +217,7 @@ TEST(P1_references_are_typed_and_may_point_anywhere)
     step_text_file t = {.notes = NULL};
     const bat_step_instance *found = NULL;
     CHECK_OK(step_begin(&t, step_whole("#900=X(#3,#4,#900,$,(#3,7));\n#3=Y();#3=Z();")));
-    step_check_note(&t, "the number is given again; line 9 counts, this is left out");
+    step_check_note(&t, "the number is given again; line 9 is used, this is left out");
     CHECK_INT(t.input.left_out, 1);
     const bat_step_record *x = bat_step_first(&t.file, step_find(&t, 900));
     CHECK_OK(bat_step_get_reference(&t.file, x, 0, &found));
@@ -348,7 +348,7 @@ TEST(P5_what_has_no_end_is_said_with_the_line_where_it_begins)
         int line;
     } cases[] = {
         {"#7=X(1);\n#8=X('abc);\n#9=Y(1);\n", "a string has no end", 9},
-        {"#7=X(1);\n/* and so on\n#9=Y(1);\n", "a comment has no end; nothing behind", 9},
+        {"#7=X(1);\n/* and so on\n#9=Y(1);\n", "a comment has no end; nothing after", 9},
         {"#7=X(1);\n#8=X(\"0A);\n#9=Y(1);\n", "a binary value", 9}};
     for (int k = 0; k < COUNT(cases); k++) {
         step_text_file t = {.notes = NULL};
