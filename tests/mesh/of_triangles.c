@@ -1,6 +1,8 @@
 #include "support/test.h"
 
 #include <batten/mesh.h>
+#include <math.h>
+#include <string.h>
 
 /* A bump over the square: two quartic triangles that share an edge. */
 static batten_triangles *bump(void)
@@ -58,4 +60,157 @@ TEST(too_many_parts_of_triangles_are_refused)
     CHECK_STATUS(batten_mesh_from_triangles(triangles, &options, NULL, NULL, &mesh),
                  BATTEN_BAD_ARGUMENT);
     batten_triangles_unref(triangles);
+}
+
+/* z = x^2 - y^2 / 2 over the square as two quadratic triangles: the middle point of an edge has
+ * the polar form of its ends for a height. */
+static batten_triangles *saddle_of_triangles(const double *weights)
+{
+    static const double corners[2][3][2] = {{{0, 0}, {1, 0}, {0, 1}}, {{1, 1}, {0, 1}, {1, 0}}};
+    double points[2][6][3];
+    batten_triangles *made = NULL;
+    for (int t = 0; t < 2; t++)
+        for (int j = 0; j <= 2; j++)
+            for (int k = 0; j + k <= 2; k++) {
+                double *p = points[t][BATTEN_TRIANGLE_POINT(j, k)];
+                const int first = j + k < 2 ? 0 : j > 0 ? 1 : 2;
+                const int last = k > 0 ? 2 : j > 0 ? 1 : 0;
+                const double *a = corners[t][first], *b = corners[t][last];
+                p[0] = (a[0] + b[0]) / 2;
+                p[1] = (a[1] + b[1]) / 2;
+                p[2] = a[0] * b[0] - a[1] * b[1] / 2;
+            }
+    CHECK_OK(batten_triangles_create(
+        &(batten_triangles_parts){3, 2, 2, points[0][0], weights, NULL}, &made));
+    return made;
+}
+
+/* The largest second difference is 1, that of x: with n parts a triangle is 1 / (3 n^2) off at
+ * most, and angles ask for nothing. The diagonal of the box, 1 by 1 by 3/2, counts for the longest
+ * edge. */
+TEST(triangles_are_divided_as_often_as_their_second_differences_need)
+{
+    batten_triangles *triangles = saddle_of_triangles(NULL);
+    static const struct {
+        double chord, longest;
+        int parts;
+    } cases[] = {{0.5, 0, 1},    {0.3, 0, 2}, {1.0 / 26, 0, 3}, {1e-2, 0, 6}, {1e-4, 0, 58},
+                 {0.5, 0.2, 11}, {0.5, 2, 2}, {1e-2, 0.2, 11},  {1e-2, 10, 6}};
+    for (int i = 0; i < COUNT(cases); i++) {
+        batten_mesh_options options = batten_mesh_defaults();
+        batten_mesh_report report;
+        batten_mesh *mesh = NULL;
+        options.chord = cases[i].chord;
+        options.longest = cases[i].longest;
+        options.angle = 3;
+        CHECK_OK(batten_mesh_from_triangles(triangles, &options, NULL, &report, &mesh));
+        CHECK_INT(batten_mesh_view(mesh)->triangle_count, 2 * cases[i].parts * cases[i].parts);
+        CHECK_NEAR(report.asked, cases[i].chord, 0);
+        CHECK(report.chord > 0 && report.chord <= 1.0 / 3 / cases[i].parts / cases[i].parts);
+        CHECK_INT(report.beyond, 0);
+        batten_mesh_unref(mesh);
+    }
+    batten_triangles_unref(triangles);
+}
+
+/* The largest angle between two normals of one triangle. */
+static double widest_turn(const batten_mesh *mesh)
+{
+    const batten_mesh_parts *made = batten_mesh_view(mesh);
+    double widest = 0;
+    for (int t = 0; t < made->triangle_count; t++)
+        for (int k = 0; k < 3; k++) {
+            const double *a = made->normals + 9 * t + 3 * k;
+            const double *b = made->normals + 9 * t + 3 * ((k + 1) % 3);
+            const double off = hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+            widest = fmax(widest, 2 * asin(off / 2));
+        }
+    return widest;
+}
+
+TEST(more_parts_are_made_until_normals_turn_no_more_than_the_angle)
+{
+    batten_triangles *triangles = saddle_of_triangles(NULL);
+    static const double angles[] = {1, 0.3, 0.1, 0.03};
+    for (int i = 0; i < COUNT(angles); i++) {
+        batten_mesh_options options = batten_mesh_defaults();
+        batten_mesh_report report;
+        batten_mesh *mesh = NULL;
+        options.chord = 10;
+        options.angle = angles[i];
+        CHECK_OK(batten_mesh_from_triangles(triangles, &options, NULL, &report, &mesh));
+        CHECK_NEAR(report.angle, widest_turn(mesh), 1e-12);
+        CHECK(report.angle <= angles[i]);
+        /* Slopes change by 2 in all, so an angle needs no more than 2 / angle parts, and rounding
+         * up with a tenth to spare. */
+        const double parts = sqrt(batten_mesh_view(mesh)->triangle_count / 2.0);
+        CHECK(parts <= 1.1 * 2 * sqrt(2) / angles[i] + 2);
+        batten_mesh_unref(mesh);
+    }
+    batten_triangles_unref(triangles);
+}
+
+TEST(vertices_lie_on_the_triangles_and_normals_stand_on_them)
+{
+    static const double weights[12] = {2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2};
+    for (int w = 0; w < 2; w++) {
+        batten_triangles *triangles = saddle_of_triangles(w ? weights : NULL);
+        batten_mesh_options options = batten_mesh_defaults();
+        batten_mesh *mesh = NULL;
+        options.chord = 1e-3;
+        CHECK_OK(batten_mesh_from_triangles(triangles, &options, NULL, NULL, &mesh));
+        const batten_mesh_parts *made = batten_mesh_view(mesh);
+        for (int i = 0; i < made->vertex_count; i++) {
+            const double *p = made->points + 3 * i;
+            CHECK(p[0] >= 0 && p[0] <= 1 && p[1] >= 0 && p[1] <= 1);
+            CHECK_NEAR(p[2], p[0] * p[0] - p[1] * p[1] / 2, 1e-15);
+        }
+        for (int i = 0; i < 3 * made->triangle_count; i++) {
+            const double *p = made->points + 3 * made->corners[i], *n = made->normals + 3 * i;
+            const double length = sqrt(1 + 4 * p[0] * p[0] + p[1] * p[1]);
+            CHECK_NEAR(n[0], -2 * p[0] / length, 1e-13);
+            CHECK_NEAR(n[1], p[1] / length, 1e-13);
+            CHECK_NEAR(n[2], 1 / length, 1e-13);
+        }
+        batten_mesh_unref(mesh);
+        batten_triangles_unref(triangles);
+    }
+}
+
+/* Two triangles that share an edge with uneven weights, in either order of its ends. */
+TEST(edges_of_rational_triangles_are_shared_to_the_bit)
+{
+    test_random random = test_random_begin("rational triangles");
+    for (int turn = test_cases(20); turn > 0; turn--) {
+        double points[2][10][3], weights[2][10];
+        batten_triangles *triangles = NULL;
+        batten_mesh *mesh = NULL;
+        batten_mesh_facts facts;
+        batten_mesh_options options = batten_mesh_defaults();
+        for (int t = 0; t < 2; t++)
+            for (int j = 0; j <= 3; j++)
+                for (int k = 0; j + k <= 3; k++) {
+                    const int at = BATTEN_TRIANGLE_POINT(j, k);
+                    double *p = points[t][at];
+                    p[0] = (t ? 3 - j : j) / 3.0;
+                    p[1] = (t ? 3 - k : k) / 3.0;
+                    p[2] = test_random_in(&random, -0.2, 0.2);
+                    weights[t][at] = test_random_in(&random, 0.5, 2);
+                    /* Edge j + k = 3 of the first is (j, k) -> (3 - j, 3 - k) of the second. */
+                    if (t && j + k == 3) {
+                        memcpy(p, points[0][BATTEN_TRIANGLE_POINT(k, j)], sizeof points[0][0]);
+                        weights[1][at] = weights[0][BATTEN_TRIANGLE_POINT(k, j)];
+                    }
+                }
+        CHECK_OK(batten_triangles_create(
+            &(batten_triangles_parts){3, 3, 2, points[0][0], weights[0], NULL}, &triangles));
+        options.chord = 0.01;
+        options.angle = 3;
+        CHECK_OK(batten_mesh_from_triangles(triangles, &options, NULL, NULL, &mesh));
+        CHECK_OK(batten_mesh_check(mesh, &facts));
+        CHECK_INT(facts.pieces, 1);
+        CHECK_INT(facts.euler, 1);
+        batten_mesh_unref(mesh);
+        batten_triangles_unref(triangles);
+    }
 }

@@ -3,6 +3,7 @@
  * told by polygons that follow the loops in the parameters; all is scaled there to 1.
  */
 #include "body/measure/extent.h"
+#include "base/list.h"
 #include "numeric/box.h"
 #include <batten/measure.h>
 
@@ -52,14 +53,8 @@ typedef struct {
 
 static batten_status add_side(polygons *p, const double from[2], const double to[2], double sag)
 {
-    if (p->count == p->room) {
-        const size_t room = p->room ? 2 * p->room : 256;
-        side *sides = bat_resize(p->sides, room, sizeof *sides);
-        if (!sides)
-            return BATTEN_OUT_OF_MEMORY;
-        p->sides = sides;
-        p->room = room;
-    }
+    if (BAT_LIST_GROW(p->sides, p->count, p->room, 1) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     p->sides[p->count++] = (side){{from[0], from[1]}, {to[0], to[1]}, sag};
     return BATTEN_OK;
 }

@@ -1,6 +1,7 @@
 /* Area, volume and centroid of one face by the theorem of Green, with two rules for the error.
  */
 #include "body/measure/face_integral.h"
+#include "base/list.h"
 #include "body/measure/box.h"
 
 #include "numeric/quadrature.h"
@@ -209,14 +210,8 @@ static batten_status measure_piece(work *w, piece *p)
 
 static batten_status add_piece(pieces *list, const piece *p)
 {
-    if (list->count == list->room) {
-        const size_t room = list->room ? 2 * list->room : 16;
-        piece *items = bat_resize(list->items, room, sizeof *items);
-        if (!items)
-            return BATTEN_OUT_OF_MEMORY;
-        list->items = items;
-        list->room = room;
-    }
+    if (BAT_LIST_GROW(list->items, list->count, list->room, 1) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     list->items[list->count++] = *p;
     return BATTEN_OK;
 }

@@ -1,5 +1,6 @@
 /* All special points of the spans of a curve, counted exactly: inflections, cusps, crossings.
  */
+#include "base/list.h"
 #include "inspect/affine/double_points.h"
 #include "inspect/affine/exact_span.h"
 #include "numeric/bernstein.h"
@@ -53,14 +54,8 @@ static batten_vec3 point_at(const finding *f, double t, double s)
 static batten_status add_special(finding *f, batten_special special)
 {
     batten_census *c = &f->census;
-    if (c->count == f->room) {
-        const int room = bat_max_int(8, 2 * f->room);
-        batten_special *grown = bat_resize(c->specials, (size_t)room, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        c->specials = grown;
-        f->room = room;
-    }
+    if (BAT_LIST_GROW(c->specials, c->count, f->room, 1) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     special.point =
         point_at(f, special.t, special.kind == BATTEN_SPECIAL_ISOLATED ? special.s : 0);
     int at = c->count++;

@@ -1,4 +1,5 @@
 /* Points where a field stands still, by Newton's method on its gradient. */
+#include "base/list.h"
 #include "inspect/contours/net.h"
 #include "numeric/vector.h"
 
@@ -168,14 +169,9 @@ static bool is_known(const bat_net *net, const double *point)
 
 static batten_status keep_critical(bat_net *net, const search *s, const double *point)
 {
-    if (net->critical_count == net->critical_capacity) {
-        const int capacity = 2 * net->critical_capacity + 16;
-        batten_critical *larger = bat_resize(net->criticals, (size_t)capacity, sizeof *larger);
-        if (!larger)
-            return BATTEN_OUT_OF_MEMORY;
-        net->criticals = larger;
-        net->critical_capacity = capacity;
-    }
+    if (BAT_LIST_GROW(net->criticals, net->critical_count, net->critical_capacity, 1) !=
+        BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     const double *h = s->hessian;
     const batten_critical_kind kind = h[0] * h[2] - h[1] * h[1] < 0 ? BATTEN_CRITICAL_SADDLE
                                       : h[0] + h[2] > 0             ? BATTEN_CRITICAL_LEAST

@@ -1,4 +1,5 @@
 /* The ground of a net: pairs of numbers, the field, nodes and triangles as they are added. */
+#include "base/list.h"
 #include "base/plural.h"
 #include "inspect/contours/net.h"
 
@@ -130,14 +131,9 @@ batten_status bat_net_add_triangle(bat_net *net, const bat_triangle *triangle)
         return bat_fail(
             BATTEN_TOO_LARGE, "contours need more than %d triangles: the shape has %d piece%s",
             MOST_TRIANGLES, net->pieces->piece_count, bat_plural(net->pieces->piece_count));
-    if (net->triangle_count == net->triangle_capacity) {
-        const size_t capacity = 2 * net->triangle_capacity + 256;
-        bat_triangle *larger = bat_resize(net->triangles, capacity, sizeof *larger);
-        if (!larger)
-            return BATTEN_OUT_OF_MEMORY;
-        net->triangles = larger;
-        net->triangle_capacity = capacity;
-    }
+    if (BAT_LIST_GROW(net->triangles, net->triangle_count, net->triangle_capacity, 1) !=
+        BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     net->triangles[net->triangle_count++] = *triangle;
     return BATTEN_OK;
 }

@@ -1,4 +1,5 @@
 /* From triangle to triangle, from crossing to crossing. */
+#include "base/list.h"
 #include "inspect/contours/lines.h"
 
 #include "numeric/vector.h"
@@ -75,14 +76,8 @@ static batten_status locate(const bat_net *net, const bat_triangle *t, crossing 
 static batten_status add_crossing(tracer *tr, const bat_triangle *t, int first, int second,
                                   int level, int *out)
 {
-    if (tr->count == tr->capacity) {
-        const int capacity = 2 * tr->capacity + 256;
-        crossing *larger = bat_resize(tr->crossings, (size_t)capacity, sizeof *larger);
-        if (!larger)
-            return BATTEN_OUT_OF_MEMORY;
-        tr->crossings = larger;
-        tr->capacity = capacity;
-    }
+    if (BAT_LIST_GROW(tr->crossings, tr->count, tr->capacity, 1) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     crossing *c = &tr->crossings[tr->count];
     *c = (crossing){{first, second}, level, 0, {-1, -1}, {-1, -1}, false};
     *out = tr->count++;
@@ -190,14 +185,8 @@ static batten_status keep_line(bat_lines *lines, bat_line *line)
         bat_line_free(line);
         return BATTEN_OK;
     }
-    if (lines->count == lines->capacity) {
-        const size_t capacity = 2 * lines->capacity + 16;
-        bat_line *larger = bat_resize(lines->lines, capacity, sizeof *larger);
-        if (!larger)
-            return BATTEN_OUT_OF_MEMORY;
-        lines->lines = larger;
-        lines->capacity = capacity;
-    }
+    if (BAT_LIST_GROW(lines->lines, lines->count, lines->capacity, 1) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     lines->lines[lines->count++] = *line;
     *line = (bat_line){.level = line->level, .smooth = line->smooth};
     return BATTEN_OK;

@@ -1,5 +1,6 @@
 /* Where plane curves cross each other and themselves: pieces halved until chords decide. */
 #include "inspect/nearest/self_crossings.h"
+#include "base/list.h"
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
@@ -97,14 +98,8 @@ static void halve(const piece *p, piece *left, piece *right)
 
 static batten_status add_piece(search *s, const piece *p)
 {
-    if (s->count == s->room) {
-        const int room = bat_max_int(32, 2 * s->room);
-        piece *grown = bat_resize(s->pieces, (size_t)room, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        s->pieces = grown;
-        s->room = room;
-    }
+    if (BAT_LIST_GROW(s->pieces, s->count, s->room, 1) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     s->pieces[s->count++] = *p;
     return BATTEN_OK;
 }
@@ -287,14 +282,8 @@ static batten_status refine(const search *s, const piece *p, const piece *q, dou
 static batten_status note(bat_crossings *out, const piece *p, const piece *q, double u,
                           double v)
 {
-    if (out->count == out->room) {
-        const int room = bat_max_int(16, 2 * out->room);
-        bat_crossing *grown = bat_resize(out->at, (size_t)room, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        out->at = grown;
-        out->room = room;
-    }
+    if (BAT_LIST_GROW(out->at, out->count, out->room, 1) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     const bool in_order = p->curve < q->curve || (p->curve == q->curve && u < v);
     out->at[out->count++] = in_order ? (bat_crossing){{p->curve, q->curve}, {u, v}}
                                      : (bat_crossing){{q->curve, p->curve}, {v, u}};

@@ -1,4 +1,5 @@
 /* Edges across a face that other triangles have already. */
+#include "base/list.h"
 #include "mesh/faces/face.h"
 
 #include <limits.h>
@@ -16,14 +17,8 @@ typedef struct {
 
 static batten_status add_middle(middles *m, int triangle, const double *a, const double *b)
 {
-    if (m->count == m->room) {
-        const int room = bat_max_int(64, 2 * bat_min_int(m->room, INT_MAX / 2 - 1));
-        middle *list = bat_resize(m->list, (size_t)room, sizeof *list);
-        if (!list)
-            return BATTEN_OUT_OF_MEMORY;
-        m->list = list;
-        m->room = room;
-    }
+    if (BAT_LIST_GROW(m->list, m->count, m->room, 1) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     m->list[m->count++] =
         (middle){.at = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2}, .triangle = triangle};
     return BATTEN_OK;

@@ -1,5 +1,6 @@
 /* The border of a face as corners in (u, v), and its triangles. */
 #include "mesh/faces/rim.h"
+#include "base/list.h"
 #include "inspect/nearest/foot.h"
 
 #include <stdlib.h>
@@ -7,14 +8,8 @@
 
 static batten_status add_corner(bat_rim *rim, const bat_rim_corner *corner)
 {
-    if (rim->count == rim->room) {
-        const int room = bat_max_int(64, 2 * rim->room);
-        bat_rim_corner *corners = bat_resize(rim->corners, (size_t)room, sizeof *corners);
-        if (!corners)
-            return BATTEN_OUT_OF_MEMORY;
-        rim->corners = corners;
-        rim->room = room;
-    }
+    if (BAT_LIST_GROW(rim->corners, rim->count, rim->room, 1) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     rim->corners[rim->count] = *corner;
     rim->corners[rim->count].next = rim->count + 1;
     rim->count++;
