@@ -1,3 +1,4 @@
+/* Complaints on standard error, with bytes that a terminal would obey made visible. */
 #include "complain.h"
 
 #include <batten/text.h>

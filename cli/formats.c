@@ -1,3 +1,4 @@
+/* The formats of files as the command line names them, and their part of the manual. */
 #include "formats.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Input and output of the commands: files, standard streams, notes, and the exit status. */
 #include "command.h"
 #include "select.h"
 #include "system.h"

@@ -1,3 +1,4 @@
+/* The running job: progress on a terminal, and signals that cancel the work. */
 #include "command.h"
 #include "system.h"
 

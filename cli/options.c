@@ -1,3 +1,4 @@
+/* The words of a command line, sorted into options, values and files. */
 #include "options.h"
 
 #include "complain.h"

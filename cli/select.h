@@ -1,3 +1,4 @@
+/* One object of a model, by the name behind the hash of file#name. */
 #ifndef SELECT_H
 #define SELECT_H
 #include <batten/model.h>

@@ -1,3 +1,4 @@
+/* Units of length as options give them. */
 #include "unit.h"
 
 #include <batten/text.h>

@@ -1,3 +1,4 @@
+/* Options of a command as values of a design: quoted, listed, checked by the table of features. */
 #include "values.h"
 
 #include <string.h>

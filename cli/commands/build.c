@@ -1,3 +1,4 @@
+/* `batten build`: evaluate a design and write its outputs, each by way of a temporary file. */
 #include "commands/results.h"
 #include "system.h"
 

@@ -1,3 +1,4 @@
+/* `batten check`: the report of a shape, or the checks that a design asks for. */
 #include "commands/single.h"
 #include "formats.h"
 

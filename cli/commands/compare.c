@@ -1,3 +1,4 @@
+/* `batten compare`: curves of several methods through the same points, in panels and a table. */
 #include "commands/method.h"
 #include "formats.h"
 #include "values.h"

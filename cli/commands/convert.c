@@ -1,3 +1,4 @@
+/* `batten convert`: write what is in one file into another format, and count what was lost. */
 #include "commands/tally.h"
 #include "formats.h"
 #include "unit.h"

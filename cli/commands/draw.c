@@ -1,3 +1,4 @@
+/* `batten draw`: a picture of what is in a file. */
 #include "commands/single.h"
 #include "formats.h"
 

@@ -1,3 +1,4 @@
+/* `batten eval`: points and derivatives of curves and surfaces at given parameters. */
 #include "formats.h"
 
 #include <batten/exchange.h>

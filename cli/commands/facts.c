@@ -1,3 +1,4 @@
+/* What `batten info` reports of one object: kind, degree, counts, box, closedness. */
 #include "commands/facts.h"
 
 #include <batten/model.h>

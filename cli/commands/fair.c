@@ -1,3 +1,4 @@
+/* `batten fair`: move points within a bound until their curves are fair. */
 #include "commands/single.h"
 #include "formats.h"
 

@@ -1,3 +1,4 @@
+/* `batten fit`: a curve or a surface from points, by any method of the table of features. */
 #include "commands/method.h"
 #include "commands/single.h"
 #include "formats.h"

@@ -1,3 +1,4 @@
+/* `batten info`: what is in a file, as lines or as JSON, with its oddities. */
 #include "commands/facts.h"
 #include "commands/tally.h"
 #include "formats.h"

@@ -1,3 +1,4 @@
+/* The manual pages and the completion of the shell, made from the tables of commands and features. */
 #include "commands/manual.h"
 
 #include <batten/design.h>

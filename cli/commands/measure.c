@@ -1,3 +1,4 @@
+/* `batten measure`: lengths, areas, volumes and special points of what is in a file. */
 #include "commands/single.h"
 #include "formats.h"
 

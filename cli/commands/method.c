@@ -1,3 +1,4 @@
+/* A method as it is written on the command line: the name of a feature, with settings after colons. */
 #include "commands/method.h"
 
 #include "values.h"

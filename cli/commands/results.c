@@ -1,3 +1,4 @@
+/* What is printed when features were evaluated: times, errors, moves, as lines or as JSON. */
 #include "commands/results.h"
 
 #include <batten/design.h>

@@ -1,3 +1,4 @@
+/* A design of one feature and one output, made from a command line and evaluated. */
 #include "commands/single.h"
 #include "formats.h"
 #include "values.h"

@@ -1,3 +1,4 @@
+/* Counts of the kinds of objects in a model, in words. */
 #include "commands/tally.h"
 
 #include <batten/model.h>

@@ -1,3 +1,5 @@
+/* A design in memory: its text and document, edits that keep results, and the evaluation of its
+ * features and outputs. */
 #include "base/system.h"
 #include "design/text/document.h"
 #include "design/text/edit.h"

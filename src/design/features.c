@@ -1,3 +1,4 @@
+/* The table of all operations, in the order of the manual, and how one is found by its name. */
 #include "design/feature.h"
 #include "design/text/spelling.h"
 

@@ -1,3 +1,4 @@
+/* What a feature may ask and do while it runs: its arguments by name, objects in and objects out. */
 #include "design/text/document.h"
 
 #include <assert.h>

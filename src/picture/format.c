@@ -1,3 +1,4 @@
+/* Formats of pictures by the ending of a file's name. */
 #define _XOPEN_SOURCE 700
 #include <batten/picture.h>
 

@@ -1,3 +1,4 @@
+/* The defaults of pictures. */
 #include "base/base.h"
 #include <batten/picture.h>
 

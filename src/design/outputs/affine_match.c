@@ -1,3 +1,5 @@
+/* The output 'affine-match': a report: is one curve the affine image of another, and by
+ * which map?. */
 #include "design/feature.h"
 #include <batten/invariants.h>
 #include <batten/text.h>
@@ -127,7 +129,7 @@ static batten_status compare(bat_run *run, const batten_object *from, const batt
     return BATTEN_OK;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_affine_match(bat_run *run)
 {
     bat_objects objects;
     batten_text text = BATTEN_TEXT;
@@ -174,4 +176,4 @@ const bat_feature bat_feature_affine_match = {
          "outputs:\n"
          "  same.txt: {affine-match: [frame, other], within: 1 um}\n",
          "[SL] [SuXin80]", "batten_curve_affine_match", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run_affine_match};

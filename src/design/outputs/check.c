@@ -1,3 +1,4 @@
+/* The output 'check': a report: what was done to the data, and how fair the result is. */
 #include "design/outputs/fairness.h"
 
 #include <string.h>
@@ -27,7 +28,7 @@ static bool is_json(const char *name)
     return dot && strcmp(dot, ".json") == 0;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_check(bat_run *run)
 {
     bat_check check;
     batten_text text = BATTEN_TEXT;
@@ -76,5 +77,5 @@ const bat_feature bat_feature_check = {
          "  report.txt: {check: sheer}\n"
          "  report.json: {check: sheer, within: 1 cm}\n",
          "[SL]", "batten_curve_fairness", BAT_PARAMETERS(parameters), true},
-    .run = run,
+    .run = run_check,
     .takes_file = is_json};

@@ -1,3 +1,5 @@
+/* The output 'classify': a report: inflections, cusps, crossings of every polynomial span
+ * of curves. */
 #include "base/plural.h"
 #include "design/feature.h"
 #include <batten/invariants.h>
@@ -341,7 +343,7 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_classify(bat_run *run)
 {
     bat_objects objects;
     batten_text text = BATTEN_TEXT;
@@ -388,4 +390,4 @@ const bat_feature bat_feature_classify = {
          "  spans.json: {classify: sheer, within: 1e-6}\n",
          "[SL] [Wang81] [SD89] [SWP08]", "batten_curve_census", BAT_PARAMETERS(parameters),
          true},
-    .run = run};
+    .run = run_classify};

@@ -1,3 +1,4 @@
+/* The output 'compare': curves through the same points, side by side. */
 #include "design/shared/rows.h"
 #include "design/text/document.h"
 
@@ -30,7 +31,8 @@ typedef struct {
 
 /* ---- measuring ---- */
 
-static void add(const batten_fairness *fairness, double length, bool in_space, column *c)
+static void add_compare(const batten_fairness *fairness, double length, bool in_space,
+                        column *c)
 {
     c->curves++;
     c->inflections += fairness->inflections;
@@ -55,7 +57,7 @@ static batten_status add_chain(const batten_object *object, column *c)
     if (status == BATTEN_OK)
         status = batten_chain_length(chain, NULL, &length);
     if (status == BATTEN_OK)
-        add(&fairness, length, false, c);
+        add_compare(&fairness, length, false, c);
     return status;
 }
 
@@ -79,7 +81,7 @@ static batten_status add_curve(const batten_object *object, column *c)
         status =
             batten_curve_length(plane, 1e-9 * batten_curve_point_count(plane), NULL, &length);
     if (status == BATTEN_OK)
-        add(&fairness, length, axis < 0 && !flat, c);
+        add_compare(&fairness, length, axis < 0 && !flat, c);
     batten_curve_unref(plane);
     return status;
 }
@@ -124,7 +126,7 @@ static void describe(column *c, const char *unit)
         c->shown[k] = c->lines[k];
 }
 
-static batten_status measure(const bat_run *run, column *columns)
+static batten_status measure_compare(const bat_run *run, column *columns)
 {
     const bat_argument *inputs = bat_argument_of(run, "compare");
     const char *unit = batten_unit_name(bat_unit_metres(run));
@@ -224,8 +226,8 @@ static void put_json(int count, const column *columns, batten_text *text)
     batten_text_add(text, "\n]}\n");
 }
 
-static batten_status draw(bat_run *run, batten_picture_format format, int count,
-                          const column *columns)
+static batten_status draw_compare(bat_run *run, batten_picture_format format, int count,
+                                  const column *columns)
 {
     batten_draw_options options = batten_draw_defaults();
     batten_panel *panels = batten_array((size_t)count, sizeof *panels);
@@ -253,7 +255,7 @@ static batten_status write(bat_run *run, int count, const column *columns)
     batten_text text = BATTEN_TEXT;
     const char *dot = strrchr(run->name, '.');
     if (batten_picture_format_from_name(run->name, &format))
-        return draw(run, format, count, columns);
+        return draw_compare(run, format, count, columns);
     if (dot && strcmp(dot, ".json") == 0)
         put_json(count, columns, &text);
     else
@@ -263,13 +265,13 @@ static batten_status write(bat_run *run, int count, const column *columns)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_compare(bat_run *run)
 {
     const int count = bat_argument_of(run, "compare")->count;
     column *columns = batten_array((size_t)count, sizeof *columns);
     if (!columns)
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status = measure(run, columns);
+    batten_status status = measure_compare(run, columns);
     if (status == BATTEN_OK)
         status = write(run, count, columns);
     batten_release(columns);
@@ -293,4 +295,4 @@ const bat_feature bat_feature_compare = {
          "  curves.svg: {compare: [chord, natural]}\n"
          "  curves.txt: {compare: [chord, natural]}\n",
          "[SL] ch. VI", "batten_draw_panels", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run_compare};

@@ -1,3 +1,5 @@
+/* The output 'cubic-plane': a map of what a cubic can be, with a mark for each span of
+ * your curves. */
 #include "design/feature.h"
 #include <batten/picture.h>
 
@@ -14,7 +16,7 @@ static const batten_parameter parameters[] = {
      "pixels, or points of 1/72 inch"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_cubic_plane(bat_run *run)
 {
     batten_draw_options options = batten_draw_defaults();
     batten_draw_cubic_plane_options plane = batten_draw_cubic_plane_defaults();
@@ -53,4 +55,4 @@ const bat_feature bat_feature_cubic_plane = {
          "outputs:\n"
          "  plane.svg: {cubic-plane: sheer}\n",
          "[SL] [Liu81]", "batten_draw_cubic_plane", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run_cubic_plane};

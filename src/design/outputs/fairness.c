@@ -1,3 +1,4 @@
+/* What a check finds: distances from the data, fairness of sections, edges off the centre plane. */
 #include "design/outputs/fairness.h"
 #include "design/shared/rows.h"
 

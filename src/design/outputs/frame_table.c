@@ -1,3 +1,5 @@
+/* The output 'frame-table': a table (CSV): the frames along curves, for machines and
+ * robots. */
 #include "design/features/take/frames.h"
 #include <batten/text.h>
 
@@ -32,7 +34,7 @@ static void add_row(batten_text *out, int curve, const bat_frames *all, int k)
     batten_text_add(out, "\n");
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_frame_table(bat_run *run)
 {
     bat_objects objects;
     batten_text text = BATTEN_TEXT;
@@ -65,4 +67,4 @@ const bat_feature bat_feature_frame_table = {
          "outputs:\n"
          "  pipe.csv: {frame-table: pipe, count: 50}\n",
          "[WJZL08]", "batten_curve_frames", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run_frame_table};

@@ -1,3 +1,4 @@
+/* The output 'g-code': a program for a machine that cuts. */
 #include "design/feature.h"
 
 #include <batten/exchange.h>
@@ -24,7 +25,7 @@ static const batten_parameter parameters[] = {
      "the largest radius the control accepts; larger arcs become lines within the last decimal"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_gcode(bat_run *run)
 {
     batten_write_gcode_options options = batten_write_gcode_defaults();
     batten_model *model = NULL;
@@ -59,4 +60,4 @@ const bat_feature bat_feature_gcode = {
          "outputs:\n"
          "  frame.nc: {g-code: frame, depth: -2, feed: 600}\n",
          "", "batten_write_gcode", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run_gcode};

@@ -1,3 +1,4 @@
+/* Where ends of curves or edges of surfaces meet, and how smoothly: g0, g1, g2 and g3. */
 #include "design/outputs/fairness.h"
 #include "numeric/vector.h"
 

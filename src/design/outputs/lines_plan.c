@@ -1,3 +1,4 @@
+/* The output 'lines-plan': the lines drawing of a hull. */
 #include "design/text/document.h"
 
 static const batten_parameter parameters[] = {
@@ -62,8 +63,8 @@ static batten_draw_lines_plan_options plan_of(const bat_run *run)
     return plan;
 }
 
-static batten_status draw(bat_run *run, const batten_model *model,
-                          const batten_draw_options *options)
+static batten_status draw_lines_plan(bat_run *run, const batten_model *model,
+                                     const batten_draw_options *options)
 {
     batten_draw_lines_plan_options plan = plan_of(run);
     double *stations = NULL;
@@ -76,7 +77,7 @@ static batten_status draw(bat_run *run, const batten_model *model,
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_lines_plan(bat_run *run)
 {
     batten_draw_options options = batten_draw_defaults();
     batten_model *model = NULL;
@@ -90,7 +91,7 @@ static batten_status run(bat_run *run)
         options.title = run->document->title;
     batten_status status = bat_merge(run, "lines-plan", &model);
     if (status == BATTEN_OK)
-        status = draw(run, model, &options);
+        status = draw_lines_plan(run, model, &options);
     batten_model_unref(model);
     return status;
 }
@@ -107,4 +108,4 @@ const bat_feature bat_feature_lines_plan = {
          "outputs:\n"
          "  lines.svg: {lines-plan: hull, waterlines: 0.25 m, buttocks: 0.2 m, data: offsets}\n",
          "", "batten_draw_lines_plan", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run_lines_plan};

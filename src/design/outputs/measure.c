@@ -1,3 +1,5 @@
+/* The output 'measure': a report: lengths, areas, volumes, boxes, moments and special
+ * points of shapes. */
 #include "design/shared/rows.h"
 #include "design/shared/solids.h"
 #include <batten/measure.h>
@@ -93,7 +95,7 @@ static void place_centroid(const batten_curve *curve, facts *f)
             f->centroid[k] = points[k];
 }
 
-static batten_status measure(const batten_object *object, double within, facts *f)
+static batten_status measure_measure(const batten_object *object, double within, facts *f)
 {
     const batten_curve *curve = object->curve;
     batten_curve *flat = NULL;
@@ -390,7 +392,7 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
     facts f;
     const double within =
         bat_has(run, "within") ? bat_number(run, "within") : default_within(run, object->curve);
-    const batten_status status = measure(object, within, &f);
+    const batten_status status = measure_measure(object, within, &f);
     if (status == BATTEN_OK)
         (json ? json_curve : text_curve)(out, &f);
     facts_end(&f);
@@ -431,7 +433,7 @@ static void begin_text(const bat_run *run, bool json, batten_text *text)
         batten_text_add(text, "unit %s\n", *unit ? unit : "not stated");
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_measure(bat_run *run)
 {
     bat_objects objects;
     batten_text text = BATTEN_TEXT;
@@ -477,4 +479,4 @@ const bat_feature bat_feature_measure = {
          "  oval.txt: {measure: oval}\n"
          "  oval.json: {measure: oval}\n",
          "[Toussaint83]", "batten_curve_region", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run_measure};

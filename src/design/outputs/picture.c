@@ -1,3 +1,4 @@
+/* The output 'picture': a drawing of curves, a shaded picture of surfaces, bodies, meshes. */
 #include "design/shared/field.h"
 
 typedef enum { SHADING_AUTO, SHADING_FIRST } shading_word;
@@ -108,8 +109,8 @@ static bool wants_lines(const batten_draw_options *o)
            o->sheet != BATTEN_SHEET_ONE || o->distance > 0;
 }
 
-static batten_status draw(bat_run *run, const batten_model *model,
-                          const batten_draw_options *options)
+static batten_status draw_picture(bat_run *run, const batten_model *model,
+                                  const batten_draw_options *options)
 {
     const bool wanted = bat_word(run, "shading") != SHADING_AUTO;
     const bool is_png = options->format == BATTEN_PICTURE_PNG;
@@ -136,7 +137,7 @@ static batten_status draw(bat_run *run, const batten_model *model,
     return batten_draw(model, options, &run->data, &run->size);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_picture(bat_run *run)
 {
     batten_draw_options options = options_of(run);
     batten_model *model = NULL;
@@ -145,7 +146,7 @@ static batten_status run(bat_run *run)
     options.notes = run->notes;
     batten_status status = bat_merge(run, "picture", &model);
     if (status == BATTEN_OK)
-        status = draw(run, model, &options);
+        status = draw_picture(run, model, &options);
     batten_model_unref(model);
     return status;
 }
@@ -173,5 +174,5 @@ const bat_feature bat_feature_picture = {
          "  tank.png: {picture: tank, shading: zebra, width: 120, height: 80}\n"
          "  tank.svg: {picture: tank, hidden: dropped, silhouettes: yes}\n",
          "", "batten_draw", BAT_PARAMETERS(parameters), true},
-    .run = run,
+    .run = run_picture,
     .takes_file = is_picture};

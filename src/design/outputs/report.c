@@ -1,3 +1,4 @@
+/* The report of a check, as text and as JSON. */
 #include "base/plural.h"
 #include "design/outputs/fairness.h"
 

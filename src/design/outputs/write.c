@@ -1,3 +1,4 @@
+/* The output 'write': a file for other programs. */
 #include "design/feature.h"
 #include "design/shared/formats.h"
 
@@ -43,7 +44,7 @@ static void read_options(const bat_run *run, batten_write_options *options)
     options->eighths = bat_yes(run, "eighths");
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_write(bat_run *run)
 {
     batten_write_options options = batten_write_defaults();
     batten_model *model = NULL;
@@ -80,5 +81,5 @@ const bat_feature bat_feature_write = {
          "outputs:\n"
          "  ducks.xyz: {write: ducks}\n",
          "", "batten_write_memory", BAT_PARAMETERS(parameters), true},
-    .run = run,
+    .run = run_write,
     .takes_file = is_any};

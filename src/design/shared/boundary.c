@@ -1,3 +1,4 @@
+/* The curves around a patch, and the surfaces beside it, as its features take them. */
 #include "design/shared/boundary.h"
 
 #include <batten/curvature.h>

@@ -1,3 +1,4 @@
+/* Conditions at the start and the end of sections and rows, from their words and vectors. */
 #include "design/shared/conditions.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* What the features of conics through points share: tangents, curvatures, shares, notes. */
 #include "design/shared/conics.h"
 #include "base/plural.h"
 

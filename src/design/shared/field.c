@@ -1,3 +1,4 @@
+/* Contours of a surface: which field, at which levels, from the words of a feature or a picture. */
 #include "design/shared/field.h"
 
 batten_surface_field bat_field_of(const bat_run *run, batten_field_kind kind, batten_vec3 eye)

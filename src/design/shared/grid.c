@@ -1,3 +1,4 @@
+/* Points as a grid: rows of equal length from lists, files and tables of offsets. */
 #include "design/shared/grid.h"
 #include "base/plural.h"
 

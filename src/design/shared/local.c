@@ -1,3 +1,4 @@
+/* What the features of local interpolation share: tangents and slopes by rules. */
 #include "design/shared/local.h"
 #include "base/plural.h"
 

@@ -1,3 +1,4 @@
+/* What the features of nonlinear splines share: conditions at the ends, and notes. */
 #include "design/shared/nonlinear.h"
 
 batten_nonlinear_end bat_nonlinear_end_of(const bat_run *run, bool start, double *value)

@@ -1,3 +1,4 @@
+/* Two curves or two surfaces that a feature joins, in order. */
 #include "design/shared/pair.h"
 
 #include <batten/blend.h>

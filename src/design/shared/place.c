@@ -1,3 +1,4 @@
+/* Where a feature puts what it makes: frames from 'at', 'axis' and 'from', and ends with vectors. */
 #include "design/shared/place.h"
 #include "numeric/vector.h"
 

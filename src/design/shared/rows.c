@@ -1,3 +1,4 @@
+/* Rows of points out of tables of offsets, lists of points and curves that have points. */
 #include "design/shared/rows.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* The measures of bodies, meshes and surfaces, as text and as JSON. */
 #include "design/shared/solids.h"
 #include "base/plural.h"
 

@@ -1,3 +1,4 @@
+/* What the features of surfaces near points share: smoothing, bounds, and what is reported. */
 #include "design/shared/surface_fit.h"
 #include "base/plural.h"
 

@@ -1,3 +1,4 @@
+/* What the features of sweeps share: sections, frames, laws, corners. */
 #include "design/shared/sweeps.h"
 #include "base/plural.h"
 

@@ -1,3 +1,4 @@
+/* What the methods "points to curve" share: a row in, a curve or a chain out. */
 #include "design/shared/through.h"
 #include "base/plural.h"
 

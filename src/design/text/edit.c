@@ -1,3 +1,4 @@
+/* One value of a design's text replaced, and no other byte. */
 #include "design/text/edit.h"
 
 #include <batten/text.h>

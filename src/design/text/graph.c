@@ -1,3 +1,4 @@
+/* The graph of what needs what: an order without recursion, rings, and all that one thing needs. */
 #include "design/text/document.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Paths of a design: relative to its folder, and not outside of it. */
 #include "base/system.h"
 #include "design/text/document.h"
 

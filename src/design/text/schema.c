@@ -1,3 +1,4 @@
+/* The JSON Schema of design files, made from the table of features. */
 #include "design/feature.h"
 
 #include <batten/text.h>

@@ -1,3 +1,5 @@
+/* The text of a design as a tree of words, lists and maps with their places; aliases, tags and
+ * repeated keys are refused. */
 #include "design/text/yaml.h"
 
 #include <limits.h>

@@ -1,3 +1,4 @@
+/* The map of all cubic spans with the same ends and end tangents, and marks for given ones. */
 #include "picture/sheet/sheet.h"
 #include <batten/invariants.h>
 

@@ -1,3 +1,4 @@
+/* A drawing of curves: their combs, polygons and points, with axes and a legend. */
 #include "picture/sheet/axes.h"
 #include "picture/sheet/drawing.h"
 #include "picture/sheet/flat.h"

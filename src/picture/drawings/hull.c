@@ -1,3 +1,4 @@
+/* The curves of a lines plan: stations, waterlines and buttocks of half a hull. */
 #include "picture/drawings/hull.h"
 #include "base/plural.h"
 

@@ -1,3 +1,4 @@
+/* The lines plan: body plan, profile and half-breadth plan on one sheet. */
 #include "picture/drawings/hull.h"
 #include "picture/sheet/sheet.h"
 

@@ -1,3 +1,4 @@
+/* Which parts of lines are hidden by facets in front of them, cell by cell. */
 #include "picture/lines/hidden.h"
 
 #include <stdlib.h>

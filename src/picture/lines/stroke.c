@@ -1,3 +1,4 @@
+/* Strokes: polylines in space, with room for their parameters; and curves as strokes. */
 #include "picture/lines/stroke.h"
 
 int bat_stroke_steps(const batten_curve *curve)

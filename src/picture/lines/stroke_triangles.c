@@ -1,3 +1,4 @@
+/* Strokes on Bezier triangles: their edges and lines of equal parameter. */
 #include "picture/lines/stroke.h"
 
 enum { STEPS = 32 };

@@ -1,3 +1,4 @@
+/* Lines of a model for line drawings: isolines, borders, edges of bodies and meshes. */
 #include "picture/lines/wires.h"
 
 #include "picture/sheet/sheet.h"

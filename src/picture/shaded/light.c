@@ -1,3 +1,4 @@
+/* How a point of a surface looks: key and fill light, stripes, and colours of curvature. */
 #include "picture/shaded/light.h"
 
 static void normalise(double v[3])

@@ -1,3 +1,4 @@
+/* Meshes as triangles to be shaded, with normals where their edges are smooth. */
 #include "picture/shaded/mesh_solid.h"
 
 #include <string.h>

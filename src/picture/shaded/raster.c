@@ -1,3 +1,4 @@
+/* Triangles and strokes as pixels, with depth; several samples for each pixel. */
 #include "picture/shaded/raster.h"
 
 batten_status bat_raster_make(int width, int rows, bat_raster *out)

@@ -1,3 +1,4 @@
+/* The shaded picture of surfaces, bodies and meshes. */
 #include "numeric/box.h"
 #include "picture/lines/stroke.h"
 #include "picture/shaded/light.h"

@@ -1,3 +1,4 @@
+/* Which edges of a mesh are smooth, from the angles between its triangles. */
 #include "picture/shaded/smooth_edges.h"
 
 static const double one_degree = BAT_PI / 180;

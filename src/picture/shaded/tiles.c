@@ -1,3 +1,4 @@
+/* Surfaces as tiles fine enough for the picture. */
 #include "picture/shaded/tiles.h"
 
 #include "picture/lines/stroke.h"

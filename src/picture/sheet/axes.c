@@ -1,3 +1,4 @@
+/* Axes beside a drawing, with round numbers and units. */
 #include "picture/sheet/axes.h"
 
 #include <stdio.h>

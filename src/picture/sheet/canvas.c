@@ -1,3 +1,4 @@
+/* A canvas of cairo for SVG, PDF and PNG, and its bytes when it is done. */
 #include "picture/sheet/canvas.h"
 
 #include <cairo-pdf.h>

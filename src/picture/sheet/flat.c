@@ -1,3 +1,5 @@
+/* A model made flat: objects within others as objects of their own, bodies by the colours of their
+ * faces. */
 #include "picture/sheet/flat.h"
 #include "base/plural.h"
 

@@ -1,3 +1,4 @@
+/* What drawings are made of: round numbers, plots with their grids, legends. */
 #include "picture/sheet/sheet.h"
 
 #include <stdarg.h>

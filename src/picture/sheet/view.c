@@ -1,3 +1,4 @@
+/* The directions of a view, from its name or from azimuth and elevation. */
 #include "picture/sheet/view.h"
 
 bat_view bat_view_make(batten_view view, double azimuth, double elevation)

@@ -1,3 +1,5 @@
+/* The feature 'mehlum': the mechanical spline as a chain of arcs, as KURGLA and AUTOKON
+ * had it. */
 #include "design/shared/nonlinear.h"
 
 static const batten_parameter parameters[] = {
@@ -11,7 +13,7 @@ static const batten_parameter parameters[] = {
     BAT_CLOSED,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_mehlum(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
     batten_chain_mehlum_report report;
@@ -30,9 +32,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_mehlum(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_PLANE, make};
+    static const bat_method method = {2, BAT_IN_PLANE, make_mehlum};
     return bat_through(run, &method);
 }
 
@@ -50,4 +52,4 @@ const bat_feature bat_feature_mehlum = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
          "  frame: {mehlum: ducks, within: 1 mm}\n",
          "[Mehlum64]", "batten_chain_mehlum", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_mehlum};

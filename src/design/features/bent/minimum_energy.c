@@ -1,3 +1,4 @@
+/* The feature 'minimum-energy': the curve that bends least, in the plane or in space. */
 #include "design/features/bent/energy.h"
 
 #include <string.h>
@@ -8,7 +9,7 @@ static const batten_parameter parameters[] = {
     BAT_ENERGY_PARAMETERS,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_minimum_energy(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_minimum_energy_options options = batten_curve_minimum_energy_defaults();
     options.energy = strcmp(run->feature->name, "minimum-energy") == 0
@@ -25,7 +26,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 
 batten_status bat_least_energy(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE, make};
+    static const bat_method method = {2, BAT_IN_SPACE, make_minimum_energy};
     return bat_through(run, &method);
 }
 

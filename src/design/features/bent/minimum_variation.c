@@ -1,3 +1,4 @@
+/* The feature 'minimum-variation': the curve whose curvature varies least. */
 #include "design/features/bent/energy.h"
 
 static const batten_parameter parameters[] = {

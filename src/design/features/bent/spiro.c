@@ -1,3 +1,5 @@
+/* The feature 'spiro': curvature cubic in arc length, joined as smoothly as each point
+ * asks. */
 #include "design/shared/through.h"
 #include <batten/bent.h>
 
@@ -77,7 +79,7 @@ static batten_status find_kinds(const bat_run *run, int count, batten_spiro_kind
     return status;
 }
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_spiro(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_chain_spiro_options options = batten_chain_spiro_defaults();
     batten_spiro_kind *kinds = bat_array((size_t)data->count, sizeof *kinds);
@@ -95,9 +97,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_spiro(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_PLANE, make};
+    static const bat_method method = {2, BAT_IN_PLANE, make_spiro};
     return bat_through(run, &method);
 }
 
@@ -122,4 +124,4 @@ const bat_feature bat_feature_spiro = {
          "  points: {points: [[0, 0], [3, 0], [4.5, 0.5], [5, 2], [4, 3.2], [1, 4]]}\n"
          "  handle: {spiro: points, left: [1], right: [4]}\n",
          "[Levien09]", "batten_chain_spiro", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_spiro};

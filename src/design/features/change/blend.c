@@ -1,3 +1,5 @@
+/* The feature 'blend': a curve between two curves, or a surface between two surfaces,
+ * smooth at both. */
 #include "design/shared/pair.h"
 
 #include <batten/blend.h>
@@ -82,7 +84,7 @@ static batten_status surface_ends(const bat_run *run, batten_surface_blend_end e
     return check_bulge(bulge);
 }
 
-static void say(const bat_run *run, const batten_surfaces_blend_report *report)
+static void report_blend(const bat_run *run, const batten_surfaces_blend_report *report)
 {
     const double degrees = 180 / 3.14159265358979323846;
     bat_remark(
@@ -108,13 +110,13 @@ static batten_status blend_surfaces(bat_run *run, const bat_objects *all)
     if (status == BATTEN_OK)
         status = batten_surfaces_blend(pair, ends, bat_tolerance(run) / 10, &report, &made);
     if (status == BATTEN_OK) {
-        say(run, &report);
+        report_blend(run, &report);
         bat_report_error(run, report.error, report.error);
     }
     return bat_put_surface(run, status, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_blend(bat_run *run)
 {
     batten_curve *curves[2] = {NULL, NULL}, *made = NULL;
     bat_objects all;
@@ -154,4 +156,4 @@ const bat_feature bat_feature_blend = {
          "  bilge: {blend: [aft, fore], first: G3, bulge: [1, 0.8]}\n",
          "[BD89], [Filip89]", "batten_curves_blend, batten_surfaces_blend",
          BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_blend};

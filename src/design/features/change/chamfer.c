@@ -1,3 +1,4 @@
+/* The feature 'chamfer': corners cut off by straight lines. */
 #include "design/shared/pair.h"
 
 #include <batten/blend.h>
@@ -53,7 +54,7 @@ static batten_status chamfer_object(bat_run *run, const batten_object *object,
     return bat_put_curve_like(run, status, made, object, false);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_chamfer(bat_run *run)
 {
     bat_objects all;
     double by[2] = {0, 0};
@@ -81,4 +82,4 @@ const bat_feature bat_feature_chamfer = {
          "  plan: {polyline: [[0, 0], [4 m, 0], [4 m, 3 m], [1 m, 3 m]]}\n"
          "  plate: {chamfer: plan, by: [0.2 m, 0.4 m]}\n",
          "[PT97]", "batten_curve_chamfer", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_chamfer};

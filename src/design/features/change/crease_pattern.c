@@ -1,3 +1,4 @@
+/* The feature 'crease-pattern': the flat sheet of a fold. */
 #include "design/features/change/fold.h"
 
 #include <batten/interpolate.h>
@@ -111,7 +112,7 @@ static batten_status put_rulings(bat_run *run, const batten_fold *fold,
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_crease_pattern(bat_run *run)
 {
     const int rulings = bat_count(run, "rulings");
     batten_fold fold;
@@ -146,4 +147,4 @@ const bat_feature bat_feature_crease_pattern = {
          "  sheet.dxf: sheet\n",
          "[Huffman76], [DuncanDuncan82]", "batten_fold_create", BAT_PARAMETERS(parameters),
          false},
-    .run = run};
+    .run = run_crease_pattern};

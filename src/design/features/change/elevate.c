@@ -1,3 +1,4 @@
+/* The feature 'elevate': the same shape with a higher degree. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -24,7 +25,7 @@ static batten_status triangles(const bat_run *run, const batten_triangles *given
     return batten_triangles_elevate(given, bat_count(run, "by"), out);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_elevate(bat_run *run)
 {
     return bat_change_all(run, &(bat_change){.curve = curve,
                                              .surface = surface,
@@ -38,4 +39,4 @@ const bat_feature bat_feature_elevate = {
               "  keel: {line: [[0, 0], [3 m, 0]]}\n"
               "  cubic: {elevate: keel, by: 2}\n",
               "[PT97]", "batten_curve_elevate", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_elevate};

@@ -1,3 +1,4 @@
+/* The feature 'even-speed': nearly the same curves, with their arc length as parameter. */
 #include "base/plural.h"
 #include "design/feature.h"
 
@@ -9,8 +10,8 @@ static const batten_parameter parameters[] = {
      "how far from the curve; a tenth of the tolerance of the design by default"},
 };
 
-static batten_status change(const bat_run *run, const batten_curve *curve, double *error,
-                            batten_curve **out)
+static batten_status change_even_speed(const bat_run *run, const batten_curve *curve,
+                                       double *error, batten_curve **out)
 {
     const double within =
         bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run) / 10;
@@ -24,9 +25,9 @@ static batten_status change(const bat_run *run, const batten_curve *curve, doubl
     return BATTEN_OK;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_even_speed(bat_run *run)
 {
-    return bat_change_all(run, &(bat_change){.near_curve = change});
+    return bat_change_all(run, &(bat_change){.near_curve = change_even_speed});
 }
 
 const bat_feature bat_feature_even_speed = {
@@ -40,4 +41,4 @@ const bat_feature bat_feature_even_speed = {
          "  oval: {ellipse: 2 m, b: 1 m}\n"
          "  track: {even-speed: oval, within: 0.1 mm}\n",
          "[PT97]", "batten_curve_even_speed", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_even_speed};

@@ -1,3 +1,4 @@
+/* The feature 'extend': curves made longer at their ends, surfaces at their edges. */
 #include "design/feature.h"
 
 #include <batten/extend.h>
@@ -39,7 +40,7 @@ static batten_status extend(const bat_run *run, const char *name, batten_curve_e
                : bat_fail(status, "%s: the %s: %s", name, names[end][0], batten_message());
 }
 
-static batten_status change(bat_run *run, const batten_object *object)
+static batten_status change_extend(bat_run *run, const batten_object *object)
 {
     batten_curve *curve = batten_curve_ref(object->curve);
     batten_status status = BATTEN_OK;
@@ -62,8 +63,8 @@ static batten_status change(bat_run *run, const batten_object *object)
 
 /* ---- surfaces ---- */
 
-static void say(const bat_run *run, const batten_object *object, const char *edge,
-                const batten_surface_extend_report *report)
+static void report_extend(const bat_run *run, const batten_object *object, const char *edge,
+                          const batten_surface_extend_report *report)
 {
     const double degrees = 180 / 3.14159265358979323846;
     bat_remark(run,
@@ -96,7 +97,7 @@ static batten_status change_surface(bat_run *run, const batten_object *object)
                               batten_message());
             break;
         }
-        say(run, object, edge_names[edge], &report);
+        report_extend(run, object, edge_names[edge], &report);
         bat_report_error(run, report.error, report.error);
         batten_surface_unref(surface);
         surface = longer;
@@ -127,7 +128,7 @@ static batten_status check_words(const bat_run *run, const bat_objects *all)
     return BATTEN_OK;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_extend(bat_run *run)
 {
     bat_objects all;
     for (int k = 0; k < 2; k++)
@@ -140,7 +141,7 @@ static batten_status run(bat_run *run)
     status = check_words(run, &all);
     for (int i = 0; i < all.count && status == BATTEN_OK; i++)
         status = all.at[i]->kind == BATTEN_OBJECT_SURFACE ? change_surface(run, all.at[i])
-                                                          : change(run, all.at[i]);
+                                                          : change_extend(run, all.at[i]);
     bat_objects_release(&all);
     return status;
 }
@@ -164,4 +165,4 @@ const bat_feature bat_feature_extend = {
          "  longer: {extend: rail, start: 0.2 m, end: 0.5 m, shape: spiral}\n",
          "[PT97]", "batten_curve_extend, batten_surface_extend", BAT_PARAMETERS(parameters),
          false},
-    .run = run};
+    .run = run_extend};

@@ -1,3 +1,4 @@
+/* The feature 'fair': points moved within a bound until their curves are fair. */
 #include "base/plural.h"
 #include "design/shared/rows.h"
 
@@ -269,7 +270,7 @@ static void show_report(bat_run *run)
                  bat_one_or_many(report->suspect_count - MOST_SUSPECTS, "looks", "look"));
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fair(bat_run *run)
 {
     bat_objects objects;
     batten_status status = bat_gather(run, "fair", BAT_ALL, &objects);
@@ -302,4 +303,4 @@ const bat_feature bat_feature_fair = {
          "  sheer: {interpolate: ducks}\n"
          "  faired: {fair: sheer, within: 1 cm}\n",
          "[SL]", "batten_fair_points", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fair};

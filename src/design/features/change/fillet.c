@@ -1,3 +1,4 @@
+/* The feature 'fillet': corners rounded by arcs of a radius. */
 #include "design/shared/pair.h"
 
 #include <batten/blend.h>
@@ -85,7 +86,7 @@ static batten_status fillet_object(bat_run *run, const batten_object *object, in
     return bat_put_curve_like(run, status, made, object, false);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fillet(bat_run *run)
 {
     bat_objects all;
     int count;
@@ -122,4 +123,4 @@ const bat_feature bat_feature_fillet = {
          "  apse: {arc: 1.5 m, at: [2 m, 1 m], start: -50 deg, angle: 140 deg}\n"
          "  both: {fillet: [wall, apse], radius: 0.3 m, ends: end-start}\n",
          "[PT97]", "batten_curve_fillet", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fillet};

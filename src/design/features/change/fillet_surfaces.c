@@ -1,3 +1,5 @@
+/* The feature 'fillet-surfaces': the surface that a rolling ball leaves between two
+ * surfaces. */
 #include "design/feature.h"
 
 #include <batten/blend.h>
@@ -44,7 +46,7 @@ static batten_status roll(const bat_run *run, const bat_objects *all,
         bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run) / 10, out);
 }
 
-static void say(const bat_run *run, const batten_surface_fillet *fillet)
+static void report_fillet_surfaces(const bat_run *run, const batten_surface_fillet *fillet)
 {
     static const char *const ends[] = {"at a border of the first surface",
                                        "at a border of the second surface",
@@ -54,7 +56,7 @@ static void say(const bat_run *run, const batten_surface_fillet *fillet)
                fillet->most * degrees, ends[fillet->ends[0]], ends[fillet->ends[1]]);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fillet_surfaces(bat_run *run)
 {
     bat_objects all;
     batten_surface_fillet fillet = {0};
@@ -65,7 +67,7 @@ static batten_status run(bat_run *run)
     bat_objects_release(&all);
     if (status != BATTEN_OK)
         return status;
-    say(run, &fillet);
+    report_fillet_surfaces(run, &fillet);
     bat_report_error(run, fillet.error, fillet.error);
     status = bat_put_surface(run, status, batten_surface_ref(fillet.surface));
     for (int k = 0; k < 2 && bat_yes(run, "contacts") && status == BATTEN_OK; k++)
@@ -87,4 +89,4 @@ const bat_feature bat_feature_fillet_surfaces = {
          "  wall: {bilinear: [[0, 0, 0], [0.5 m, 0, 2 m], [0.5 m, 3 m, 2 m], [0, 3 m, 0]]}\n"
          "  cove: {fillet-surfaces: [deck, wall], radius: 0.3 m, sides: [left, right]}\n",
          "[PM02]", "batten_surfaces_fillet", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fillet_surfaces};

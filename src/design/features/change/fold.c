@@ -1,3 +1,4 @@
+/* The feature 'fold': a sheet folded along a curve. */
 #include "design/features/change/fold.h"
 #include "base/plural.h"
 
@@ -79,7 +80,7 @@ static batten_status put_sheet(bat_run *run, batten_fold_sheet *sheet, const cha
     return bat_put_surface_like(run, BATTEN_OK, surface, &like);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fold(bat_run *run)
 {
     batten_fold fold;
     batten_status status = bat_fold(run, &fold);
@@ -117,4 +118,4 @@ const bat_feature bat_feature_fold = {
          "  roof: {fold: edge, angle: 30 deg, left: 40 cm, right: 30 cm}\n",
          "[Huffman76], [DuncanDuncan82], [FuchsTabachnikov99]", "batten_fold_create",
          BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fold};

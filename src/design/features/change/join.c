@@ -1,3 +1,4 @@
+/* The feature 'join': curves or surfaces end to end as one. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -62,7 +63,7 @@ static batten_status join_surfaces(bat_run *run, const bat_objects *all, double 
     return bat_put_surface(run, status, joined);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_join(bat_run *run)
 {
     bat_objects all;
     const double within =
@@ -90,4 +91,4 @@ const bat_feature bat_feature_join = {
               "  fore: {line: [[2 m, 0], [4 m, 1 m]]}\n"
               "  keel: {join: [aft, fore]}\n",
               "[PT97]", "batten_curve_join", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_join};

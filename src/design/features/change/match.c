@@ -1,3 +1,5 @@
+/* The feature 'match': two curves or surfaces made to join smoothly by moving control
+ * points. */
 #include "design/feature.h"
 
 #include <batten/continuity.h>
@@ -66,7 +68,7 @@ static batten_status match_surfaces(bat_run *run, const bat_objects *all)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_match(bat_run *run)
 {
     bat_objects all;
     batten_status status = bat_gather(run, "match", BAT_CURVES | BAT_SURFACES, &all);
@@ -104,4 +106,4 @@ const bat_feature bat_feature_match = {
          "  fore: {interpolate: f}\n"
          "  sheer: {match: [aft, fore], continuity: G1, moves: both}\n",
          "[BD89]", "batten_curves_match", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_match};

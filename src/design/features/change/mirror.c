@@ -1,3 +1,4 @@
+/* The feature 'mirror': the image in a plane, with what it is the image of. */
 #include "design/shared/place.h"
 
 #include <stdio.h>
@@ -31,7 +32,7 @@ static batten_status find_plane(const bat_run *run, batten_affine *out)
     return BATTEN_OK;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_mirror(bat_run *run)
 {
     batten_affine map;
     batten_status status = find_plane(run, &map);
@@ -61,4 +62,4 @@ const bat_feature bat_feature_mirror = {
          "  side: {line: [[0, 1 m, 0], [3 m, 1 m, 1 m]]}\n"
          "  both: {mirror: side, plane: centre}\n",
          "", "batten_affine_mirror", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_mirror};

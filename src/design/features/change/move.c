@@ -1,3 +1,4 @@
+/* The feature 'move': the same somewhere else. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -5,7 +6,7 @@ static const batten_parameter parameters[] = {
     {"by", BATTEN_VALUE_POINT, false, true, NULL, NULL, "how far in x, y and z"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_move(bat_run *run)
 {
     const batten_vec3 by = bat_point(run, "by");
     const batten_affine map = batten_affine_translation(by.x, by.y, by.z);
@@ -19,4 +20,4 @@ const bat_feature bat_feature_move = {
               "  mast: {circle: 6 cm}\n"
               "  mizzen: {move: mast, by: [-3 m, 0, 0]}\n",
               "", "batten_affine_translation", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_move};

@@ -1,3 +1,4 @@
+/* The feature 'offset': curves and surfaces at a distance from others. */
 #include "design/feature.h"
 
 #include <batten/offset.h>
@@ -93,7 +94,7 @@ static batten_status offset_object(bat_run *run, const batten_object *object, do
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_offset(bat_run *run)
 {
     bat_objects objects;
     batten_status status = bat_gather(run, "offset", BAT_CURVES | BAT_SURFACES, &objects);
@@ -131,4 +132,4 @@ const bat_feature bat_feature_offset = {
          "  walls: {offset: floor, by: 0.3 m, side: both}\n",
          "[TH84], [PM02]", "batten_curve_offset, batten_surface_offset",
          BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_offset};

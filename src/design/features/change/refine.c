@@ -1,3 +1,4 @@
+/* The feature 'refine': the same shape with more knots and control points. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -40,7 +41,7 @@ static batten_status surface(const bat_run *run, const batten_surface *given,
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_refine(bat_run *run)
 {
     return bat_change_all(
         run, &(bat_change){.curve = curve, .surface = surface, .keeps_data = true});
@@ -52,4 +53,4 @@ const bat_feature bat_feature_refine = {
               "  keel: {line: [[0, 0], [3 m, 0]]}\n"
               "  finer: {refine: keel, knots: [0.25, 0.5, 0.75]}\n",
               "[PT97]", "batten_curve_refine", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_refine};

@@ -1,3 +1,4 @@
+/* The feature 'reverse': the same shape, run through the other way. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -23,7 +24,7 @@ static batten_status surface(const bat_run *run, const batten_surface *given,
     return batten_surface_reverse(given, (batten_direction)bat_word(run, "direction"), out);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_reverse(bat_run *run)
 {
     return bat_change_all(run,
                           &(bat_change){.curve = curve, .chain = chain, .surface = surface});
@@ -35,4 +36,4 @@ const bat_feature bat_feature_reverse = {
               "  keel: {line: [[0, 0], [3 m, 0]]}\n"
               "  astern: {reverse: keel}\n",
               "", "batten_curve_reverse", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_reverse};

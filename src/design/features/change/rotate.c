@@ -1,3 +1,4 @@
+/* The feature 'rotate': the same, turned about an axis. */
 #include "design/shared/place.h"
 
 static const batten_parameter parameters[] = {
@@ -8,7 +9,7 @@ static const batten_parameter parameters[] = {
     {"axis", BATTEN_VALUE_POINT, false, false, "z", NULL, "the direction of the axis"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_rotate(bat_run *run)
 {
     const batten_vec3 axis = bat_point(run, "axis");
     const batten_status status = bat_check_direction("axis", axis);
@@ -26,4 +27,4 @@ const bat_feature bat_feature_rotate = {
               "  rib: {line: [[1 m, 0], [2 m, 0]]}\n"
               "  next: {rotate: rib, by: 15 deg}\n",
               "", "batten_affine_rotation", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_rotate};

@@ -1,3 +1,4 @@
+/* The feature 'scale': the same in another size. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -7,7 +8,7 @@ static const batten_parameter parameters[] = {
     {"at", BATTEN_VALUE_POINT, false, false, "origin", NULL, "the point that stays"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_scale(bat_run *run)
 {
     const bat_argument *by = bat_argument_of(run, "by");
     if (by->count != 1 && by->count != 3)
@@ -32,4 +33,4 @@ const bat_feature bat_feature_scale = {
               "  port: {circle: 10 cm}\n"
               "  oval: {scale: port, by: [2, 1, 1]}\n",
               "", "batten_affine_scaling", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_scale};

@@ -1,3 +1,5 @@
+/* The feature 'split': both parts of what is cut at a parameter, or all pieces of one
+ * kind. */
 #include "design/features/take/pieces.h"
 #include "design/shared/rows.h"
 
@@ -89,7 +91,7 @@ static batten_status split_object(bat_run *run, const batten_object *object)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_split(bat_run *run)
 {
     bat_objects objects;
     const bool pieces = bat_has(run, "pieces");
@@ -121,4 +123,4 @@ const bat_feature bat_feature_split = {
          "  oval: {ellipse: 2 m, b: 1 m}\n"
          "  quarters: {split: oval, pieces: spiral}\n",
          "[PT97]", "batten_curve_split", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_split};

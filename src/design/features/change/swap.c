@@ -1,3 +1,4 @@
+/* The feature 'swap': the same surface with u and v exchanged. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -11,7 +12,7 @@ static batten_status surface(const bat_run *run, const batten_surface *given,
     return batten_surface_swap(given, out);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_swap(bat_run *run)
 {
     return bat_change_all(run, &(bat_change){.surface = surface});
 }
@@ -23,4 +24,4 @@ const bat_feature bat_feature_swap = {
               "  buoy: {sphere: 30 cm}\n"
               "  turned: {swap: buoy}\n",
               "", "batten_surface_swap", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_swap};

@@ -1,3 +1,4 @@
+/* The feature 'trim': what is left of curves between two places, or beside a plane. */
 #include "design/shared/place.h"
 
 #include <batten/extend.h>
@@ -134,7 +135,7 @@ static batten_status which_way(const bat_run *run, const char **by)
     return BATTEN_OK;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_trim(bat_run *run)
 {
     bat_objects all;
     const char *by;
@@ -166,4 +167,4 @@ const bat_feature bat_feature_trim = {
          "  line: {line: [[0, 0], [3 m, 0]]}\n"
          "  inner: {trim: line, lengths: [0.2 m, -0.2 m]}\n",
          "[PT97]", "batten_curve_trim", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_trim};

@@ -1,3 +1,4 @@
+/* The feature 'unroll': a plate laid flat. */
 #include "design/feature.h"
 
 #include <batten/interpolate.h>
@@ -243,7 +244,7 @@ static batten_status put_marks(bat_run *run, const batten_unrolled *flat, double
     return status;
 }
 
-static void say(bat_run *run, const batten_unrolled *flat)
+static void report_unroll(bat_run *run, const batten_unrolled *flat)
 {
     bat_remark(run,
                "edges %.8g and %.8g long, flat %.8g and %.8g; area %.8g, flat "
@@ -273,7 +274,7 @@ static batten_status put_sheet(bat_run *run, const batten_unrolled *flat, double
         batten_curve_unref(outline);
         return status;
     }
-    say(run, flat);
+    report_unroll(run, flat);
     status = bat_put_flat(run, status, outline, run->name, "cut", black);
     if (status == BATTEN_OK)
         status = put_lines(run, flat, bat_count(run, "lines"));
@@ -283,7 +284,7 @@ static batten_status put_sheet(bat_run *run, const batten_unrolled *flat, double
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_unroll(bat_run *run)
 {
     static const batten_straight straight[] = {BATTEN_STRAIGHT_FIND, BATTEN_STRAIGHT_V,
                                                BATTEN_STRAIGHT_U};
@@ -326,4 +327,4 @@ const bat_feature bat_feature_unroll = {
          "outputs:\n"
          "  sheet.dxf: sheet\n",
          "[PW01]", "batten_surface_unroll", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_unroll};

@@ -1,3 +1,4 @@
+/* The feature 'arc': a circular arc, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -10,7 +11,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_arc(bat_run *run)
 {
     batten_frame frame;
     batten_curve *arc = NULL;
@@ -30,4 +31,4 @@ const bat_feature bat_feature_arc = {
          "features:\n"
          "  bilge: {arc: 0.6 m, start: 270 deg, angle: 90 deg, axis: x, from: y}\n",
          "[PT97]", "batten_curve_arc_in", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_arc};

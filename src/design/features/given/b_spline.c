@@ -1,3 +1,4 @@
+/* The feature 'b-spline': the uniform B-spline of a polygon. */
 #include "design/shared/through.h"
 
 #include <batten/polygon.h>
@@ -11,7 +12,7 @@ static const batten_parameter parameters[] = {
      "how the curve ends at the polygon"},
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_b_spline(bat_run *run, const bat_data *data, bat_made *made)
 {
     made->has_parameters = false;
     return batten_curve_uniform((batten_points){data->dimension, data->count, data->points},
@@ -19,9 +20,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
                                 (batten_polygon_end)bat_word(run, "ends"), &made->curve);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_b_spline(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE, make};
+    static const bat_method method = {2, BAT_IN_SPACE, make_b_spline};
     return bat_through(run, &method);
 }
 
@@ -39,4 +40,4 @@ const bat_feature bat_feature_b_spline = {
          "  hood: {b-spline: corners, ends: phantom}\n",
          "[Coons74], [Riesenfeld73]", "batten_curve_uniform", BAT_PARAMETERS(parameters),
          false},
-    .run = run};
+    .run = run_b_spline};

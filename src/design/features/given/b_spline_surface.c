@@ -1,3 +1,4 @@
+/* The feature 'b-spline-surface': the uniform B-spline surface of a net. */
 #include "design/shared/grid.h"
 
 #include <batten/grid.h>
@@ -13,7 +14,8 @@ static const batten_parameter parameters[] = {
      "clamped free phantom repeated closed", "how it ends at the first and the last row"},
 };
 
-static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+static batten_status make_b_spline_surface(bat_run *run, const bat_grid *grid,
+                                           batten_surface **surface)
 {
     return batten_surface_uniform((batten_grid){3, grid->count_u, grid->count_v, grid->points},
                                   bat_count(run, "degree-u"), bat_count(run, "degree-v"),
@@ -21,9 +23,9 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
                                   (batten_polygon_end)bat_word(run, "ends-v"), surface);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_b_spline_surface(bat_run *run)
 {
-    return bat_grid_surface(run, "b-spline-surface", make);
+    return bat_grid_surface(run, "b-spline-surface", make_b_spline_surface);
 }
 
 const bat_feature bat_feature_b_spline_surface = {
@@ -42,4 +44,4 @@ const bat_feature bat_feature_b_spline_surface = {
          "  hood: {b-spline-surface: net, ends-v: free}\n",
          "[Coons74], [Riesenfeld73]", "batten_surface_uniform", BAT_PARAMETERS(parameters),
          false},
-    .run = run};
+    .run = run_b_spline_surface};

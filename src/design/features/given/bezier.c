@@ -1,3 +1,4 @@
+/* The feature 'bezier': the Bezier curve of a polygon. */
 #include "base/plural.h"
 #include "design/shared/through.h"
 
@@ -15,7 +16,7 @@ static const batten_parameter parameters[] = {
      "of the corners: a rational curve"},
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_bezier(bat_run *run, const bat_data *data, bat_made *made)
 {
     const bat_argument *given = bat_argument_of(run, "weights");
     double weights[BATTEN_MAX_DEGREE + 1];
@@ -38,9 +39,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
                                given->count ? weights : NULL, &made->curve);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_bezier(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE, make};
+    static const bat_method method = {2, BAT_IN_SPACE, make_bezier};
     return bat_through(run, &method);
 }
 
@@ -56,4 +57,4 @@ const bat_feature bat_feature_bezier = {
          "  corners: {points: [[0, 0], [1, 2], [3, 2], [4, 0]]}\n"
          "  hood: {bezier: corners}\n",
          "[Bezier74], [Farin02]", "batten_curve_bezier", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_bezier};

@@ -1,3 +1,4 @@
+/* The feature 'bezier-surface': the Bezier surface of a net. */
 #include "base/plural.h"
 #include "design/shared/grid.h"
 
@@ -28,7 +29,8 @@ static batten_status weights_of(const bat_run *run, const bat_grid *grid, double
     return BATTEN_OK;
 }
 
-static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+static batten_status make_bezier_surface(bat_run *run, const bat_grid *grid,
+                                         batten_surface **surface)
 {
     static const double unit[2] = {0, 1};
     const int p = grid->count_u - 1, q = grid->count_v - 1;
@@ -47,9 +49,9 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_bezier_surface(bat_run *run)
 {
-    return bat_grid_surface(run, "bezier-surface", make);
+    return bat_grid_surface(run, "bezier-surface", make_bezier_surface);
 }
 
 const bat_feature bat_feature_bezier_surface = {
@@ -68,4 +70,4 @@ const bat_feature bat_feature_bezier_surface = {
          "  hood: {bezier-surface: net}\n",
          "[Bezier74], [Farin02]", "batten_surface_from_bezier", BAT_PARAMETERS(parameters),
          false},
-    .run = run};
+    .run = run_bezier_surface};

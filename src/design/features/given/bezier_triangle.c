@@ -1,3 +1,4 @@
+/* The feature 'bezier-triangle': Bezier triangles from their control nets. */
 #include "base/plural.h"
 #include "design/feature.h"
 
@@ -92,7 +93,7 @@ static batten_status halve(const bat_run *run, batten_triangles **triangles)
     return BATTEN_OK;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_bezier_triangle(bat_run *run)
 {
     int count = 0, degree = 0;
     double *points = NULL, *weights = NULL;
@@ -127,4 +128,4 @@ const bat_feature bat_feature_bezier_triangle = {
          "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
          "  sail: {bezier-triangle: net}\n",
          "[Farin86], [Hu96]", "batten_triangles_create", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_bezier_triangle};

@@ -1,3 +1,4 @@
+/* The feature 'box': the edges of boxes that just hold curves. */
 #include "design/feature.h"
 
 #include <batten/measure.h>
@@ -106,7 +107,7 @@ static batten_status box_object(bat_run *run, const batten_object *object)
     return put_box(run, object, &oriented);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_box(bat_run *run)
 {
     bat_objects objects;
     batten_status status = bat_gather(run, "box", BAT_CURVES, &objects);
@@ -131,4 +132,4 @@ const bat_feature bat_feature_box = {
          "  rib: {interpolate: ducks}\n"
          "  stock: {box: rib, axes: turned}\n",
          "[Toussaint83]", "batten_curve_oriented_box", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_box};

@@ -1,3 +1,4 @@
+/* The feature 'circle': a full circle, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -9,7 +10,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_circle(bat_run *run)
 {
     batten_curve *circle = NULL;
     const batten_status status = batten_curve_circle(
@@ -25,4 +26,4 @@ const bat_feature bat_feature_circle = {
          "features:\n"
          "  mast: {circle: 6 cm, at: [4 m, 0, 2 m]}\n",
          "[PT97]", "batten_curve_circle", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_circle};

@@ -1,3 +1,4 @@
+/* The feature 'cone': a circular cone or a part of one, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -9,7 +10,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_cone(bat_run *run)
 {
     batten_frame frame;
     batten_surface *cone = NULL;
@@ -26,4 +27,4 @@ const bat_feature bat_feature_cone = {
               "features:\n"
               "  funnel: {cone: 1 m, top: 0.6 m, height: 2 m}\n",
               "[PT97]", "batten_surface_cone", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_cone};

@@ -1,3 +1,4 @@
+/* The feature 'conic': an arc of an ellipse, parabola or hyperbola, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -44,7 +45,7 @@ static bool is_flat(const bat_run *run, const bat_argument *points)
     return flat;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_conic(bat_run *run)
 {
     const bat_argument *points = bat_argument_of(run, "conic");
     const bat_item *items = points->items;
@@ -74,4 +75,4 @@ const bat_feature bat_feature_conic = {
          "features:\n"
          "  stem: {conic: [[0, 0], [1 m, 0], [1.4 m, 1 m]], weight: 0.8}\n",
          "[PT97]", "batten_curve_conic", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_conic};

@@ -1,3 +1,4 @@
+/* The feature 'cylinder': a circular cylinder, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -8,7 +9,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_cylinder(bat_run *run)
 {
     batten_frame frame;
     batten_surface *cylinder = NULL;
@@ -25,4 +26,4 @@ const bat_feature bat_feature_cylinder = {
               "features:\n"
               "  tank: {cylinder: 0.4 m, height: 1.2 m, axis: x}\n",
               "[PT97]", "batten_surface_cylinder", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_cylinder};

@@ -1,3 +1,4 @@
+/* The feature 'ellipse': an ellipse or a part of one, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -12,7 +13,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_ellipse(bat_run *run)
 {
     batten_curve *ellipse = NULL;
     const batten_status status =
@@ -28,4 +29,4 @@ const bat_feature bat_feature_ellipse = {
          "features:\n"
          "  port: {ellipse: 20 cm, b: 12 cm, axis: y}\n",
          "[PT97]", "batten_curve_ellipse", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_ellipse};

@@ -1,3 +1,4 @@
+/* The feature 'ellipsoid': an ellipsoid, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -7,7 +8,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_ellipsoid(bat_run *run)
 {
     const batten_vec3 axes = bat_point(run, "ellipsoid");
     batten_frame frame;
@@ -24,4 +25,4 @@ const bat_feature bat_feature_ellipsoid = {
               "features:\n"
               "  pebble: {ellipsoid: [30 cm, 20 cm, 10 cm]}\n",
               "[PT97]", "batten_surface_ellipsoid", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_ellipsoid};

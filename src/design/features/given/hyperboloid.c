@@ -1,3 +1,4 @@
+/* The feature 'hyperboloid': a hyperboloid of one sheet, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -9,7 +10,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_hyperboloid(bat_run *run)
 {
     const batten_vec3 axes = bat_point(run, "hyperboloid");
     const double *heights = bat_argument_of(run, "heights")->items[0].number;
@@ -31,4 +32,4 @@ const bat_feature bat_feature_hyperboloid = {
          "features:\n"
          "  tower: {hyperboloid: [20 m, 20 m, 30 m], heights: [-60 m, 20 m]}\n",
          "[PT97]", "batten_surface_hyperboloid", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_hyperboloid};

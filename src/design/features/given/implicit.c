@@ -1,3 +1,5 @@
+/* The feature 'implicit': the whole algebraic curves that the spans of plane curves belong
+ * to. */
 #include "design/shared/rows.h"
 
 #include <batten/contours.h>
@@ -152,7 +154,7 @@ static batten_status trace_object(bat_run *run, const batten_object *object)
                : bat_fail(status, "%s: %s", object->name, batten_message());
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_implicit(bat_run *run)
 {
     bat_objects objects;
     batten_status status = bat_gather(run, "implicit", BAT_CURVES, &objects);
@@ -178,4 +180,4 @@ const bat_feature bat_feature_implicit = {
          "  loop: {bezier: legs}\n"
          "  whole: {implicit: loop}\n",
          "[SAG84] [BG04]", "batten_implicit_from_curve", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_implicit};

@@ -1,3 +1,4 @@
+/* The feature 'line': the straight line between two points. */
 #include "design/feature.h"
 
 #include <batten/standard.h>
@@ -6,7 +7,7 @@ static const batten_parameter parameters[] = {
     {"line", BATTEN_VALUE_POINT, true, true, NULL, NULL, "both ends"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_line(bat_run *run)
 {
     const bat_argument *ends = bat_argument_of(run, "line");
     batten_curve *line = NULL;
@@ -23,4 +24,4 @@ const bat_feature bat_feature_line = {
               "features:\n"
               "  keel: {line: [[0, 0, 0], [12 m, 0, 0]]}\n",
               "", "batten_curve_line", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_line};

@@ -1,3 +1,4 @@
+/* The feature 'paraboloid': an elliptic paraboloid, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -11,7 +12,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_paraboloid(bat_run *run)
 {
     const double a = bat_number(run, "paraboloid");
     const double b = bat_has(run, "b") ? bat_number(run, "b") : a;
@@ -29,4 +30,4 @@ const bat_feature bat_feature_paraboloid = {
               "features:\n"
               "  dish: {paraboloid: 1 m, height: 25 cm}\n",
               "[PT97]", "batten_surface_paraboloid", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_paraboloid};

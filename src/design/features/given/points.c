@@ -1,3 +1,4 @@
+/* The feature 'points': points that stand in the design itself. */
 #include "design/feature.h"
 
 #include <stdio.h>
@@ -22,7 +23,7 @@ static batten_status add_row(bat_run *run, const char *name, int count, const ba
     return batten_model_add(run->model, &row);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_points(bat_run *run)
 {
     const bat_argument *all = bat_argument_of(run, "points");
     const int columns = bat_has(run, "columns") ? bat_count(run, "columns") : all->count;
@@ -50,4 +51,4 @@ const bat_feature bat_feature_points = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n",
          "", "batten_model_add", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_points};

@@ -1,3 +1,4 @@
+/* The feature 'polyline': straight lines through points. */
 #include "design/shared/through.h"
 
 #include <batten/standard.h>
@@ -9,7 +10,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_polyline(bat_run *run, const bat_data *data, bat_made *made)
 {
     (void)run;
     made->has_parameters = false;
@@ -20,7 +21,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 /* Through the rows of features. */
 static batten_status run_features(bat_run *run, const bat_argument *features, const char *name)
 {
-    static const bat_method method = {2, BAT_IN_SPACE, make};
+    static const bat_method method = {2, BAT_IN_SPACE, make_polyline};
     for (int i = 0; i < features->count; i++)
         if (!features->items[i].text)
             return bat_fail(
@@ -31,7 +32,7 @@ static batten_status run_features(bat_run *run, const bat_argument *features, co
     return bat_through(run, &method);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_polyline(bat_run *run)
 {
     const bat_argument *corners = bat_argument_of(run, "polyline");
     for (int i = 0; i < corners->count; i++)
@@ -58,4 +59,4 @@ const bat_feature bat_feature_polyline = {
          "features:\n"
          "  chine: {polyline: [[0, 0], [2 m, 0.5 m], [5 m, 0.6 m]]}\n",
          "", "batten_curve_polyline", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_polyline};

@@ -1,3 +1,5 @@
+/* The feature 'read': what is in a file: points, curves, surfaces, bodies, meshes, tables
+ * of offsets. */
 #include "design/shared/formats.h"
 #include "design/text/document.h"
 
@@ -115,7 +117,7 @@ static batten_status find_model(bat_run *run, bool *partly, batten_model **out)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_read(bat_run *run)
 {
     batten_model *model = NULL;
     double factor = 1;
@@ -141,4 +143,4 @@ const bat_feature bat_feature_read = {
          "features:\n"
          "  offsets: {read: offsets.csv, z: [0, 2 m], trim-centre: yes}\n",
          "", "batten_read_file", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_read};

@@ -1,3 +1,4 @@
+/* The feature 'sphere': a sphere, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -7,7 +8,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_sphere(bat_run *run)
 {
     batten_frame frame;
     batten_surface *sphere = NULL;
@@ -23,4 +24,4 @@ const bat_feature bat_feature_sphere = {
               "features:\n"
               "  buoy: {sphere: 30 cm, at: [5 m, 2 m, 0]}\n",
               "[PT97]", "batten_surface_sphere", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_sphere};

@@ -1,3 +1,4 @@
+/* The feature 'torus': a torus, exactly. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -9,7 +10,7 @@ static const batten_parameter parameters[] = {
     BAT_PLACE,
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_torus(bat_run *run)
 {
     batten_frame frame;
     batten_surface *torus = NULL;
@@ -26,4 +27,4 @@ const bat_feature bat_feature_torus = {
               "features:\n"
               "  ring: {torus: 1 m, minor: 0.2 m}\n",
               "[PT97]", "batten_surface_torus", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_torus};

@@ -1,3 +1,4 @@
+/* The feature 'approximate': nearly the same curve as a plain B-spline of a wanted degree. */
 #include "base/plural.h"
 #include "design/feature.h"
 #include <batten/approximate.h>
@@ -30,7 +31,7 @@ static batten_status approximate(bat_run *run, const batten_object *object)
     return bat_put_curve_like(run, status, made, object, true);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_approximate(bat_run *run)
 {
     bat_objects objects;
     batten_status status = bat_gather(run, "approximate", BAT_CURVES, &objects);
@@ -57,4 +58,4 @@ const bat_feature bat_feature_approximate = {
          "  rim: {circle: 1 m}\n"
          "  plain: {approximate: rim, within: 0.1 mm}\n",
          "[LM88]", "batten_curve_approximate", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_approximate};

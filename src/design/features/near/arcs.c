@@ -1,3 +1,4 @@
+/* The feature 'arcs': the fewest arcs within a tolerance of curves or points. */
 #include "base/plural.h"
 #include "design/shared/rows.h"
 #include "design/shared/through.h"
@@ -123,7 +124,7 @@ static batten_status of_curve(bat_run *run, const batten_object *object)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_arcs(bat_run *run)
 {
     static const bat_method method = {2, BAT_IN_PLANE, of_points};
     bat_objects objects;
@@ -163,4 +164,4 @@ const bat_feature bat_feature_arcs = {
          "  edge: {interpolate: ducks}\n"
          "  path: {arcs: edge, within: 0.5 mm}\n",
          "[MW95]", "batten_arcs_from_curve", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_arcs};

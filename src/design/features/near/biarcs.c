@@ -1,3 +1,4 @@
+/* The feature 'biarcs': two arcs between any two points, with smooth tangents. */
 #include "base/plural.h"
 #include "design/shared/through.h"
 #include <batten/arcs.h>
@@ -45,7 +46,7 @@ static batten_status in_space(bat_run *run, const bat_data *data, bat_made *made
                                &options, made->parameters, &made->curve);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_biarcs(bat_run *run)
 {
     static const bat_method plane = {2, BAT_IN_PLANE, in_plane},
                             space = {2, BAT_IN_SPACE, in_space};
@@ -70,4 +71,4 @@ const bat_feature bat_feature_biarcs = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 40 cm], [3 m, 1 m]]}\n"
          "  template: {biarcs: ducks, joint: equal-chord}\n",
          "[Bolton75]", "batten_chain_biarcs", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_biarcs};

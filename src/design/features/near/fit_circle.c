@@ -1,3 +1,4 @@
+/* The feature 'fit-circle': the circle nearest to points, in any plane. */
 #include "design/features/near/primitive.h"
 
 #include <batten/standard.h>
@@ -11,7 +12,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_fit_circle(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_fitted_circle circle;
     batten_primitive_report report = {0};
@@ -30,9 +31,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return bat_made_primitive(&report, status, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fit_circle(bat_run *run)
 {
-    static const bat_method method = {3, BAT_IN_SPACE, make};
+    static const bat_method method = {3, BAT_IN_SPACE, make_fit_circle};
     return bat_through(run, &method);
 }
 
@@ -49,4 +50,4 @@ const bat_feature bat_feature_fit_circle = {
          "  marks: {points: [[1 m, 0], [71 cm, 70 cm], [0, 1.01 m], [-70 cm, 71 cm]]}\n"
          "  rim: {fit-circle: marks}\n",
          "[Taubin91], [Pratt87]", "batten_circle_fit", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fit_circle};

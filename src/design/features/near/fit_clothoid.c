@@ -1,3 +1,4 @@
+/* The feature 'fit-clothoid': the clothoid nearest to points of a plane. */
 #include "design/features/near/primitive.h"
 
 static const batten_parameter parameters[] = {
@@ -6,7 +7,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_fit_clothoid(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_span span;
     batten_primitive_report report = {0};
@@ -24,9 +25,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return bat_made_primitive(&report, status, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fit_clothoid(bat_run *run)
 {
-    static const bat_method method = {4, BAT_IN_PLANE, make};
+    static const bat_method method = {4, BAT_IN_PLANE, make_fit_clothoid};
     return bat_through(run, &method);
 }
 
@@ -43,4 +44,4 @@ const bat_feature bat_feature_fit_clothoid = {
          "  marks: {points: [[0, 0], [1 m, 1 cm], [2 m, 7 cm], [3 m, 22 cm], [4 m, 53 cm]]}\n"
          "  ramp: {fit-clothoid: marks}\n",
          "[ARW01]", "batten_clothoid_fit", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fit_clothoid};

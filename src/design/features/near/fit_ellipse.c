@@ -1,3 +1,4 @@
+/* The feature 'fit-ellipse': the ellipse nearest to points of a plane. */
 #include "design/features/near/primitive.h"
 
 #include <batten/standard.h>
@@ -25,7 +26,8 @@ static batten_status turn_back(batten_curve **curve)
 }
 
 /* As the data run; the ellipse about the origin goes to its place. */
-static batten_status draw(const batten_fitted_ellipse *e, bool whole, batten_curve **out)
+static batten_status draw_fit_ellipse(const batten_fitted_ellipse *e, bool whole,
+                                      batten_curve **out)
 {
     const double angle = whole ? 2 * BAT_PI : fabs(e->angle),
                  start = e->angle < 0 ? e->start - angle : e->start;
@@ -41,7 +43,7 @@ static batten_status draw(const batten_fitted_ellipse *e, bool whole, batten_cur
     return status;
 }
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_fit_ellipse(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_fitted_ellipse ellipse;
     batten_primitive_report report = {0};
@@ -51,14 +53,14 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
         made->has_parameters = false;
         bat_remark(run, "'%s': an ellipse with the half axes %.9g and %.9g", data->name,
                    ellipse.a, ellipse.b);
-        status = draw(&ellipse, bat_yes(run, "whole"), &made->curve);
+        status = draw_fit_ellipse(&ellipse, bat_yes(run, "whole"), &made->curve);
     }
     return bat_made_primitive(&report, status, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fit_ellipse(bat_run *run)
 {
-    static const bat_method method = {5, BAT_IN_PLANE, make};
+    static const bat_method method = {5, BAT_IN_PLANE, make_fit_ellipse};
     return bat_through(run, &method);
 }
 
@@ -75,4 +77,4 @@ const bat_feature bat_feature_fit_ellipse = {
          "  marks: {points: [[2 m, 0], [1.4 m, 0.7 m], [0, 1 m], [-1.4 m, 0.7 m], [-2 m, 0], [0, -1 m]]}\n"
          "  arch: {fit-ellipse: marks}\n",
          "[FPF99], [HF98]", "batten_ellipse_fit", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fit_ellipse};

@@ -1,3 +1,4 @@
+/* The feature 'fit-line': the straight line nearest to points. */
 #include "design/features/near/primitive.h"
 
 #include <batten/standard.h>
@@ -18,7 +19,7 @@ static void take_feet(const batten_fitted_line *line, const bat_data *data, doub
     }
 }
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_fit_line(bat_run *run, const bat_data *data, bat_made *made)
 {
     (void)run;
     batten_fitted_line line;
@@ -37,9 +38,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return bat_made_primitive(&report, status, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fit_line(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE, make};
+    static const bat_method method = {2, BAT_IN_SPACE, make_fit_line};
     return bat_through(run, &method);
 }
 
@@ -55,4 +56,4 @@ const bat_feature bat_feature_fit_line = {
          "  marks: {points: [[0, 0], [1 m, 11 cm], [2 m, 19 cm], [3 m, 31 cm]]}\n"
          "  keel: {fit-line: marks}\n",
          "[GVL13]", "batten_line_fit", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fit_line};

@@ -1,3 +1,4 @@
+/* The feature 'fit-within': few control points, and no point farther than a bound. */
 #include "base/plural.h"
 #include "design/shared/through.h"
 #include <batten/approximate.h>
@@ -30,7 +31,7 @@ static batten_status corners_of(const bat_run *run, int *count, int **out)
     return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_fit_within(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_within_options options = batten_curve_within_defaults();
     batten_curve_within_report report = {0};
@@ -63,10 +64,11 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return BATTEN_OK;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fit_within(bat_run *run)
 {
-    return bat_through(
-        run, &(bat_method){.least = 2, .ways = BAT_IN_SPACE | BAT_AS_FUNCTION, .make = make});
+    return bat_through(run, &(bat_method){.least = 2,
+                                          .ways = BAT_IN_SPACE | BAT_AS_FUNCTION,
+                                          .make = make_fit_within});
 }
 
 const bat_feature bat_feature_fit_within = {
@@ -89,4 +91,4 @@ const bat_feature bat_feature_fit_within = {
          "  scan: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 40 cm], [4 m, 39 cm], [5 m, 30 cm], [6 m, 19 cm]]}\n"
          "  edge: {fit-within: scan, within: 1 cm}\n",
          "[LM88], [Schneider90]", "batten_curve_within", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fit_within};

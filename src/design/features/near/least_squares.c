@@ -1,3 +1,5 @@
+/* The feature 'least-squares': a spline with the least sum of squared distances from
+ * points. */
 #include "design/shared/conditions.h"
 #include "design/shared/near.h"
 
@@ -39,7 +41,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_least_squares(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     options.degree = bat_count(run, "degree");
@@ -71,10 +73,11 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return bat_made_near(&report, status, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_least_squares(bat_run *run)
 {
-    return bat_through(
-        run, &(bat_method){.least = 2, .ways = BAT_IN_SPACE | BAT_AS_FUNCTION, .make = make});
+    return bat_through(run, &(bat_method){.least = 2,
+                                          .ways = BAT_IN_SPACE | BAT_AS_FUNCTION,
+                                          .make = make_least_squares});
 }
 
 const bat_feature bat_feature_least_squares = {
@@ -95,4 +98,4 @@ const bat_feature bat_feature_least_squares = {
          "  sheer: {least-squares: marks, points: 4}\n"
          "  crown: {least-squares: marks, points: 5, as: function, shape: concave, pass: [[3 m, 42 cm]]}\n",
          "[PT97]", "batten_curve_least_squares", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_least_squares};

@@ -1,3 +1,4 @@
+/* The feature 'minimax': the polynomial whose largest distance from points is least. */
 #include "design/shared/through.h"
 #include <batten/polygon.h>
 
@@ -11,7 +12,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_minimax(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_minimax_report report = {0};
     const batten_status status =
@@ -24,9 +25,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_minimax(bat_run *run)
 {
-    static const bat_method method = {2, BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_AS_FUNCTION, make_minimax};
     return bat_through(run, &method);
 }
 
@@ -42,4 +43,4 @@ const bat_feature bat_feature_minimax = {
          "  table: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm], [4 m, 5 cm]]}\n"
          "  near: {minimax: table, degree: 2}\n",
          "[Remez34]", "batten_curve_minimax", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_minimax};

@@ -1,3 +1,4 @@
+/* The feature 'p-spline': a spline on equal spans whose control points differ little. */
 #include "design/shared/near.h"
 
 static const batten_parameter parameters[] = {
@@ -16,7 +17,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_p_spline(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_smooth_options options = batten_curve_smooth_defaults();
     options.spans = bat_count(run, "spans");
@@ -24,10 +25,11 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return bat_make_smooth(run, data, batten_curve_p_spline, &options, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_p_spline(bat_run *run)
 {
-    return bat_through(
-        run, &(bat_method){.least = 2, .ways = BAT_IN_SPACE | BAT_AS_FUNCTION, .make = make});
+    return bat_through(run, &(bat_method){.least = 2,
+                                          .ways = BAT_IN_SPACE | BAT_AS_FUNCTION,
+                                          .make = make_p_spline});
 }
 
 const bat_feature bat_feature_p_spline = {
@@ -41,4 +43,4 @@ const bat_feature bat_feature_p_spline = {
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], [5 m, 33 cm], [6 m, 22 cm]]}\n"
          "  sheer: {p-spline: marks, spans: 8, rms: 1 cm}\n",
          "[EM96]", "batten_curve_p_spline", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_p_spline};

@@ -1,3 +1,4 @@
+/* The feature 'quasi-interpolant': a spline of full order near points, without equations. */
 #include "design/shared/through.h"
 #include <batten/polygon.h>
 
@@ -11,7 +12,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_quasi_interpolant(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_schoenberg_options options = batten_curve_schoenberg_defaults();
     options.degree = bat_count(run, "degree");
@@ -30,9 +31,10 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_quasi_interpolant(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION,
+                                      make_quasi_interpolant};
     return bat_through(run, &method);
 }
 
@@ -48,4 +50,4 @@ const bat_feature bat_feature_quasi_interpolant = {
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  near: {quasi-interpolant: ducks}\n",
          "[LS75]", "batten_curve_quasi_interpolate", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_quasi_interpolant};

@@ -1,3 +1,4 @@
+/* The feature 'reduce': nearly the same shape with a lower degree. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -22,7 +23,7 @@ static batten_status surface(const bat_run *run, const batten_surface *given, do
                                  out);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_reduce(bat_run *run)
 {
     return bat_change_all(
         run, &(bat_change){.near_curve = curve, .near_surface = surface, .keeps_data = true});
@@ -37,4 +38,4 @@ const bat_feature bat_feature_reduce = {
          "  cubic: {elevate: keel, by: 2}\n"
          "  again: {reduce: cubic, degree: 1, within: 0.1 mm}\n",
          "[PT97]", "batten_curve_reduce", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_reduce};

@@ -1,3 +1,4 @@
+/* The feature 'remove-knots': nearly the same curve with fewer knots and control points. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -11,7 +12,7 @@ static batten_status curve(const bat_run *run, const batten_curve *given, double
     return batten_curve_remove_knots(given, bat_number(run, "within"), NULL, error, out);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_remove_knots(bat_run *run)
 {
     return bat_change_all(run, &(bat_change){.near_curve = curve, .keeps_data = true});
 }
@@ -31,4 +32,4 @@ const bat_feature bat_feature_remove_knots = {
          "  keel: {polyline: [[0, 0], [1 m, 1 mm], [3 m, 0]]}\n"
          "  bare: {remove-knots: keel, within: 2 mm}\n",
          "[LM87], [LM88]", "batten_curve_remove_knots", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_remove_knots};

@@ -1,3 +1,4 @@
+/* The feature 'schoenberg': a spline near points that never turns more often than they do. */
 #include "design/shared/through.h"
 #include <batten/polygon.h>
 
@@ -14,7 +15,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_schoenberg(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_schoenberg_options options = batten_curve_schoenberg_defaults();
     options.degree = bat_count(run, "degree");
@@ -34,9 +35,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_schoenberg(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_schoenberg};
     return bat_through(run, &method);
 }
 
@@ -53,4 +54,4 @@ const bat_feature bat_feature_schoenberg = {
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  calm: {schoenberg: ducks}\n",
          "[Schoenberg67]", "batten_curve_schoenberg", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_schoenberg};

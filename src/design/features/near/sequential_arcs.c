@@ -1,3 +1,5 @@
+/* The feature 'sequential-arcs': one arc from point to point, each going on from the one
+ * before. */
 #include "base/plural.h"
 #include "design/shared/through.h"
 #include <batten/arcs.h>
@@ -11,7 +13,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_sequential_arcs(bat_run *run, const bat_data *data, bat_made *made)
 {
     const double degree = BAT_PI / 180;
     const double start =
@@ -34,9 +36,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return BATTEN_OK;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_sequential_arcs(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_PLANE, make};
+    static const bat_method method = {2, BAT_IN_PLANE, make_sequential_arcs};
     return bat_through(run, &method);
 }
 
@@ -55,4 +57,4 @@ const bat_feature bat_feature_sequential_arcs = {
          "  ducks: {points: [[0, 0], [1 m, 50 cm], [2 m, 60 cm], [3 m, 30 cm]]}\n"
          "  edge: {sequential-arcs: ducks}\n",
          "[SL]", "batten_chain_sequential_arcs", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_sequential_arcs};

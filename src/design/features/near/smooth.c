@@ -1,3 +1,4 @@
+/* The feature 'smooth': the smoothing spline: a batten tied to its points by springs. */
 #include "design/shared/near.h"
 
 static const batten_parameter parameters[] = {
@@ -14,16 +15,17 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_smooth(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_smooth_options options = batten_curve_smooth_defaults();
     return bat_make_smooth(run, data, batten_curve_smooth, &options, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_smooth(bat_run *run)
 {
     return bat_through(
-        run, &(bat_method){.least = 2, .ways = BAT_IN_SPACE | BAT_AS_FUNCTION, .make = make});
+        run,
+        &(bat_method){.least = 2, .ways = BAT_IN_SPACE | BAT_AS_FUNCTION, .make = make_smooth});
 }
 
 const bat_feature bat_feature_smooth = {
@@ -39,4 +41,4 @@ const bat_feature bat_feature_smooth = {
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], [5 m, 33 cm], [6 m, 22 cm]]}\n"
          "  sheer: {smooth: marks, rms: 1 cm}\n",
          "[Reinsch67]", "batten_curve_smooth", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_smooth};

@@ -1,3 +1,4 @@
+/* The feature 'thin-points': fewer points, none of the others farther than a bound. */
 #include "design/shared/rows.h"
 #include "design/shared/through.h"
 #include <batten/approximate.h>
@@ -88,7 +89,7 @@ static batten_status thin_polyline(bat_run *run, const batten_object *object)
     return bat_put_curve_like(run, status, made, object, false);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_thin_points(bat_run *run)
 {
     bat_objects objects;
     batten_status status =
@@ -117,4 +118,4 @@ const bat_feature bat_feature_thin_points = {
          "  scan: {points: [[0, 0], [1 m, 1 mm], [2 m, 0], [3 m, 1 mm], [3 m, 1 m]]}\n"
          "  edge: {thin-points: scan, within: 2 mm}\n",
          "[Ramer72], [DP73]", "batten_points_thin", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_thin_points};

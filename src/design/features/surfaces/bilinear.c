@@ -1,3 +1,4 @@
+/* The feature 'bilinear': the patch of straight lines between four corners. */
 #include "design/feature.h"
 
 #include <batten/standard.h>
@@ -7,7 +8,7 @@ static const batten_parameter parameters[] = {
      "the four corners, one after the other around the patch"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_bilinear(bat_run *run)
 {
     const bat_argument *corners = bat_argument_of(run, "bilinear");
     batten_vec3 p[4];
@@ -31,4 +32,4 @@ const bat_feature bat_feature_bilinear = {
          "features:\n"
          "  sail: {bilinear: [[0, 0, 0], [4 m, 0, 2 m], [4 m, 4 m, 0], [0, 4 m, 2 m]]}\n",
          "[PT97]", "batten_surface_bilinear", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_bilinear};

@@ -1,3 +1,5 @@
+/* The feature 'catmull-rom-surface': the local surface of Catmull and Rom through a grid
+ * of points. */
 #include "design/shared/grid.h"
 #include <batten/grid.h>
 
@@ -13,7 +15,8 @@ static const batten_parameter parameters[] = {
      "the first row follows the last"},
 };
 
-static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+static batten_status make_catmull_rom_surface(bat_run *run, const bat_grid *grid,
+                                              batten_surface **surface)
 {
     batten_curve_catmull_rom_options u = batten_curve_catmull_rom_defaults();
     double off = 0;
@@ -30,9 +33,9 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_catmull_rom_surface(bat_run *run)
 {
-    return bat_grid_surface(run, "catmull-rom-surface", make);
+    return bat_grid_surface(run, "catmull-rom-surface", make_catmull_rom_surface);
 }
 
 const bat_feature bat_feature_catmull_rom_surface = {
@@ -50,4 +53,4 @@ const bat_feature bat_feature_catmull_rom_surface = {
          "    columns: 3\n"
          "  hill: {catmull-rom-surface: grid}\n",
          "[CR74]", "batten_surface_catmull_rom", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_catmull_rom_surface};

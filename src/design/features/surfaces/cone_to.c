@@ -1,3 +1,4 @@
+/* The feature 'cone-to': the cone of straight lines from a curve to a point. */
 #include "design/feature.h"
 
 #include <batten/sweep.h>
@@ -7,7 +8,7 @@ static const batten_parameter parameters[] = {
     {"apex", BATTEN_VALUE_POINT, false, true, NULL, NULL, "where all lines meet"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_cone_to(bat_run *run)
 {
     bat_objects curves;
     batten_status status = bat_gather(run, "cone-to", BAT_CURVES, &curves);
@@ -31,4 +32,4 @@ const bat_feature bat_feature_cone_to = {
          "  oval: {ellipse: 2 m, b: 1 m}\n"
          "  tent: {cone-to: oval, apex: [1 m, 0, 3 m]}\n",
          "[PT97]", "batten_surface_conical", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_cone_to};

@@ -1,3 +1,4 @@
+/* The feature 'coons': the Coons patch between four sides. */
 #include "design/shared/boundary.h"
 
 static const batten_parameter parameters[] = {
@@ -178,7 +179,7 @@ static void report(const work *w, const batten_surface_coons_report *found)
                          found->missed[e][k]);
 }
 
-static batten_status make(work *w, batten_surface **out)
+static batten_status make_coons(work *w, batten_surface **out)
 {
     batten_surface_coons_report found = {0};
     choose_kind(w);
@@ -201,11 +202,11 @@ static batten_status make(work *w, batten_surface **out)
     return advise(w, &found, status);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_coons(bat_run *run)
 {
     batten_surface *surface = NULL;
     work w = {.run = run, .options = batten_surface_coons_defaults()};
-    const batten_status status = make(&w, &surface);
+    const batten_status status = make_coons(&w, &surface);
     bat_boundary_release(&w.boundary);
     for (int i = 0; i < 6; i++)
         batten_curve_unref(w.functions[i]);
@@ -235,4 +236,4 @@ const bat_feature bat_feature_coons = {
          "  bow: {conic: [[4, 0.4, 1.6], [4, 0.2, 0.6], [4, 0, 0]], weight: 1}\n"
          "  side: {coons: [keel, bow, stern, sheer], kind: twists}\n",
          "[Coons67], [Coons74]", "batten_surface_coons", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_coons};

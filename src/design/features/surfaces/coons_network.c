@@ -1,3 +1,4 @@
+/* The feature 'coons-network': a net of Coons patches as one surface. */
 #include "base/plural.h"
 #include "design/shared/grid.h"
 #include "design/shared/place.h"
@@ -133,7 +134,7 @@ static batten_status from_curves(bat_run *run,
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_coons_network(bat_run *run)
 {
     batten_surface_coons_network_options options = batten_surface_coons_network_defaults();
     batten_surface *surface = NULL;
@@ -162,4 +163,4 @@ const bat_feature bat_feature_coons_network = {
          "    columns: 3\n"
          "  roof: {coons-network: grid, twists: energy}\n",
          "[Coons74]", "batten_surface_coons_grid", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_coons_network};

@@ -1,3 +1,5 @@
+/* The feature 'corner-net': bicubic patches from points, tangents and twists at their
+ * corners. */
 #include "base/plural.h"
 #include "design/shared/grid.h"
 
@@ -65,7 +67,7 @@ static batten_status take(const bat_run *run, const char *parameter, net *n, int
     return BATTEN_OK;
 }
 
-static batten_status make(bat_run *run, net *n, batten_surface **out)
+static batten_status make_corner_net(bat_run *run, net *n, batten_surface **out)
 {
     batten_status status = bat_grid_of(run, "corner-net", &n->grid);
     if (status == BATTEN_OK)
@@ -95,11 +97,11 @@ static batten_status make(bat_run *run, net *n, batten_surface **out)
                : status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_corner_net(bat_run *run)
 {
     net n = {0};
     batten_surface *surface = NULL;
-    const batten_status status = make(run, &n, &surface);
+    const batten_status status = make_corner_net(run, &n, &surface);
     net_release(&n);
     return bat_put_surface(run, status, surface);
 }
@@ -116,4 +118,4 @@ const bat_feature bat_feature_corner_net = {
          "    columns: 3\n"
          "  sheet: {corner-net: grid, tangents-u: [1, 0, 0.5], tangents-v: [0, 1, 0], twists: [0, 0, 1]}\n",
          "[Coons67], [SL]", "batten_surface_from_hermite", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_corner_net};

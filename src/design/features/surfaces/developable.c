@@ -1,3 +1,4 @@
+/* The feature 'developable': a plate that bends from flat sheet. */
 #include "design/feature.h"
 
 #include <batten/plate.h>
@@ -16,7 +17,7 @@ static const batten_parameter parameters[] = {
      "how closely the edges are followed; the tolerance of the design by default"},
 };
 
-static void say(bat_run *run, const batten_developable *made)
+static void report_developable(bat_run *run, const batten_developable *made)
 {
     const double degree = BAT_PI / 180;
     bat_remark(run, "%s: warp at most %.4g degrees, at u = %.4g; %d rulings%s%s",
@@ -44,7 +45,7 @@ static batten_status develop(bat_run *run, const batten_curve *first,
     options.tolerance = bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
     batten_status status = batten_surface_developable(first, second, &options, &made);
     if (status == BATTEN_OK) {
-        say(run, &made);
+        report_developable(run, &made);
         bat_report_error(run, made.error, made.error);
         status = bat_put_surface(run, status, batten_surface_ref(made.surface));
     }
@@ -52,7 +53,7 @@ static batten_status develop(bat_run *run, const batten_curve *first,
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_developable(bat_run *run)
 {
     bat_objects curves;
     batten_status status = bat_gather(run, "developable", BAT_CURVES, &curves);
@@ -83,4 +84,4 @@ const bat_feature bat_feature_developable = {
          "  bottom: {developable: [keel, chine]}\n"
          "  sheet: {unroll: bottom}\n",
          "[PW01], [Aumann91]", "batten_surface_developable", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_developable};

@@ -1,3 +1,4 @@
+/* The feature 'extrude': the surface that a curve leaves when it is moved straight on. */
 #include "design/shared/place.h"
 
 static const batten_parameter parameters[] = {
@@ -5,7 +6,7 @@ static const batten_parameter parameters[] = {
     {"along", BATTEN_VALUE_POINT, false, true, NULL, NULL, "how far in x, y and z"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_extrude(bat_run *run)
 {
     const batten_vec3 along = bat_point(run, "along");
     bat_objects curves;
@@ -31,4 +32,4 @@ const bat_feature bat_feature_extrude = {
          "  deck-edge: {polyline: [[0, 1 m, 1 m], [4 m, 1.2 m, 1 m]]}\n"
          "  bulwark: {extrude: deck-edge, along: [0, 0, 30 cm]}\n",
          "[PT97]", "batten_surface_extruded", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_extrude};

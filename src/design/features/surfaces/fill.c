@@ -1,3 +1,4 @@
+/* The feature 'fill': surfaces in a hole of 2 to 8 sides. */
 #include "base/plural.h"
 #include "design/feature.h"
 
@@ -278,7 +279,7 @@ static batten_status fill(bat_run *run, const bat_objects *curves, const sides *
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fill(bat_run *run)
 {
     bat_objects curves;
     sides all = {.within =
@@ -310,4 +311,4 @@ const bat_feature bat_feature_fill = {
          "  c: {polyline: [[1 m, 1.8 m, 0], [0, 0, 0]]}\n"
          "  patch: {fill: [a, b, c]}\n",
          "[CK83]", "batten_surface_fill", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fill};

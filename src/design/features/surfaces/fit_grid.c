@@ -1,3 +1,4 @@
+/* The feature 'fit-grid': a calm surface near a grid of points. */
 #include "design/shared/grid.h"
 #include "design/shared/surface_fit.h"
 
@@ -158,7 +159,7 @@ static batten_status fit(const bat_run *run, const bat_grid *grid, bool smooth,
     return status;
 }
 
-static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+static batten_status make_fit_grid(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
     batten_surface_fit_grid_options options = options_of(run);
     batten_surface_fit_report report;
@@ -185,9 +186,9 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fit_grid(bat_run *run)
 {
-    return bat_grid_surface(run, "fit-grid", make);
+    return bat_grid_surface(run, "fit-grid", make_fit_grid);
 }
 
 const bat_feature bat_feature_fit_grid = {
@@ -207,4 +208,4 @@ const bat_feature bat_feature_fit_grid = {
          "    columns: 5\n"
          "  calm: {fit-grid: grid, points-u: 4, points-v: 3}\n",
          "[PT97]", "batten_surface_fit_grid", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fit_grid};

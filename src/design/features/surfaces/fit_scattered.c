@@ -1,3 +1,4 @@
+/* The feature 'fit-scattered': a surface near points in no order. */
 #include "base/plural.h"
 #include "design/shared/rows.h"
 #include "design/shared/surface_fit.h"
@@ -142,7 +143,7 @@ static batten_status options_of(const bat_run *run, batten_surface_scattered_opt
     return bat_smoothness_of(run, &options->by, &options->amount);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_fit_scattered(bat_run *run)
 {
     batten_surface_scattered_options options;
     batten_surface_fit_report report;
@@ -177,4 +178,4 @@ const bat_feature bat_feature_fit_scattered = {
          "  soundings: {points: [[0, 0, 1], [4, 0, 2], [0, 3, 1], [4, 3, 0], [2, 1, 2], [1, 2, 1], [3, 2, 1]]}\n"
          "  bed: {fit-scattered: soundings, as: function, rms: 0.1}\n",
          "[Dierckx93], [LWS97]", "batten_surface_scattered", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_fit_scattered};

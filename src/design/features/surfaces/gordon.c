@@ -1,3 +1,4 @@
+/* The feature 'gordon': the surface through a network of curves. */
 #include "base/plural.h"
 #include "design/feature.h"
 
@@ -41,7 +42,7 @@ static batten_status make_room(family *f, int count)
     return f->curves && f->names ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void add(family *f, const batten_object *object)
+static void add_gordon(family *f, const batten_object *object)
 {
     f->curves[f->count] = object->curve;
     f->names[f->count++] = object->name;
@@ -63,14 +64,14 @@ static batten_status split(const bat_run *run, const bat_objects *all, network *
     int *side = bat_array((size_t)all->count, sizeof *side);
     batten_status status = make_room(&mixed, all->count);
     for (int i = 0; status == BATTEN_OK && i < all->count; i++)
-        add(&mixed, all->at[i]);
+        add_gordon(&mixed, all->at[i]);
     if (status == BATTEN_OK && !side)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status =
             batten_network_split(all->count, mixed.curves, n->gap, mixed.names, run->job, side);
     for (int i = 0; status == BATTEN_OK && i < all->count; i++)
-        add(side[i] == 0 ? &n->profiles : &n->guides, all->at[i]);
+        add_gordon(side[i] == 0 ? &n->profiles : &n->guides, all->at[i]);
     bat_release(side);
     bat_release(mixed.names);
     bat_release(mixed.curves);
@@ -123,9 +124,9 @@ static batten_status gather(bat_run *run, network *n, bat_objects *profiles,
     if (!two)
         return split(run, profiles, n);
     for (int i = 0; i < profiles->count; i++)
-        add(&n->profiles, profiles->at[i]);
+        add_gordon(&n->profiles, profiles->at[i]);
     for (int i = 0; i < guides->count; i++)
-        add(&n->guides, guides->at[i]);
+        add_gordon(&n->guides, guides->at[i]);
     return BATTEN_OK;
 }
 
@@ -216,7 +217,7 @@ static void tell(bat_run *run, const network *n, const batten_surface_gordon_rep
     tell_changes(run, n, r);
 }
 
-static batten_status make(bat_run *run, const network *n)
+static batten_status make_gordon(bat_run *run, const network *n)
 {
     batten_surface_gordon_options options = batten_surface_gordon_defaults();
     batten_surface_gordon_report report;
@@ -238,13 +239,13 @@ static batten_status make(bat_run *run, const network *n)
     return bat_put_surface(run, status, surface);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_gordon(bat_run *run)
 {
     bat_objects profiles = {0}, guides = {0};
     network n = {0};
     batten_status status = gather(run, &n, &profiles, &guides);
     if (status == BATTEN_OK)
-        status = make(run, &n);
+        status = make_gordon(run, &n);
     release(&n);
     bat_objects_release(&guides);
     bat_objects_release(&profiles);
@@ -269,4 +270,4 @@ const bat_feature bat_feature_gordon = {
          "  right: {polyline: [[3 m, 0, 1 m], [3 m, 2 m, 0.5 m]]}\n"
          "  shell: {gordon: [a, b], guides: [left, right]}\n",
          "[Gordon71]", "batten_surface_gordon", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_gordon};

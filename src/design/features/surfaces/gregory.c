@@ -1,3 +1,4 @@
+/* The feature 'gregory': patches over a mesh of cubic curves, each made alone. */
 #include "design/feature.h"
 
 #include <batten/fill.h>
@@ -27,7 +28,7 @@ static batten_status put_patch(bat_run *run, const batten_surface *patch, double
     return bat_put_surface(run, status, nurbs);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_gregory(bat_run *run)
 {
     bat_objects curves;
     batten_surface *patch = NULL;
@@ -65,4 +66,4 @@ const bat_feature bat_feature_gregory = {
          "  c: {bezier: r}\n"
          "  patch: {gregory: [a, b, c]}\n",
          "[CK83], [WM96]", "batten_surface_gregory_between", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_gregory};

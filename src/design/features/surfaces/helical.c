@@ -1,3 +1,4 @@
+/* The feature 'helical': the surface that a curve leaves when it is screwed about an axis. */
 #include "design/shared/place.h"
 #include "design/shared/sweeps.h"
 
@@ -12,7 +13,7 @@ static const batten_parameter parameters[] = {
      "how far from the true surface; the tolerance of the design if not given"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_helical(bat_run *run)
 {
     const batten_vec3 axis = bat_point(run, "axis");
     bat_objects curves;
@@ -47,4 +48,4 @@ const bat_feature bat_feature_helical = {
          "  tread: {line: [[0.3, 0, 0], [1, 0, 0]]}\n"
          "  stair: {helical: tread, pitch: 2.6 m, turns: 1.5}\n",
          "[PT97]", "batten_surface_helical", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_helical};

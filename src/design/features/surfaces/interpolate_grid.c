@@ -1,3 +1,4 @@
+/* The feature 'interpolate-grid': the surface through a grid of points. */
 #include "design/shared/grid.h"
 #include "design/shared/place.h"
 #include "design/shared/through.h"
@@ -78,7 +79,8 @@ static batten_status find_gaps(const bat_run *run, const bat_grid *grid, bool **
     return BATTEN_OK;
 }
 
-static void say(bat_run *run, const batten_surface_interpolate_report *report)
+static void report_interpolate_grid(bat_run *run,
+                                    const batten_surface_interpolate_report *report)
 {
     if (bat_max(report->spread_u, report->spread_v) > 0.5)
         bat_note(run,
@@ -91,7 +93,8 @@ static void say(bat_run *run, const batten_surface_interpolate_report *report)
     bat_report_error(run, report->error, report->error);
 }
 
-static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+static batten_status make_interpolate_grid(bat_run *run, const bat_grid *grid,
+                                           batten_surface **surface)
 {
     batten_surface_interpolate_options options = options_of(run);
     batten_surface_interpolate_report report;
@@ -107,15 +110,15 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
             (batten_grid){3, grid->count_u, grid->count_v, grid->points}, &options, run->job,
             (batten_uv_out){NULL, NULL}, &report, surface);
     if (status == BATTEN_OK)
-        say(run, &report);
+        report_interpolate_grid(run, &report);
     bat_release(gaps);
     bat_release(weights);
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_interpolate_grid(bat_run *run)
 {
-    return bat_grid_surface(run, "interpolate-grid", make);
+    return bat_grid_surface(run, "interpolate-grid", make_interpolate_grid);
 }
 
 const bat_feature bat_feature_interpolate_grid = {
@@ -132,4 +135,4 @@ const bat_feature bat_feature_interpolate_grid = {
          "    columns: 3\n"
          "  roof: {interpolate-grid: grid, degree-u: 2, degree-v: 2}\n",
          "[PT97]", "batten_surface_interpolate", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_interpolate_grid};

@@ -1,3 +1,5 @@
+/* The feature 'join-triangles': two Bezier triangles with one tangent plane along their
+ * edge. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -50,7 +52,7 @@ static batten_status find_edge(const batten_triangles *all, double within,
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_join_triangles(bat_run *run)
 {
     const double within =
         bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
@@ -88,4 +90,4 @@ const bat_feature bat_feature_join_triangles = {
          "  b: {bezier-triangle: high}\n"
          "  both: {join-triangles: [a, b]}\n",
          "[Farin02]", "batten_triangles_join_tangents", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_join_triangles};

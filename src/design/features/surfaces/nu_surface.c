@@ -1,3 +1,4 @@
+/* The feature 'nu-surface': the bicubic surface with a tension at each line of its grid. */
 #include "design/shared/grid.h"
 #include "design/shared/through.h"
 #include <batten/grid.h>
@@ -14,7 +15,8 @@ static const batten_parameter parameters[] = {
      "the first row follows the last"},
 };
 
-static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+static batten_status make_nu_surface(bat_run *run, const bat_grid *grid,
+                                     batten_surface **surface)
 {
     batten_surface_nu_options o = batten_surface_nu_defaults();
     double *nus[2] = {NULL, NULL};
@@ -33,9 +35,9 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_nu_surface(bat_run *run)
 {
-    return bat_grid_surface(run, "nu-surface", make);
+    return bat_grid_surface(run, "nu-surface", make_nu_surface);
 }
 
 const bat_feature bat_feature_nu_surface = {
@@ -53,4 +55,4 @@ const bat_feature bat_feature_nu_surface = {
          "    columns: 3\n"
          "  ridge: {nu-surface: grid, nu-u: [0, 30, 0]}\n",
          "[Nielson74]", "batten_surface_nu", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_nu_surface};

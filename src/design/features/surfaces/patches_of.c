@@ -1,3 +1,4 @@
+/* The feature 'patches-of': Bezier triangles as NURBS surfaces. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -19,7 +20,7 @@ static batten_status gather_triangles(bat_run *run, batten_model *triangles)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_patches_of(bat_run *run)
 {
     batten_model *triangles = NULL, *patches = NULL;
     batten_status status = batten_model_create(bat_unit_metres(run), &triangles);
@@ -47,4 +48,4 @@ const bat_feature bat_feature_patches_of = {
          "  sail: {bezier-triangle: net}\n"
          "  panels: {patches-of: sail}\n",
          "[Hu96]", "batten_model_with_patches", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_patches_of};

@@ -1,3 +1,4 @@
+/* The feature 'pipe': a round pipe around a curve. */
 #include "design/shared/sweeps.h"
 
 static const batten_parameter parameters[] = {
@@ -27,7 +28,7 @@ static batten_status pipe(bat_run *run, const batten_curve *spine)
     return bat_put_sweep(run, status, made.count, made.at, &report);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_pipe(bat_run *run)
 {
     bat_objects spines;
     batten_status status = bat_gather(run, "pipe", BAT_CURVES, &spines);
@@ -51,4 +52,4 @@ const bat_feature bat_feature_pipe = {
          "  axis: {interpolate: way}\n"
          "  tube: {pipe: axis, radius: 15 cm}\n",
          "[PT97] [BR91]", "batten_surfaces_pipe", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_pipe};

@@ -1,3 +1,4 @@
+/* The feature 'revolve': the surface that a curve leaves when it is turned about an axis. */
 #include "design/shared/place.h"
 
 #include <batten/standard.h>
@@ -9,7 +10,7 @@ static const batten_parameter parameters[] = {
     {"angle", BATTEN_VALUE_ANGLE, false, false, "360 deg", NULL, "how far, up to 360 deg"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_revolve(bat_run *run)
 {
     const batten_vec3 axis = bat_point(run, "axis");
     bat_objects profiles;
@@ -37,4 +38,4 @@ const bat_feature bat_feature_revolve = {
          "  profile: {line: [[1 m, 0, 0], [0.6 m, 0, 2 m]]}\n"
          "  mast: {revolve: profile, axis: z}\n",
          "[PT97]", "batten_surface_revolved", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_revolve};

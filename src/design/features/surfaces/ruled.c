@@ -1,3 +1,4 @@
+/* The feature 'ruled': the surface of straight lines between two curves. */
 #include "design/feature.h"
 
 #include <batten/sweep.h>
@@ -24,7 +25,7 @@ static batten_status rule(bat_run *run, const batten_curve *first, const batten_
     return bat_put_surface(run, status, surface);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_ruled(bat_run *run)
 {
     bat_objects curves;
     batten_status status = bat_gather(run, "ruled", BAT_CURVES, &curves);
@@ -50,4 +51,4 @@ const bat_feature bat_feature_ruled = {
          "  sheer: {polyline: [[0, 0.7 m, 0.6 m], [4 m, 0.9 m, 0.8 m]]}\n"
          "  plank: {ruled: [chine, sheer]}\n",
          "[PT97]", "batten_surface_ruled", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_ruled};

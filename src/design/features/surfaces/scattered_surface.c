@@ -1,3 +1,4 @@
+/* The feature 'scattered-surface': a smooth surface through heights in no order. */
 #include "base/plural.h"
 #include "design/shared/rows.h"
 
@@ -52,8 +53,9 @@ static void remark(bat_run *run, const batten_triangles_scattered_report *report
                  report->thinnest);
 }
 
-static batten_status make(const bat_run *run, int count, const double *points,
-                          batten_triangles_scattered_report *report, batten_triangles **out)
+static batten_status make_scattered_surface(const bat_run *run, int count, const double *points,
+                                            batten_triangles_scattered_report *report,
+                                            batten_triangles **out)
 {
     batten_triangles_scattered_options options = batten_triangles_scattered_defaults();
     options.element = (batten_triangle_element)bat_word(run, "method");
@@ -82,7 +84,7 @@ static batten_status make(const bat_run *run, int count, const double *points,
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_scattered_surface(bat_run *run)
 {
     int count = 0;
     double *points = NULL;
@@ -90,7 +92,7 @@ static batten_status run(bat_run *run)
     batten_triangles *triangles = NULL;
     batten_status status = bat_gather_points(run, "scattered-surface", &count, &points);
     if (status == BATTEN_OK)
-        status = make(run, count, points, &report, &triangles);
+        status = make_scattered_surface(run, count, points, &report, &triangles);
     if (status == BATTEN_OK)
         remark(run, &report);
     bat_release(points);
@@ -109,4 +111,4 @@ const bat_feature bat_feature_scattered_surface = {
          "  ground: {scattered-surface: spots, method: powell-sabin}\n",
          "[CT65], [PS77], [Nielson83], [DLR90]", "batten_triangles_scattered",
          BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_scattered_surface};

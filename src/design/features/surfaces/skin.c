@@ -1,3 +1,4 @@
+/* The feature 'skin': the surface through sections. */
 #include "base/plural.h"
 #include "design/shared/place.h"
 
@@ -138,7 +139,7 @@ static void read_options(const bat_run *run, batten_surface_skin_options *option
 
 /* ---- what is said ---- */
 
-static void say(const bat_run *run, const batten_surface_skin_report *found)
+static void report_skin(const bat_run *run, const batten_surface_skin_report *found)
 {
     static const char *const cures[] = {
         "", "spans of sections were stretched so that their speed does not jump",
@@ -187,7 +188,7 @@ static batten_status skin(bat_run *run, int count, const batten_curve **sections
     return bat_put_surface(run, status, surface);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_skin(bat_run *run)
 {
     bat_objects curves;
     batten_status status = bat_gather(run, "skin", BAT_CURVES, &curves);
@@ -203,7 +204,7 @@ static batten_status run(bat_run *run)
         return status;
     if (bat_yes(run, "procedural"))
         return BATTEN_OK;
-    say(run, &run->result->skin);
+    report_skin(run, &run->result->skin);
     run->result->shown.skin = &run->result->skin;
     bat_report_error(run, run->result->skin.error, run->result->skin.error);
     return BATTEN_OK;
@@ -228,5 +229,5 @@ const bat_feature bat_feature_skin = {
          "  fore: {arc: 0.8 m, angle: 180 deg, axis: x, from: y, at: [4 m, 0, 0]}\n"
          "  hull: {skin: [aft, mid, fore], ends: natural}\n",
          "[PT97]", "batten_surface_skin", BAT_PARAMETERS(parameters), false},
-    .run = run,
+    .run = run_skin,
     .displacing = "spine"};

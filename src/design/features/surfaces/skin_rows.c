@@ -1,3 +1,4 @@
+/* The feature 'skin-rows': the surface through rows of points. */
 #include "base/plural.h"
 #include "design/shared/place.h"
 #include "design/shared/rows.h"
@@ -37,7 +38,7 @@ typedef struct {
     double *points; /* [room][3] */
 } all_rows;
 
-static void measure(const bat_rows *rows, all_rows *all)
+static void measure_skin_rows(const bat_rows *rows, all_rows *all)
 {
     all->capacity += rows->count;
     for (int i = 0; i < rows->count; i++)
@@ -62,7 +63,7 @@ static batten_status gather(const bat_objects *objects, all_rows *all)
     for (int i = 0; status == BATTEN_OK && i < objects->count; i++) {
         status = bat_rows_of(objects->at[i], false, &rows[i]);
         if (status == BATTEN_OK)
-            measure(&rows[i], all);
+            measure_skin_rows(&rows[i], all);
     }
     if (status == BATTEN_OK) {
         all->counts = bat_array((size_t)all->capacity, sizeof *all->counts);
@@ -107,7 +108,7 @@ static batten_status skin(bat_run *run, const all_rows *all)
     return bat_put_surface(run, status, surface);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_skin_rows(bat_run *run)
 {
     bat_objects objects;
     batten_status status = bat_gather(run, "skin-rows", BAT_POINTS | BAT_OFFSETS, &objects);
@@ -135,4 +136,4 @@ const bat_feature bat_feature_skin_rows = {
          "  c: {points: [[2, 0, 0], [2, 1.5, 0.4], [2, 3, 0.1]]}\n"
          "  roof: {skin-rows: [a, b, c]}\n",
          "[PT00]", "batten_surface_skin_rows", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_skin_rows};

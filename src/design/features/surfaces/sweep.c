@@ -1,3 +1,4 @@
+/* The feature 'sweep': a section swept along a spine. */
 #include "base/plural.h"
 #include "design/shared/sweeps.h"
 
@@ -100,7 +101,7 @@ static batten_status sweep(bat_run *run, int count, const batten_curve *const *s
     return bat_put_sweep(run, status, made.count, made.at, &report);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_sweep(bat_run *run)
 {
     bat_objects curves;
     batten_status status = bat_gather(run, "sweep", BAT_CURVES, &curves);
@@ -134,4 +135,4 @@ const bat_feature bat_feature_sweep = {
          "  oval: {ellipse: 0.4 m, b: 0.2 m}\n"
          "  horn: {sweep: oval, spine: spine, scale: [1, 0.8, 0.3], twist: [0, 90 deg]}\n",
          "[PT97] [BR91] [WJZL08]", "batten_surfaces_sweep", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_sweep};

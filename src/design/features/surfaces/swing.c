@@ -1,3 +1,4 @@
+/* The feature 'swing': a profile swung along a trajectory around the z-axis. */
 #include "design/feature.h"
 
 #include <batten/sweep.h>
@@ -29,7 +30,7 @@ static batten_status swing(bat_run *run, const batten_object *profile,
     return bat_put_surface_like(run, status, surface, profile);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_swing(bat_run *run)
 {
     const batten_curve *trajectory = NULL;
     bat_objects profiles;
@@ -57,4 +58,4 @@ const bat_feature bat_feature_swing = {
          "  plan: {ellipse: 1.5 m, b: 1 m}\n"
          "  vase: {swing: profile, along: plan}\n",
          "[PT97]", "batten_surface_swung", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_swing};

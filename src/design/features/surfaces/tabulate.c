@@ -1,3 +1,4 @@
+/* The feature 'tabulate': the cylinder of parallel lines through a curve. */
 #include "design/shared/place.h"
 
 #include <batten/sweep.h>
@@ -11,7 +12,7 @@ static const batten_parameter parameters[] = {
     {"to", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "where they end"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_tabulate(bat_run *run)
 {
     const batten_vec3 direction = bat_point(run, "direction");
     bat_objects curves;
@@ -40,4 +41,4 @@ const bat_feature bat_feature_tabulate = {
          "  seam: {arc: 1 m, angle: 120 deg, axis: x, from: y}\n"
          "  plate: {tabulate: seam, direction: [2, 0, 1], from: -50 cm, to: 80 cm}\n",
          "[PT97]", "batten_surface_tabulated", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_tabulate};

@@ -1,3 +1,4 @@
+/* The feature 'tension-surface': the surface in tension through a grid of points. */
 #include "design/shared/grid.h"
 #include "design/shared/through.h"
 #include <batten/grid.h>
@@ -13,7 +14,8 @@ static const batten_parameter parameters[] = {
      "the first row follows the last"},
 };
 
-static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+static batten_status make_tension_surface(bat_run *run, const bat_grid *grid,
+                                          batten_surface **surface)
 {
     batten_surface_tension_options o = batten_surface_tension_defaults();
     double *amounts[2] = {NULL, NULL};
@@ -34,9 +36,9 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_tension_surface(bat_run *run)
 {
-    return bat_grid_surface(run, "tension-surface", make);
+    return bat_grid_surface(run, "tension-surface", make_tension_surface);
 }
 
 const bat_feature bat_feature_tension_surface = {
@@ -55,4 +57,4 @@ const bat_feature bat_feature_tension_surface = {
          "    columns: 4\n"
          "  ramp: {tension-surface: grid, amount-u: [8, 0, 8]}\n",
          "[Cline74]", "batten_surface_tension", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_tension_surface};

@@ -1,3 +1,5 @@
+/* The feature 'translational': the surface that a curve leaves when it is moved along
+ * another. */
 #include "design/feature.h"
 
 #include <batten/sweep.h>
@@ -7,7 +9,7 @@ static const batten_parameter parameters[] = {
     {"path", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curve along which they go"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_translational(bat_run *run)
 {
     const batten_curve *path = NULL;
     bat_objects curves;
@@ -35,4 +37,4 @@ const bat_feature bat_feature_translational = {
          "  ridge: {arc: 6 m, angle: 60 deg, axis: x, from: z}\n"
          "  roof: {translational: rib, path: ridge}\n",
          "[PT97]", "batten_surface_translational", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_translational};

@@ -1,3 +1,4 @@
+/* The feature 'triangle-patch': the surface between three curves. */
 #include "design/feature.h"
 
 #include <batten/coons.h>
@@ -194,7 +195,7 @@ static batten_status take_slopes(bat_run *run, sides *all)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_triangle_patch(bat_run *run)
 {
     bat_objects curves;
     sides all = {.within =
@@ -232,4 +233,4 @@ const bat_feature bat_feature_triangle_patch = {
          "  sail: {triangle-patch: [a, b, c]}\n",
          "[Nielson79], [BarnhillBirkhoffGordon73], [CharrotGregory80]", "batten_triangle_patch",
          BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_triangle_patch};

@@ -1,10 +1,11 @@
+/* The feature 'triangles-of': a surface as Bezier triangles. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
     {"triangles-of", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "a surface"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_triangles_of(bat_run *run)
 {
     bat_objects surfaces;
     batten_triangles *triangles = NULL;
@@ -30,4 +31,4 @@ const bat_feature bat_feature_triangles_of = {
          "  plank: {ruled: [chine, sheer]}\n"
          "  halves: {triangles-of: plank}\n",
          "[Farin86]", "batten_triangles_from_surface", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_triangles_of};

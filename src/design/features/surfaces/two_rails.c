@@ -1,3 +1,4 @@
+/* The feature 'two-rails': a section swept along two rails. */
 #include "base/plural.h"
 #include "design/shared/sweeps.h"
 
@@ -41,7 +42,7 @@ static batten_status sweep(bat_run *run, const bat_objects *rails)
     return bat_put_surface(run, status, surface);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_two_rails(bat_run *run)
 {
     bat_objects rails;
     batten_status status = bat_gather(run, "two-rails", BAT_CURVES, &rails);
@@ -68,4 +69,4 @@ const bat_feature bat_feature_two_rails = {
          "  bow: {conic: [[0, 0], [0.5, 1], [1, 0]], weight: 1}\n"
          "  roof: {two-rails: [left, right], section: bow}\n",
          "[PT97]", "batten_surface_two_rails", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_two_rails};

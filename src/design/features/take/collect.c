@@ -1,3 +1,4 @@
+/* The feature 'collect': the objects of several features as one. */
 #include "design/feature.h"
 
 #include <stdio.h>
@@ -18,7 +19,7 @@ static batten_status add_under_new_name(bat_run *run, const batten_object *objec
     return batten_model_add(run->model, &named);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_collect(bat_run *run)
 {
     bat_objects objects;
     batten_status status = bat_gather(run, "collect", BAT_ALL, &objects);
@@ -38,4 +39,4 @@ const bat_feature bat_feature_collect = {
               "  high: {points: [[0, 1], [1, 1]]}\n"
               "  all: {collect: [low, high]}\n",
               "", "batten_model_add", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_collect};

@@ -1,3 +1,4 @@
+/* The feature 'contours': lines of equal height, curvature or light on surfaces. */
 #include "design/shared/field.h"
 
 #include <batten/approximate.h>
@@ -244,7 +245,7 @@ static batten_status put_contours(bat_run *run, const batten_object *object, wan
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_contours(bat_run *run)
 {
     bat_objects surfaces;
     batten_status status = bat_gather(run, "contours", BAT_SURFACES | BAT_TRIANGLES, &surfaces);
@@ -286,4 +287,4 @@ const bat_feature bat_feature_contours = {
          "  waterlines: {contours: ring, levels: [0, 0.5 m]}\n"
          "  shade: {contours: ring, of: isophote, direction: [1, 1, 2], spacing: 0.25}\n",
          "[BeiChen94]", "batten_surface_contours", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_contours};

@@ -1,3 +1,4 @@
+/* The feature 'curve-of': curves of constant parameter on a surface. */
 #include "design/feature.h"
 
 #include <batten/text.h>
@@ -33,7 +34,7 @@ static batten_status add_curves(bat_run *run, const batten_object *object,
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_curve_of(bat_run *run)
 {
     bat_objects surfaces;
     if (!bat_has(run, "u") && !bat_has(run, "v"))
@@ -57,4 +58,4 @@ const bat_feature bat_feature_curve_of = {
               "  tank: {cylinder: 0.4 m, height: 1 m}\n"
               "  rims: {curve-of: tank, v: [0, 1]}\n",
               "[PT97]", "batten_surface_isocurve", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_curve_of};

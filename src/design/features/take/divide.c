@@ -1,3 +1,5 @@
+/* The feature 'divide': points on curves: equal lengths, equal chords, chords that stay
+ * near, ends of pieces. */
 #include "design/features/take/pieces.h"
 #include <batten/invariants.h>
 
@@ -81,7 +83,7 @@ static batten_status divide_object(bat_run *run, const batten_object *object)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_divide(bat_run *run)
 {
     bat_objects objects;
     const bool near = bat_has(run, "within") || bat_has(run, "angle");
@@ -116,4 +118,4 @@ const bat_feature bat_feature_divide = {
          "  bolts: {divide: rim, count: 12}\n"
          "  sides: {divide: rim, chords: 7}\n",
          "[PT97] [Blaschke23]", "batten_curve_divide", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_divide};

@@ -1,3 +1,4 @@
+/* The feature 'edges': the edges of bodies and surfaces as curves. */
 #include "design/feature.h"
 
 #include <stdio.h>
@@ -67,7 +68,7 @@ static batten_status edges_of(bat_run *run, const batten_object *object)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_edges(bat_run *run)
 {
     bat_objects shapes;
     batten_status status = bat_gather(run, "edges", BAT_BODIES | BAT_SURFACES, &shapes);
@@ -90,4 +91,4 @@ const bat_feature bat_feature_edges = {
          "  tank: {cylinder: 0.4 m, height: 1 m}\n"
          "  rims: {edges: tank, which: free}\n",
          "[Part42]", "batten_body_view", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_edges};

@@ -1,3 +1,4 @@
+/* The feature 'faces': the surfaces of a body, whole. */
 #include "design/feature.h"
 
 #include <batten/nearest.h>
@@ -117,7 +118,7 @@ static batten_status add_faces(bat_run *run, const batten_object *object)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_faces(bat_run *run)
 {
     bat_objects shapes;
     batten_status status = bat_gather(run, "faces", BAT_BODIES | BAT_SURFACES, &shapes);
@@ -141,4 +142,4 @@ const bat_feature bat_feature_faces = {
          "  block: {read: block.step}\n"
          "  sides: {faces: block}\n",
          "[Part42]", "batten_body_view", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_faces};

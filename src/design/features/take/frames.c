@@ -1,3 +1,4 @@
+/* The feature 'frames': frames along curves, as crosses or as a ribbon. */
 #include "design/features/take/frames.h"
 
 #include <batten/interpolate.h>
@@ -154,7 +155,7 @@ static batten_status frame_object(bat_run *run, const batten_object *object)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_frames(bat_run *run)
 {
     bat_objects objects;
     batten_status status = bat_gather(run, "frames", BAT_CURVES, &objects);
@@ -180,4 +181,4 @@ const bat_feature bat_feature_frames = {
          "  pipe: {interpolate: ducks}\n"
          "  strip: {frames: pipe, as: ribbon, size: 10 cm}\n",
          "[WJZL08]", "batten_curve_frames", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_frames};

@@ -1,3 +1,4 @@
+/* The feature 'mesh': triangles of surfaces and bodies. */
 #include "base/plural.h"
 #include "design/feature.h"
 #include <batten/mesh.h>
@@ -24,8 +25,8 @@ static batten_status mesh_shape(const bat_run *run, const batten_object *object,
     return batten_mesh_from_body(object->body, options, run->job, run->notes, report, out);
 }
 
-static void say(bat_run *run, const batten_object *object, const batten_mesh *mesh,
-                const batten_mesh_report *report)
+static void report_mesh(bat_run *run, const batten_object *object, const batten_mesh *mesh,
+                        const batten_mesh_report *report)
 {
     const int count = batten_mesh_view(mesh)->triangle_count;
     bat_remark(run, "'%.60s': %d triangles, at most %g from the shape", object->name, count,
@@ -60,12 +61,12 @@ static batten_status add_mesh(bat_run *run, const batten_object *object,
     made.mesh = mesh;
     status = batten_model_add(run->model, &made);
     if (status == BATTEN_OK)
-        say(run, object, mesh, &report);
+        report_mesh(run, object, mesh, &report);
     batten_mesh_unref(mesh);
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_mesh(bat_run *run)
 {
     batten_mesh_options options = batten_mesh_defaults();
     bat_objects shapes;
@@ -95,4 +96,4 @@ const bat_feature bat_feature_mesh = {
          "  ball: {sphere: 1 m}\n"
          "  facets: {mesh: ball, chord: 1 cm}\n",
          "[FMM86]", "batten_mesh_from_body", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_mesh};

@@ -1,3 +1,4 @@
+/* The feature 'part': the part between two parameters. */
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -25,7 +26,7 @@ static batten_status surface(const bat_run *run, const batten_surface *given,
                                    bat_number(run, "from"), bat_number(run, "to"), out);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_part(bat_run *run)
 {
     return bat_change_all(run,
                           &(bat_change){.curve = curve, .chain = chain, .surface = surface});
@@ -40,4 +41,4 @@ const bat_feature bat_feature_part = {
          "  keel: {line: [[0, 0], [3 m, 0]]}\n"
          "  fore: {part: keel, from: 0.5, to: 1}\n",
          "[PT97]", "batten_curve_subrange", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_part};

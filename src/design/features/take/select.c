@@ -1,3 +1,4 @@
+/* The feature 'select': some objects of a feature, by name. */
 #include "design/feature.h"
 
 #include <string.h>
@@ -8,7 +9,7 @@ static const batten_parameter parameters[] = {
      "the names of the objects, in the order wanted"},
 };
 
-static batten_status run(bat_run *run)
+static batten_status run_select(bat_run *run)
 {
     const batten_model *model = bat_model(run, "select");
     const bat_argument *names = bat_argument_of(run, "names");
@@ -32,4 +33,4 @@ const bat_feature bat_feature_select = {
               "  ducks: {points: [[0, 0], [1, 0], [0, 1], [1, 1]], columns: 2}\n"
               "  upper: {select: ducks, names: row 2}\n",
               "", "batten_model_find", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_select};

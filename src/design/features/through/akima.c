@@ -1,3 +1,4 @@
+/* The feature 'akima': Akima's local cubics: as one would draw by hand. */
 #include "design/shared/local.h"
 
 static const batten_parameter parameters[] = {
@@ -10,7 +11,7 @@ static const batten_parameter parameters[] = {
     BAT_CLOSED,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_akima(bat_run *run, const bat_data *data, bat_made *made)
 {
     const bool modified = bat_yes(run, "modified");
     if (modified && data->dimension > 1)
@@ -19,9 +20,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
                           BATTEN_TANGENT_RENNER, BATTEN_LENGTH_CHORD, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_akima(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_akima};
     return bat_through(run, &method);
 }
 
@@ -41,4 +42,4 @@ const bat_feature bat_feature_akima = {
          "  level: {akima: tank, as: function}\n",
          "[Akima70], [Akima72], [Ionita19]", "batten_slopes", BAT_PARAMETERS(parameters),
          false},
-    .run = run};
+    .run = run_akima};

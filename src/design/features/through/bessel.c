@@ -1,3 +1,4 @@
+/* The feature 'bessel': cubics with the derivatives of parabolas through three points. */
 #include "design/shared/local.h"
 
 static const batten_parameter parameters[] = {
@@ -8,15 +9,15 @@ static const batten_parameter parameters[] = {
     BAT_CLOSED,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_bessel(bat_run *run, const bat_data *data, bat_made *made)
 {
     return bat_make_local(run, data, BATTEN_SLOPE_BESSEL, BATTEN_TANGENT_BESSEL,
                           BATTEN_LENGTH_RULE, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_bessel(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_bessel};
     return bat_through(run, &method);
 }
 
@@ -33,4 +34,4 @@ const bat_feature bat_feature_bessel = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  sheer: {bessel: ducks}\n",
          "[deBoor01]", "batten_tangents", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_bessel};

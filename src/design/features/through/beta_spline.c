@@ -1,3 +1,4 @@
+/* The feature 'beta-spline': uniform splines with one bias and one tension for all joints. */
 #include "design/shared/through.h"
 #include <batten/interpolate.h>
 
@@ -14,7 +15,7 @@ static const batten_parameter parameters[] = {
      "the tension, 0 or more: 10 draws the curve well to its polygon"},
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_beta_spline(bat_run *run, const bat_data *data, bat_made *made)
 {
     const batten_beta_use use = (batten_beta_use)bat_word(run, "use");
     for (int i = 0; i < data->count; i++)
@@ -25,9 +26,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
                              bat_yes(run, "closed"), &made->curve);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_beta_spline(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE, make};
+    static const bat_method method = {2, BAT_IN_SPACE, make_beta_spline};
     return bat_through(run, &method);
 }
 
@@ -44,4 +45,4 @@ const bat_feature bat_feature_beta_spline = {
          "  cage: {points: [[0, 0], [1 m, 2 m], [3 m, 1 m], [4 m, 0]]}\n"
          "  soft: {beta-spline: cage, beta2: 5}\n",
          "[Barsky88]", "batten_curve_beta", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_beta_spline};

@@ -1,3 +1,5 @@
+/* The feature 'cardinal': cardinal splines: a tangent along the chord of both neighbours,
+ * shortened. */
 #include "design/shared/local.h"
 
 static const batten_parameter parameters[] = {
@@ -13,7 +15,7 @@ static const batten_parameter parameters[] = {
     BAT_CLOSED,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_cardinal(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_tangents_kochanek_bartels_options options =
         batten_tangents_kochanek_bartels_defaults();
@@ -26,9 +28,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_cardinal(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_cardinal};
     return bat_through(run, &method);
 }
 
@@ -48,4 +50,4 @@ const bat_feature bat_feature_cardinal = {
          "  sheer: {cardinal: ducks, tension: 0.3}\n",
          "[CR74], [KB84]", "batten_tangents_kochanek_bartels", BAT_PARAMETERS(parameters),
          false},
-    .run = run};
+    .run = run_cardinal};

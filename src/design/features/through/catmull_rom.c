@@ -1,3 +1,5 @@
+/* The feature 'catmull-rom': local polynomials blended with B-splines, after Catmull and
+ * Rom. */
 #include "design/shared/local.h"
 
 #include <string.h>
@@ -16,7 +18,7 @@ static const batten_parameter parameters[] = {
     BAT_CLOSED,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_catmull_rom(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_catmull_rom_options options = batten_curve_catmull_rom_defaults();
     batten_curve_catmull_rom_report report = {0};
@@ -41,9 +43,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_catmull_rom(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_catmull_rom};
     return bat_through(run, &method);
 }
 
@@ -64,4 +66,4 @@ const bat_feature bat_feature_catmull_rom = {
          "  sheer: {catmull-rom: ducks}\n",
          "[CR74], [BG88], [YSK11]", "batten_curve_catmull_rom", BAT_PARAMETERS(parameters),
          false},
-    .run = run};
+    .run = run_catmull_rom};

@@ -1,3 +1,5 @@
+/* The feature 'conic-pair': two conics from point to point with given directions and
+ * curvatures. */
 #include "design/shared/conics.h"
 
 static const batten_parameter parameters[] = {
@@ -12,7 +14,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_conic_pair(bat_run *run, const bat_data *data, bat_made *made)
 {
     const bool first = bat_has(run, "start-curvature"), last = bat_has(run, "end-curvature");
     if (data->count != 2)
@@ -35,9 +37,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return bat_conics_make(run, data, &options, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_conic_pair(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_PLANE, make};
+    static const bat_method method = {2, BAT_IN_PLANE, make_conic_pair};
     return bat_through(run, &method);
 }
 
@@ -54,4 +56,4 @@ const bat_feature bat_feature_conic_pair = {
          "  ends: {points: [[0, 0], [3 m, 0]]}\n"
          "  bilge: {conic-pair: ends, start-angle: 60 deg, end-angle: -30 deg}\n",
          "[SL]", "batten_curve_conics", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_conic_pair};

@@ -1,3 +1,5 @@
+/* The feature 'conic-spline': pairs of conics through points, curvature continuous without
+ * a solve. */
 #include "design/shared/conics.h"
 #include "design/shared/local.h"
 
@@ -12,7 +14,7 @@ static const batten_parameter parameters[] = {
     BAT_CLOSED,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_conic_spline(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_conics_options options = batten_curve_conics_defaults();
     double *tangents = NULL, *curvatures = NULL;
@@ -31,9 +33,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_conic_spline(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_PLANE, make};
+    static const bat_method method = {2, BAT_IN_PLANE, make_conic_spline};
     return bat_through(run, &method);
 }
 
@@ -54,4 +56,4 @@ const bat_feature bat_feature_conic_spline = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [3.2 m, -40 cm]]}\n"
          "  rim: {conic-spline: ducks}\n",
          "[SL]", "batten_curve_conics", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_conic_spline};

@@ -1,3 +1,4 @@
+/* The feature 'constrained': a curve through points that obeys inequalities. */
 #include "design/shared/local.h"
 #include <batten/interpolate.h>
 
@@ -165,7 +166,7 @@ static batten_status gather(gathering *g)
 
 /* ---- the feature ---- */
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_constrained(bat_run *run, const bat_data *data, bat_made *made)
 {
     gathering g = {run, data, NULL, 0};
     batten_curve_constrained_options options = batten_curve_constrained_defaults();
@@ -186,9 +187,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_constrained(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_constrained};
     return bat_through(run, &method);
 }
 
@@ -209,4 +210,4 @@ const bat_feature bat_feature_constrained = {
          "  ducks: {points: [[0, 0], [1, 0], [2, 0.05], [3, 1], [4, 1.05], [5, 1.1]]}\n"
          "  ramp: {constrained: ducks, lines: [[0, 0]], sides: [[0, 1]], forward: [[0, 1]]}\n",
          "[Wielinga74] [GI83]", "batten_curve_constrained", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_constrained};

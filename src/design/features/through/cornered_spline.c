@@ -1,3 +1,4 @@
+/* The feature 'cornered-spline': a spline through points with corners and straight runs. */
 #include "design/shared/through.h"
 #include <batten/local.h>
 
@@ -17,7 +18,7 @@ static const batten_parameter parameters[] = {
      "natural not-a-knot parabolic bessel circle", "what holds at corners and free ends"},
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_cornered_spline(bat_run *run, const bat_data *data, bat_made *made)
 {
     static const batten_end_kind ends[] = {BATTEN_END_NATURAL, BATTEN_END_NOT_A_KNOT,
                                            BATTEN_END_PARABOLIC, BATTEN_END_BESSEL,
@@ -41,9 +42,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_cornered_spline(bat_run *run)
 {
-    const bat_method method = {.least = 2, .ways = BAT_IN_SPACE, .make = make};
+    const bat_method method = {.least = 2, .ways = BAT_IN_SPACE, .make = make_cornered_spline};
     return bat_through(run, &method);
 }
 
@@ -62,4 +63,4 @@ const bat_feature bat_feature_cornered_spline = {
          "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 1], [5, 0.5], [6, 0.6], [6.6, 1.2]]}\n"
          "  keel: {cornered-spline: ducks, lines: [3], corners: [1], transition: curvature}\n",
          "[SL]", "batten_curve_cornered", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_cornered_spline};

@@ -1,3 +1,4 @@
+/* The feature 'corrected': cubic curves without inflections in excess, cusps and loops. */
 #include "base/plural.h"
 #include "design/shared/rows.h"
 #include <batten/local.h>
@@ -78,7 +79,7 @@ static batten_status correct(const bat_run *run, const batten_curve *curve, batt
     return BATTEN_OK;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_corrected(bat_run *run)
 {
     const bat_change change = {.curve = correct, .keeps_data = true};
     return bat_change_all(run, &change);
@@ -100,4 +101,4 @@ const bat_feature bat_feature_corrected = {
          "  loopy: {interpolate: ducks, parameters: uniform}\n"
          "  simple: {corrected: loopy}\n",
          "[SL] [dBHS87]", "batten_curve_correct_tangents", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_corrected};

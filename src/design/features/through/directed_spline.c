@@ -1,3 +1,5 @@
+/* The feature 'directed-spline': a spline through points with given directions at some of
+ * them. */
 #include "base/plural.h"
 #include "design/shared/through.h"
 #include <batten/local.h>
@@ -54,7 +56,7 @@ static batten_status find_tension(const bat_run *run, int count,
     return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_directed_spline(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_directed_options options = batten_curve_directed_defaults();
     batten_curve_directed_report report = {0};
@@ -78,9 +80,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_directed_spline(bat_run *run)
 {
-    const bat_method method = {.least = 2, .ways = BAT_IN_SPACE, .make = make};
+    const bat_method method = {.least = 2, .ways = BAT_IN_SPACE, .make = make_directed_spline};
     return bat_through(run, &method);
 }
 
@@ -98,4 +100,4 @@ const bat_feature bat_feature_directed_spline = {
          "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 0.6], [4, 0]]}\n"
          "  crown: {directed-spline: ducks, at: [0, 2], directions: [[0, 1], [1, 0]]}\n",
          "[SL] [Nielson74]", "batten_curve_directed", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_directed_spline};

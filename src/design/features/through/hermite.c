@@ -1,3 +1,4 @@
+/* The feature 'hermite': cubics or quintics with given or estimated tangents. */
 #include "design/shared/local.h"
 
 #include <string.h>
@@ -75,7 +76,7 @@ static batten_status make_open_quintic(bat_run *run, const bat_data *data,
     return status;
 }
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_hermite(bat_run *run, const bat_data *data, bat_made *made)
 {
     enum { QUINTIC = 1 };
     double *given = NULL;
@@ -94,9 +95,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_hermite(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE, make};
+    static const bat_method method = {2, BAT_IN_SPACE, make_hermite};
     return bat_through(run, &method);
 }
 
@@ -114,4 +115,4 @@ const bat_feature bat_feature_hermite = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 0]]}\n"
          "  bow: {hermite: ducks, tangents: [[0, 1], [1, 0], [0, -1]], lengths: middle}\n",
          "[PT97]", "batten_curve_from_tangents", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_hermite};

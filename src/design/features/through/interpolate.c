@@ -1,3 +1,4 @@
+/* The feature 'interpolate': the cubic spline, or one of another degree, through points. */
 #include "base/plural.h"
 #include "design/shared/place.h"
 #include "design/shared/through.h"
@@ -238,7 +239,7 @@ static batten_status make_function(bat_run *run, const bat_data *data, bat_made 
 
 /* ---- the whole ---- */
 
-static batten_status run(bat_run *run)
+static batten_status run_interpolate(bat_run *run)
 {
     enum { FUNCTION = 1 };
     static const bat_method function = {2, BAT_AS_FUNCTION, make_function};
@@ -272,4 +273,4 @@ const bat_feature bat_feature_interpolate = {
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  sheer: {interpolate: ducks, parameters: chord, ends: natural}\n",
          "[PT97]", "batten_curve_interpolate", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_interpolate};

@@ -1,3 +1,5 @@
+/* The feature 'kochanek-bartels': cubics shaped point by point: tension, continuity and
+ * bias. */
 #include "design/shared/local.h"
 
 static const batten_parameter parameters[] = {
@@ -16,7 +18,7 @@ static const batten_parameter parameters[] = {
     BAT_CLOSED,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_kochanek_bartels(bat_run *run, const bat_data *data, bat_made *made)
 {
     static const char *const names[] = {"tension", "continuity", "bias"};
     batten_tangents_kochanek_bartels_options options =
@@ -35,9 +37,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_kochanek_bartels(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_kochanek_bartels};
     return bat_through(run, &method);
 }
 
@@ -54,4 +56,4 @@ const bat_feature bat_feature_kochanek_bartels = {
          "  keys: {points: [[0, 0], [1 m, 60 cm], [2 m, 0], [3 m, 60 cm], [4 m, 0]]}\n"
          "  path: {kochanek-bartels: keys, tension: [0, 0.5, 0, 0, 0], continuity: [0, 0, -1, 0, 0]}\n",
          "[KB84]", "batten_tangents_kochanek_bartels", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_kochanek_bartels};

@@ -1,3 +1,4 @@
+/* The feature 'local-conics': one conic between two points, tangents continuous. */
 #include "design/shared/conics.h"
 #include "design/shared/local.h"
 
@@ -11,7 +12,7 @@ static const batten_parameter parameters[] = {
     BAT_CLOSED,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_local_conics(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_conics_options options = batten_curve_conics_defaults();
     double *tangents = NULL;
@@ -26,9 +27,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_local_conics(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_PLANE, make};
+    static const bat_method method = {2, BAT_IN_PLANE, make_local_conics};
     return bat_through(run, &method);
 }
 
@@ -46,4 +47,4 @@ const bat_feature bat_feature_local_conics = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm]]}\n"
          "  section: {local-conics: ducks, weight: 0.8}\n",
          "[PT97]", "batten_curve_conics", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_local_conics};

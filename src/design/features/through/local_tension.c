@@ -1,3 +1,4 @@
+/* The feature 'local-tension': local cubics pulled towards their chords. */
 #include "design/shared/nonlinear.h"
 
 static const batten_parameter parameters[] = {
@@ -24,16 +25,16 @@ static batten_status in_tension(bat_run *run, const bat_data *data, bat_made *ma
     return status;
 }
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_local_tension(bat_run *run, const bat_data *data, bat_made *made)
 {
     if (bat_has(run, "tension"))
         return in_tension(run, data, made);
     return bat_nonlinear_make(run, data, BATTEN_FAMILY_LOCAL_TENSION, NULL, made);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_local_tension(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_PLANE, make};
+    static const bat_method method = {2, BAT_IN_PLANE, make_local_tension};
     return bat_through(run, &method);
 }
 
@@ -50,4 +51,4 @@ const bat_feature bat_feature_local_tension = {
          "  ducks: {points: [[0, 0], [1 m, 1 cm], [2 m, 4 cm], [3 m, 30 cm], [4 m, 150 cm]]}\n"
          "  batten: {local-tension: ducks}\n",
          "[SL]", "batten_chain_nonlinear", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_local_tension};

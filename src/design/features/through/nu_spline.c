@@ -1,3 +1,4 @@
+/* The feature 'nu-spline': cubic splines with a tension at each point. */
 #include "design/shared/weighted.h"
 
 static const batten_parameter parameters[] = {
@@ -12,7 +13,7 @@ static const batten_parameter parameters[] = {
     BAT_PLAIN_ENDS,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_nu_spline(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_weighted_options o = batten_curve_weighted_defaults();
     double *nus = NULL;
@@ -26,9 +27,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_nu_spline(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_nu_spline};
     return bat_through(run, &method);
 }
 
@@ -46,4 +47,4 @@ const bat_feature bat_feature_nu_spline = {
          "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 1 m], [3 m, 1 m]]}\n"
          "  knuckle: {nu-spline: ducks, nu: [0, 30, 0, 0]}\n",
          "[Nielson74]", "batten_curve_weighted", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_nu_spline};

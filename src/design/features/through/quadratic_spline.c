@@ -1,3 +1,4 @@
+/* The feature 'quadratic-spline': parabolas that join with one tangent. */
 #include "design/shared/through.h"
 #include <batten/interpolate.h>
 
@@ -15,7 +16,7 @@ static const batten_parameter parameters[] = {
     BAT_PARAMETRIZATION,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_quadratic_spline(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_quadratic_options o = batten_curve_quadratic_defaults();
     const batten_vec3 v = bat_point(run, "vector");
@@ -30,9 +31,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
                                   &o, made->parameters, &made->curve);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_quadratic_spline(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_quadratic_spline};
     return bat_through(run, &method);
 }
 
@@ -50,4 +51,4 @@ const bat_feature bat_feature_quadratic_spline = {
          "  ducks: {points: [[0, 0], [1 m, 1 m], [2 m, 1 m], [3 m, 0]]}\n"
          "  low: {quadratic-spline: ducks}\n",
          "[Marsden74]", "batten_curve_quadratic", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_quadratic_spline};

@@ -1,3 +1,5 @@
+/* The feature 'rational-monotone': a rational quadratic function that is monotone where
+ * the data are. */
 #include "design/shared/local.h"
 
 #include <string.h>
@@ -8,7 +10,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_rational_monotone(bat_run *run, const bat_data *data, bat_made *made)
 {
     (void)run;
     memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *made->parameters);
@@ -16,9 +18,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
                                           &made->curve);
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_rational_monotone(bat_run *run)
 {
-    static const bat_method method = {2, BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_AS_FUNCTION, make_rational_monotone};
     return bat_through(run, &method);
 }
 
@@ -35,4 +37,4 @@ const bat_feature bat_feature_rational_monotone = {
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {rational-monotone: tank}\n",
          "[GD82]", "batten_curve_rational_monotone", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_rational_monotone};

@@ -1,3 +1,5 @@
+/* The feature 'tangents-and-curvatures': cubics with given directions and curvatures:
+ * curvature continuous, order six. */
 #include "base/plural.h"
 #include "design/shared/local.h"
 
@@ -46,7 +48,8 @@ static batten_status find(bat_run *run, const bat_data *data, double **tangents,
     return status;
 }
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_tangents_and_curvatures(bat_run *run, const bat_data *data,
+                                                  bat_made *made)
 {
     const size_t n = (size_t)data->count;
     double *tangents = NULL, *curvatures = NULL, *t = bat_array(n + 1, sizeof *t);
@@ -72,9 +75,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_tangents_and_curvatures(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_PLANE, make};
+    static const bat_method method = {2, BAT_IN_PLANE, make_tangents_and_curvatures};
     return bat_through(run, &method);
 }
 
@@ -94,4 +97,4 @@ const bat_feature bat_feature_tangents_and_curvatures = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  arc: {tangents-and-curvatures: ducks}\n",
          "[dBHS87]", "batten_curve_from_curvatures", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_tangents_and_curvatures};

@@ -1,3 +1,4 @@
+/* The feature 'tension': splines in tension: a batten pulled at its ends. */
 #include "design/shared/place.h"
 #include "design/shared/through.h"
 #include <batten/interpolate.h>
@@ -18,7 +19,7 @@ static const batten_parameter parameters[] = {
     BAT_PLAIN_ENDS,
 };
 
-static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+static batten_status make_tension(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_chain_tension_options o = batten_chain_tension_defaults();
     double *tensions = NULL;
@@ -41,9 +42,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     return status;
 }
 
-static batten_status run(bat_run *run)
+static batten_status run_tension(bat_run *run)
 {
-    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make_tension};
     return bat_through(run, &method);
 }
 
@@ -61,4 +62,4 @@ const bat_feature bat_feature_tension = {
          "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 0], [2.3 m, 80 cm], [4 m, 1 m]]}\n"
          "  sheer: {tension: ducks, rule: convex}\n",
          "[Cline74]", "batten_chain_tension", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run_tension};
