@@ -1,6 +1,7 @@
 /* What can be said about a result: how far it is from its data, how fair it is. */
 #ifndef BAT_DESIGN_CHECK_H
 #define BAT_DESIGN_CHECK_H
+#include "design/shared/rows.h"
 #include "design/shared/solids.h"
 #include "design/text/document.h"
 #include <batten/curvature.h>
@@ -91,6 +92,24 @@ void bat_check_release(bat_check *check);
 /* Sign changes of the turning of points [count][2], without bulges lower than `height`. */
 int bat_visible_inflections(int count, const double *points, double height);
 
+/* ---- provenance.c ---- */
+
+/* Find for each object of the argument the features that its data are from; marks `upstream`. */
+batten_status bat_check_trace(bat_check *check, const char *parameter);
+typedef batten_status (*bat_row_visit)(void *context, const bat_row *row);
+/* Every row of a feature; the lines of a table too when `with_lines`. */
+batten_status bat_check_visit_rows(const bat_check *check, int feature, bool with_lines,
+                                   bat_row_visit visit, void *context);
+
+/* ---- distances.c ---- */
+
+/* Measure the points of a feature against the surfaces of the check. */
+batten_status bat_check_add_distance(bat_check *check, bat_checked *checked, int feature);
+
+/* ---- sections.c ---- */
+
+batten_status bat_check_add_sections(bat_check *check, bat_checked *checked);
+
 /* ---- joins.c ---- */
 
 /* Find the joins of the objects, within the tolerance of the design. */
@@ -98,7 +117,22 @@ batten_status bat_joins_find(bat_check *check);
 /* "start", "end" of a curve; "u low", "u high", "v low", "v high" of a surface. */
 const char *bat_side_name(const batten_object *object, int side);
 
-/* ---- report.c ---- */
+/* ---- report.c, report_json.c ---- */
+
+/* The kind of an object, in one word. */
+static inline const char *bat_kind_name(const batten_object *object)
+{
+    static const char *const names[] = {"points",    "curve", "surface", "offsets",
+                                        "triangles", "body",  "mesh",    "instance"};
+    return names[object->kind];
+}
+
+/* The unit of all lengths of a check. */
+static inline const char *bat_check_unit(const bat_check *check)
+{
+    const char *unit = batten_unit_name(bat_unit_metres(check->run));
+    return unit ? unit : "units";
+}
 
 /* As a text for people, with rounded numbers, or as JSON with all digits. */
 void bat_report_text(const bat_check *check, batten_text *out);

@@ -1,0 +1,244 @@
+/* The report of a check as JSON, with all digits. */
+#include "base/plural.h"
+#include "design/outputs/fairness.h"
+
+static void json_number(batten_text *out, const char *key, double value)
+{
+    batten_text_add(out, "\"%s\": ", key);
+    if (isfinite(value))
+        batten_text_number(out, value);
+    else
+        batten_text_add(out, "null");
+}
+
+static void json_point(batten_text *out, const char *key, const double *p)
+{
+    batten_text_add(out, "\"%s\": [", key);
+    for (int k = 0; k < 3; k++) {
+        batten_text_number(out, p[k]);
+        batten_text_add(out, k < 2 ? ", " : "]");
+    }
+}
+
+static void json_fairness(batten_text *out, const batten_fairness *f)
+{
+    batten_text_add(
+        out,
+        "\"fairness\": {\"fair\": %s, \"inflections\": %d, \"excess_inflections\": %d, "
+        "\"curvature_extrema\": %d, ",
+        f->fair ? "true" : "false", f->inflections, f->excess_inflections,
+        f->curvature_extrema);
+    json_number(out, "jumps", f->jumps);
+    batten_text_add(out, ", ");
+    json_number(out, "energy", f->energy);
+    batten_text_add(out, ", ");
+    json_number(out, "variation", f->variation);
+    batten_text_add(out, ", ");
+    json_number(out, "max_curvature", f->max_curvature);
+    batten_text_add(out, ", \"corners\": %d, \"curvature_jumps\": %d}", f->corners,
+                    f->curvature_jumps);
+}
+
+static void json_moves(batten_text *out, const batten_feature_result *r)
+{
+    const batten_fair_report *f = r->fairing;
+    batten_text_add(out, ", \"moved\": {");
+    json_number(out, "max", f->max_move);
+    batten_text_add(out, ", ");
+    json_number(out, "rms", f->rms_move);
+    batten_text_add(out, ", \"count\": %d, \"set\": %d, \"index\": %d}", f->moved_count,
+                    f->worst_set, f->worst_index);
+    batten_text_add(out,
+                    ", \"excess_inflections\": {\"before\": %d, \"after\": %d}, \"energy\": {",
+                    f->before.excess_inflections, f->after.excess_inflections);
+    json_number(out, "before", f->before.energy);
+    batten_text_add(out, ", ");
+    json_number(out, "after", f->after.energy);
+    batten_text_add(out, "}, \"suspects\": %d", f->suspect_count);
+}
+
+static void json_skin(batten_text *out, const batten_surface_skin_report *s)
+{
+    static const char *const cures[] = {"none", "stretched", "rescaled", "polynomial"};
+    batten_text_add(out, ", \"skin\": {");
+    json_number(out, "deviation", s->error);
+    batten_text_add(out, ", \"worst_section\": %d, \"exact_knots\": %d, \"knots\": %d, ",
+                    s->worst_section, s->exact_knot_count, s->knot_count);
+    json_number(out, "span_ratio", s->span_ratio);
+    batten_text_add(out, ", ");
+    json_number(out, "normal_jump", s->normal_jump);
+    batten_text_add(out, ", ");
+    json_number(out, "speed_jump", s->speed_jump);
+    batten_text_add(out, ", ");
+    json_number(out, "crease", s->crease);
+    batten_text_add(out, ", \"cure\": \"%s\", \"reversed\": %d, \"turned\": %d, ",
+                    cures[s->cure], s->reversed_count, s->turned_count);
+    batten_text_add(out, "\"crossings\": %d, \"disorders\": %d}", s->crossing_count,
+                    s->disorder_count);
+}
+
+static void json_feature(batten_text *out, const batten_feature_result *r)
+{
+    batten_text_add(out, "    {\"name\": ");
+    batten_text_json(out, r->name);
+    batten_text_add(out, ", \"operation\": \"%s\"", r->operation);
+    if (r->has_error) {
+        batten_text_add(out, ", \"error\": {");
+        json_number(out, "max", r->error_max);
+        batten_text_add(out, ", ");
+        json_number(out, "rms", r->error_rms);
+        batten_text_add(out, "}");
+    }
+    if (r->fairing)
+        json_moves(out, r);
+    if (r->skin)
+        json_skin(out, r->skin);
+    batten_text_add(out, "}");
+}
+
+static void json_distances(batten_text *out, const bat_checked *c)
+{
+    batten_text_add(out, ",\n     \"distances\": [");
+    for (int i = 0; i < c->distance_count; i++) {
+        const bat_data_distance *d = &c->distances[i];
+        batten_text_add(out, "%s{\"from\": ", i ? ", " : "");
+        batten_text_json(out, d->feature);
+        batten_text_add(out, ", \"faired\": %s, \"points\": %d, ",
+                        d->is_faired ? "true" : "false", d->count);
+        json_number(out, "max", d->max);
+        batten_text_add(out, ", ");
+        json_number(out, "rms", d->rms);
+        batten_text_add(out, ", ");
+        json_point(out, "at", d->worst);
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "]");
+}
+
+static void json_surface(batten_text *out, const bat_checked *c)
+{
+    json_distances(out, c);
+    batten_text_add(out, ",\n     \"edges\": [");
+    for (int i = 0; i < c->edge_count; i++) {
+        batten_text_add(out, "%s{\"name\": \"%s\", ", i ? ", " : "", c->edges[i].name);
+        json_number(out, "gap", c->edges[i].gap);
+        batten_text_add(out, ", \"at_centre\": %s}", c->edges[i].is_near ? "true" : "false");
+    }
+    batten_text_add(out, "],\n     \"sections\": [");
+    for (int i = 0; i < c->section_count; i++) {
+        const bat_section *s = &c->sections[i];
+        batten_text_add(out, "%s\n      {\"family\": \"%s\", \"name\": ", i ? "," : "",
+                        s->family);
+        batten_text_json(out, s->name);
+        batten_text_add(out, ", ");
+        json_number(out, "at", s->at);
+        if (s->found) {
+            batten_text_add(out, ", ");
+            batten_text_add(out, "\"visible_inflections\": %d, \"visible_excess\": %d, ",
+                            s->visible, s->excess);
+            json_fairness(out, &s->fairness);
+        }
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "]");
+}
+
+static void json_triangles(batten_text *out, const bat_checked *c)
+{
+    batten_text_add(out, ", \"count\": %d, \"degree\": %d, \"inner_edges\": %d, ",
+                    batten_triangles_count(c->object->triangles),
+                    batten_triangles_degree(c->object->triangles), c->triangle_joins);
+    json_number(out, "gap", c->triangle_gap);
+    batten_text_add(out, ", ");
+    json_number(out, "angle", c->triangle_angle);
+}
+
+static void json_object(batten_text *out, const bat_checked *c)
+{
+    batten_text_add(out, "    {\"name\": ");
+    batten_text_json(out, c->object->name);
+    batten_text_add(out, ", \"type\": \"%s\"", bat_kind_name(c->object));
+    if (c->has_fairness) {
+        batten_text_add(out, ", ");
+        json_fairness(out, &c->fairness);
+    }
+    if (c->knot_count)
+        batten_text_add(out, ", \"continuity\": {\"knots\": %d, \"c\": %d, \"g\": %d}",
+                        c->knot_count, c->parametric, c->geometric);
+    if (c->object->kind == BATTEN_OBJECT_SURFACE)
+        json_surface(out, c);
+    else if (c->object->kind == BATTEN_OBJECT_TRIANGLES)
+        json_triangles(out, c);
+    else if (c->object->kind == BATTEN_OBJECT_BODY || c->object->kind == BATTEN_OBJECT_MESH)
+        bat_solid_json(c->object, &c->faults, out);
+    else if (c->distance_count)
+        json_distances(out, c);
+    batten_text_add(out, "}");
+}
+
+static void json_joins(batten_text *out, const bat_check *check)
+{
+    static const char *const keys[] = {"g0", "g1", "g2", "g3"};
+    for (int i = 0; i < check->join_count; i++) {
+        const bat_join *join = &check->joins[i];
+        const double values[] = {join->g0, join->g1, join->g2, join->g3};
+        for (int k = 0; k < 2; k++) {
+            const batten_object *object = check->objects[join->object[k]].object;
+            batten_text_add(out, k ? ", \"b\": " : "%s\n    {\"a\": ", i ? "," : "");
+            batten_text_json(out, object->name);
+            batten_text_add(out, ", \"%s\": \"%s\"", k ? "side_b" : "side_a",
+                            bat_side_name(object, join->side[k]));
+        }
+        for (int k = 0; k < 4; k++) {
+            batten_text_add(out, ", ");
+            json_number(out, keys[k], values[k]);
+        }
+        if (join->part >= 0)
+            batten_text_add(out, ", \"part\": \"%c\"", join->part ? 'b' : 'a');
+        if (check->objects[join->object[0]].object->kind == BATTEN_OBJECT_CURVE)
+            batten_text_add(out, ", \"c\": %d, \"g\": %d", join->parametric, join->geometric);
+        batten_text_add(out, "}");
+    }
+}
+
+static void json_messages(batten_text *out, const batten_notes *notes)
+{
+    for (int i = 0; notes && i < batten_notes_count(notes); i++) {
+        const batten_note *note = batten_notes_at(notes, i);
+        batten_text_add(out, "%s\n    {\"file\": ", i ? "," : "");
+        batten_text_json(out, note->file);
+        batten_text_add(out, ", \"line\": %d, \"entity\": ", note->line);
+        batten_text_json(out, note->entity);
+        batten_text_add(out, ", \"text\": ");
+        batten_text_json(out, note->text);
+        batten_text_add(out, ", \"remark\": %s}", note->is_remark ? "true" : "false");
+    }
+}
+
+void bat_report_json(const bat_check *check, batten_text *out)
+{
+    const bat_document *d = check->run->document;
+    batten_text_add(out, "{\n  \"ok\": %s, \"fair\": %s, \"unit\": \"%s\", ",
+                    check->ok ? "true" : "false",
+                    check->judged_count == 0 ? "null"
+                    : check->fair            ? "true"
+                                             : "false",
+                    bat_check_unit(check));
+    json_number(out, "within", check->within);
+    batten_text_add(out, ",\n  \"features\": [");
+    for (int k = 0, count = 0; k < d->feature_count; k++)
+        if (check->upstream[d->order[k]]) {
+            batten_text_add(out, count++ ? ",\n" : "\n");
+            json_feature(out, &check->run->results[d->order[k]].shown);
+        }
+    batten_text_add(out, "\n  ],\n  \"objects\": [");
+    for (int i = 0; i < check->object_count; i++) {
+        batten_text_add(out, i ? ",\n" : "\n");
+        json_object(out, &check->objects[i]);
+    }
+    batten_text_add(out, "\n  ],\n  \"joins\": [");
+    json_joins(out, check);
+    batten_text_add(out, "],\n  \"messages\": [");
+    json_messages(out, check->run->notes);
+    batten_text_add(out, "]\n}\n");
+}

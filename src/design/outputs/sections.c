@@ -1,0 +1,153 @@
+/* The sections of a surface where its data have rows, and how fair they are. */
+#include "design/outputs/fairness.h"
+#include "design/shared/rows.h"
+
+#include <batten/continuity.h>
+#include <string.h>
+
+/* Cells of the grid on which sections are sought, and the points by which one is judged. */
+#define SECTION_CELLS 64
+#define SECTION_POINTS 61
+
+typedef struct {
+    bat_check *check;
+    bat_checked *checked;
+} section_context;
+
+static batten_status count_section(void *context, const bat_row *row)
+{
+    bat_checked *checked = ((section_context *)context)->checked;
+    checked->section_count += row->count >= 3 && bat_flat_axis(row->count, row->points) >= 0;
+    return BATTEN_OK;
+}
+
+static const batten_polyline *longest(const batten_polylines *lines)
+{
+    const batten_polyline *found = NULL;
+    for (int i = 0; i < lines->count; i++)
+        if (!found || lines->lines[i].count > found->count)
+            found = &lines->lines[i];
+    return found;
+}
+
+/* Some points of a section, evenly taken, in its plane. @param[out] plane [SECTION_POINTS][2]
+ */
+static int thin(const batten_polyline *line, int axis, double *plane)
+{
+    const int count = bat_min_int(line->count, SECTION_POINTS);
+    for (int i = 0; i < count; i++) {
+        const double *p = line->points + 3 * (size_t)(i * (line->count - 1) / (count - 1));
+        for (int k = 0, c = 0; k < 3; k++)
+            if (k != axis)
+                plane[2 * i + c++] = p[k];
+    }
+    return count;
+}
+
+/* How far points first .. last bulge from the chord of their outer neighbours. */
+static double bulge(const double *points, int first, int last)
+{
+    const double *a = points + 2 * (first - 1), *b = points + 2 * (last + 1);
+    const double x = b[0] - a[0], y = b[1] - a[1], length = hypot(x, y);
+    double height = 0;
+    for (int i = first; i <= last; i++) {
+        const double dx = points[2 * i] - a[0], dy = points[2 * i + 1] - a[1];
+        const double h = length > 0 ? fabs(x * dy - y * dx) / length : hypot(dx, dy);
+        height = bat_max(height, h);
+    }
+    return height;
+}
+
+static int turning(const double *p)
+{
+    const double turn = (p[0] - p[-2]) * (p[3] - p[1]) - (p[1] - p[-1]) * (p[2] - p[0]);
+    return (turn > 0) - (turn < 0);
+}
+
+int bat_visible_inflections(int count, const double *points, double height)
+{
+    int found = 0, before = 0;
+    for (int first = 1, last; first < count - 1; first = last + 1) {
+        const int sign = turning(points + 2 * first);
+        for (last = first; last + 1 < count - 1 && turning(points + 2 * (last + 1)) == sign;)
+            last++;
+        if (sign == 0 || bulge(points, first, last) <= height)
+            continue;
+        found += before && sign != before;
+        before = sign;
+    }
+    return found;
+}
+
+/* Judge a section by the curve through its points, and the inflections that the row needs. */
+static batten_status judge(const batten_polyline *line, int axis, const bat_row *row,
+                           double tolerance, bat_section *section)
+{
+    double plane[2 * SECTION_POINTS];
+    batten_curve *curve = NULL;
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
+    options.parameters = BATTEN_CHORD;
+    const int count = thin(line, axis, plane);
+    batten_status status =
+        batten_curve_interpolate((batten_points){2, count, plane}, &options, NULL, &curve);
+    double *data = bat_points_in_plane(axis, row->count, row->points);
+    if (status == BATTEN_OK && !data)
+        status = BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = batten_curve_fairness(
+            curve, (batten_points){batten_curve_dimension(curve), row->count, data},
+            &section->fairness);
+    section->found = status == BATTEN_OK;
+    section->visible = bat_visible_inflections(count, plane, tolerance);
+    section->excess = bat_max_int(0, section->visible - (section->fairness.inflections -
+                                                         section->fairness.excess_inflections));
+    bat_release(data);
+    batten_curve_unref(curve);
+    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ? status : BATTEN_OK;
+}
+
+static batten_status add_section(void *context, const bat_row *row)
+{
+    static const char *const families[] = {"station", "buttock", "waterline"};
+    const section_context *c = context;
+    const int axis = bat_flat_axis(row->count, row->points);
+    if (row->count < 3 || axis < 0)
+        return BATTEN_OK;
+    bat_section *section = &c->checked->sections[c->checked->section_count++];
+    const char *name = bat_arena_copy(&c->check->arena, row->name, strlen(row->name));
+    if (!name)
+        return BATTEN_OUT_OF_MEMORY;
+    *section = (bat_section){.family = families[axis], .name = name, .at = row->points[axis]};
+    batten_polylines lines = {0, NULL};
+    batten_status status = batten_surface_section(
+        c->checked->object->surface, (batten_vec3){axis == 0, axis == 1, axis == 2},
+        section->at, SECTION_CELLS, SECTION_CELLS, &lines);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_polyline *line = longest(&lines);
+    if (line && line->count >= 4)
+        status = judge(line, axis, row, bat_tolerance(c->check->run), section);
+    if (section->found) {
+        c->check->fair &= section->excess == 0;
+        c->check->judged_count++;
+    }
+    batten_polylines_release(&lines);
+    return status;
+}
+
+batten_status bat_check_add_sections(bat_check *check, bat_checked *checked)
+{
+    const int feature = checked->faired >= 0 ? checked->faired : checked->given;
+    section_context context = {check, checked};
+    if (feature < 0)
+        return BATTEN_OK;
+    batten_status status = bat_check_visit_rows(check, feature, true, count_section, &context);
+    checked->sections = bat_arena_array(&check->arena, (size_t)checked->section_count,
+                                        sizeof *checked->sections);
+    checked->section_count = 0;
+    if (status == BATTEN_OK && !checked->sections)
+        status = BATTEN_OUT_OF_MEMORY;
+    return status == BATTEN_OK
+               ? bat_check_visit_rows(check, feature, true, add_section, &context)
+               : status;
+}
