@@ -222,7 +222,7 @@ static bool same_entry(const bat_design_state *now, const bat_entry *a, const ba
 }
 
 /* A result knows where it stands. */
-static void settle(const bat_entry *entry, bat_result *result)
+void bat_result_settle(const bat_entry *entry, bat_result *result)
 {
     result->shown.name = entry->name;
     result->shown.operation = entry->feature->shown.name;
@@ -246,7 +246,7 @@ static void keep_results(bat_design_state *before, bat_design_state *now)
             continue;
         now->results[at] = before->results[was];
         before->results[was] = (bat_result){0};
-        settle(&new->features[at], &now->results[at]);
+        bat_result_settle(&new->features[at], &now->results[at]);
         now->evaluated[now->evaluated_count++] = at;
     }
 }

@@ -30,5 +30,7 @@ struct batten_design {
 
 /* Give back what a result holds. */
 void bat_result_release(bat_result *result);
+/* Let what is shown of a result point to its entry and to itself. */
+void bat_result_settle(const bat_entry *entry, bat_result *result);
 
 #endif

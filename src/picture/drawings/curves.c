@@ -3,313 +3,6 @@
 #include "picture/sheet/drawing.h"
 #include "picture/sheet/flat.h"
 
-#include <stdio.h>
-#include <string.h>
-
-/* So many objects are told apart by colour; more are named where they end. */
-enum { COLOURED = 8 };
-
-static const bat_colour palette[COLOURED] = {
-    {0.09, 0.32, 0.62}, {0.76, 0.26, 0.10}, {0.08, 0.48, 0.30}, {0.48, 0.22, 0.58},
-    {0.72, 0.50, 0.04}, {0.05, 0.50, 0.58}, {0.70, 0.16, 0.38}, {0.36, 0.36, 0.36}};
-
-/* ---- gathering ---- */
-
-static batten_status gather_comb(bat_shape *s)
-{
-    const batten_curve *curve = s->object->curve;
-    const int spans = batten_curve_spans(curve, NULL) - 1;
-    const int per_span = bat_max_int(4, 160 / bat_max_int(spans, 1));
-    const int count = spans * (per_span + 1);
-    batten_tooth *teeth = bat_array((size_t)count, sizeof *teeth);
-    if (!teeth)
-        return BATTEN_OUT_OF_MEMORY;
-    const batten_status status = batten_curve_comb(curve, per_span, 1, teeth);
-    if (status != BATTEN_OK) {
-        bat_release(teeth);
-        /* A curve with a cusp is still a curve: it is drawn without a comb. */
-        return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
-    }
-    s->teeth = teeth;
-    s->tooth_count = count;
-    for (int i = 0; i < count; i++)
-        s->sharpest = bat_max(s->sharpest, fabs(teeth[i].curvature));
-    return BATTEN_OK;
-}
-
-static batten_status gather_curve(const bat_drawing *d, bat_shape *s)
-{
-    bat_stroke stroke = {0, NULL};
-    batten_status status = bat_stroke_curve(s->object->curve, &stroke);
-    if (status == BATTEN_OK)
-        status = bat_strokes_add(&s->lines, stroke);
-    if (status == BATTEN_OK && d->options->comb && batten_curve_dimension(s->object->curve) > 1)
-        status = gather_comb(s);
-    return status;
-}
-
-static batten_status gather_isolines(const bat_drawing *d, bat_shape *s,
-                                     batten_direction direction)
-{
-    const batten_interval domain = batten_surface_domain(s->object->surface, direction);
-    const int count = d->options->isolines;
-    batten_status status = BATTEN_OK;
-    for (int k = 0; k <= count && status == BATTEN_OK; k++) {
-        const double at = k < count ? domain.a + (domain.b - domain.a) * k / count : domain.b;
-        bat_stroke stroke = {0, NULL};
-        status = bat_stroke_isoline(s->object->surface, direction, at, &stroke);
-        if (status == BATTEN_OK)
-            status = bat_strokes_add(&s->lines, stroke);
-    }
-    return status;
-}
-
-static batten_status gather_stations(bat_shape *s)
-{
-    const batten_offset_table *table = s->object->offset_table;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < batten_offset_table_station_count(table) && status == BATTEN_OK; i++) {
-        const batten_table_station *station = batten_offset_table_station(table, i);
-        const size_t count = (size_t)station->point_count;
-        double *points = bat_array3(count, 3, sizeof *points);
-        if (!points)
-            return BATTEN_OUT_OF_MEMORY;
-        for (size_t k = 0; k < count; k++) {
-            const batten_table_point *p = &station->points[k];
-            memcpy(points + 3 * k, (double[3]){p->x, p->y, p->z}, 3 * sizeof *points);
-        }
-        status = bat_strokes_add(&s->lines, (bat_stroke){count, points});
-    }
-    return status;
-}
-
-static batten_status gather_shape(const bat_drawing *d, bat_shape *s)
-{
-    switch (s->object->kind) {
-    case BATTEN_OBJECT_CURVE:
-        return gather_curve(d, s);
-    case BATTEN_OBJECT_SURFACE: {
-        const batten_status status = gather_isolines(d, s, BATTEN_U);
-        return status == BATTEN_OK ? gather_isolines(d, s, BATTEN_V) : status;
-    }
-    case BATTEN_OBJECT_OFFSET_TABLE:
-        return gather_stations(s);
-    case BATTEN_OBJECT_TRIANGLES:
-        return bat_stroke_triangles(s->object->triangles, d->options->isolines, &s->lines);
-    case BATTEN_OBJECT_MESH:
-        return bat_stroke_mesh(s->object->mesh, BAT_MESH_EDGES_OR_ALL, NULL, &s->lines);
-    case BATTEN_OBJECT_POINTS:
-    case BATTEN_OBJECT_BODY: /* the model was made flat, and its bodies meshes */
-    case BATTEN_OBJECT_INSTANCE:
-        break;
-    }
-    return BATTEN_OK;
-}
-
-static bat_colour colour_of(const batten_object *object, int index, int count)
-{
-    /* Colours of faces are often too pale for lines. */
-    const double share = object->kind == BATTEN_OBJECT_MESH ? 0.5 : 1;
-    if (object->has_colour)
-        return (bat_colour){share * object->colour[0], share * object->colour[1],
-                            share * object->colour[2]};
-    return palette[count <= COLOURED ? index : 0];
-}
-
-static batten_status gather(bat_drawing *d)
-{
-    d->shape_count = batten_model_count(d->model);
-    if (d->shape_count == 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "the model has no objects: there is nothing to draw");
-    d->shapes = bat_array((size_t)d->shape_count, sizeof *d->shapes);
-    if (!d->shapes)
-        return BATTEN_OUT_OF_MEMORY;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < d->shape_count && status == BATTEN_OK; i++) {
-        const batten_object *object = batten_model_object(d->model, i);
-        d->shapes[i].object = object;
-        d->shapes[i].colour = colour_of(object, i, d->shape_count);
-        status = gather_shape(d, &d->shapes[i]);
-    }
-    return status;
-}
-
-/* ---- every point that will be drawn, for those who must know them all ---- */
-
-typedef void visit_point(void *user, const double point[3]);
-
-static bool shows_polygon(const bat_drawing *d, const batten_object *object)
-{
-    return object->kind == BATTEN_OBJECT_CURVE && d->options->control_polygon &&
-           batten_curve_dimension(object->curve) > 1;
-}
-
-static bool shows_points(const bat_drawing *d, const batten_object *object)
-{
-    return object->point_count > 0 &&
-           (object->kind == BATTEN_OBJECT_POINTS || d->options->data_points);
-}
-
-static void control_point(const batten_curve *curve, int i, double point[3])
-{
-    const int dimension = batten_curve_dimension(curve);
-    for (int k = 0; k < 3; k++)
-        point[k] = k < dimension ? batten_curve_points(curve)[i * dimension + k] : 0;
-}
-
-static void comb_tip(const batten_tooth *tooth, double scale, double tip[3])
-{
-    tip[0] = tooth->foot.x + scale * (tooth->tip.x - tooth->foot.x);
-    tip[1] = tooth->foot.y + scale * (tooth->tip.y - tooth->foot.y);
-    tip[2] = tooth->foot.z + scale * (tooth->tip.z - tooth->foot.z);
-}
-
-static void visit_shape(const bat_drawing *d, const bat_shape *s, visit_point *visit,
-                        void *user)
-{
-    double point[3];
-    for (size_t i = 0; i < s->lines.count; i++)
-        for (size_t k = 0; k < s->lines.strokes[i].count; k++)
-            visit(user, s->lines.strokes[i].points + 3 * k);
-    if (shows_points(d, s->object))
-        for (int i = 0; i < s->object->point_count; i++)
-            visit(user, s->object->points + 3 * (size_t)i);
-    if (shows_polygon(d, s->object))
-        for (int i = 0; i < batten_curve_point_count(s->object->curve); i++) {
-            control_point(s->object->curve, i, point);
-            visit(user, point);
-        }
-    for (int i = 0; d->comb_scale > 0 && i < s->tooth_count; i++) {
-        comb_tip(&s->teeth[i], d->comb_scale, point);
-        visit(user, point);
-    }
-}
-
-static void visit_all(const bat_drawing *d, visit_point *visit, void *user)
-{
-    for (int i = 0; i < d->shape_count; i++)
-        visit_shape(d, &d->shapes[i], visit, user);
-}
-
-/* ---- view, scale of the combs, range ---- */
-
-typedef struct {
-    double low[3], high[3];
-} extent;
-
-static const extent nothing = {{HUGE_VAL, HUGE_VAL, HUGE_VAL},
-                               {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-
-static void extend(void *user, const double point[3])
-{
-    extent *e = user;
-    for (int k = 0; k < 3; k++) {
-        e->low[k] = bat_min(e->low[k], point[k]);
-        e->high[k] = bat_max(e->high[k], point[k]);
-    }
-}
-
-typedef struct {
-    const bat_view *view;
-    extent extent;
-} seen;
-
-static void extend_seen(void *user, const double point[3])
-{
-    seen *s = user;
-    double projected[3];
-    bat_view_project(s->view, point, projected);
-    extend(&s->extent, projected);
-}
-
-/* The plane in which everything lies, to rounding, else from the side. */
-static batten_view detect_view(const extent *e)
-{
-    double range[3], largest = 0, coordinate = 0;
-    for (int k = 0; k < 3; k++) {
-        range[k] = e->high[k] - e->low[k];
-        largest = bat_max(largest, range[k]);
-        coordinate = bat_max(coordinate, bat_max(fabs(e->low[k]), fabs(e->high[k])));
-    }
-    const double flat = bat_max(1e-9 * largest, 1e-14 * coordinate);
-    if (range[2] <= flat)
-        return BATTEN_VIEW_TOP;
-    if (range[1] <= flat)
-        return BATTEN_VIEW_SIDE;
-    return range[0] <= flat ? BATTEN_VIEW_FRONT : BATTEN_VIEW_AXONOMETRIC;
-}
-
-static double largest_range(const bat_drawing *d)
-{
-    seen s = {&d->view, nothing};
-    visit_all(d, extend_seen, &s);
-    return bat_max(s.extent.high[0] - s.extent.low[0], s.extent.high[1] - s.extent.low[1]);
-}
-
-/* The longest tooth of all combs becomes a tenth of the picture. */
-static double choose_comb_scale(const bat_drawing *d)
-{
-    double sharpest = 0;
-    for (int i = 0; i < d->shape_count; i++)
-        sharpest = bat_max(sharpest, d->shapes[i].sharpest);
-    if (d->options->comb_scale > 0)
-        return d->options->comb_scale;
-    const double range = largest_range(d);
-    /* What is straight but for roundings has no comb, rather than a picture of the
-     * roundings. */
-    return sharpest * range > 1e-9 ? 0.1 * range / sharpest : 0;
-}
-
-static batten_status choose_view(bat_drawing *d)
-{
-    extent e = nothing;
-    visit_all(d, extend, &e);
-    if (!(e.low[0] <= e.high[0]))
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "none of the %d objects has anything that could be drawn",
-                        d->shape_count);
-    d->kind = d->options->view == BATTEN_VIEW_AUTO ? detect_view(&e) : d->options->view;
-    d->view = bat_view_make(d->kind, d->options->azimuth, d->options->elevation);
-    if (d->kind == BATTEN_VIEW_ISOMETRIC)
-        d->kind = BATTEN_VIEW_AXONOMETRIC;
-    d->comb_scale = choose_comb_scale(d);
-    return bat_drawing_find_range(d);
-}
-
-batten_status bat_drawing_find_range(bat_drawing *d)
-{
-    seen s = {&d->view, nothing};
-    visit_all(d, extend_seen, &s);
-    const double margin = 0.03 * largest_range(d);
-    for (int k = 0; k < 2; k++) {
-        d->low[k] = s.extent.low[k] - margin;
-        d->high[k] = s.extent.high[k] + margin;
-        if (!isfinite(d->high[k] - d->low[k]))
-            return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw",
-                            s.extent.low[k], s.extent.high[k]);
-    }
-    return BATTEN_OK;
-}
-
-static batten_status make_room(bat_drawing *d)
-{
-    size_t longest = 2;
-    for (int i = 0; i < d->shape_count; i++) {
-        const bat_shape *s = &d->shapes[i];
-        for (size_t k = 0; k < s->lines.count; k++)
-            if (s->lines.strokes[k].count > longest)
-                longest = s->lines.strokes[k].count;
-        if ((size_t)s->tooth_count > longest)
-            longest = (size_t)s->tooth_count;
-        if (s->object->kind == BATTEN_OBJECT_CURVE &&
-            (size_t)batten_curve_point_count(s->object->curve) > longest)
-            longest = (size_t)batten_curve_point_count(s->object->curve);
-    }
-    d->xy = bat_array3(longest, 2, sizeof *d->xy);
-    return d->xy ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-}
-
 /* ---- drawing ---- */
 
 static void to_sheet(const bat_drawing *d, const double point[3], double xy[2])
@@ -343,7 +36,7 @@ static void draw_comb(bat_canvas *canvas, const bat_drawing *d, const bat_shape 
     for (int i = 0; i < s->tooth_count; i++) {
         const batten_vec3 foot = s->teeth[i].foot;
         double tip[3], from[2];
-        comb_tip(&s->teeth[i], d->comb_scale, tip);
+        bat_drawing_comb_tip(&s->teeth[i], d->comb_scale, tip);
         to_sheet(d, (double[3]){foot.x, foot.y, foot.z}, from);
         to_sheet(d, tip, d->xy + 2 * i);
         bat_canvas_segment(canvas, tooth, from[0], from[1], d->xy[2 * i], d->xy[2 * i + 1]);
@@ -357,7 +50,7 @@ static void draw_polygon(bat_canvas *canvas, const bat_drawing *d, const bat_sha
     const int count = batten_curve_point_count(s->object->curve);
     for (int i = 0; i < count; i++) {
         double point[3];
-        control_point(s->object->curve, i, point);
+        bat_drawing_control_point(s->object->curve, i, point);
         to_sheet(d, point, d->xy + 2 * i);
     }
     bat_canvas_line(canvas, (bat_pen){bat_grey, 0.7, BAT_DASHED}, (size_t)count, d->xy);
@@ -435,14 +128,14 @@ void bat_drawing_draw(bat_canvas *canvas, const bat_drawing *d)
     for (int i = 0; i < d->shape_count; i++)
         draw_comb(canvas, d, &d->shapes[i]);
     for (int i = 0; i < d->shape_count; i++)
-        if (shows_polygon(d, d->shapes[i].object))
+        if (bat_drawing_shows_polygon(d, d->shapes[i].object))
             draw_polygon(canvas, d, &d->shapes[i]);
     for (int i = 0; i < d->shape_count; i++)
         draw_lines(canvas, d, &d->shapes[i]);
     for (int i = 0; i < d->shape_count; i++)
-        if (shows_points(d, d->shapes[i].object))
+        if (bat_drawing_shows_points(d, d->shapes[i].object))
             draw_points(canvas, d, &d->shapes[i]);
-    for (int i = 0; d->shape_count > COLOURED && i < d->shape_count; i++)
+    for (int i = 0; d->shape_count > BAT_COLOURED && i < d->shape_count; i++)
         draw_name(canvas, d, &d->shapes[i]);
 }
 
@@ -480,14 +173,14 @@ static void fill_legend(const bat_drawing *d, double em, bat_legend *legend)
     bat_sample mark = BAT_SAMPLE_DOT;
     for (int i = 0; i < d->shape_count; i++) {
         const bat_shape *s = &d->shapes[i];
-        polygon |= shows_polygon(d, s->object);
-        if (shows_points(d, s->object) && s->object->kind == BATTEN_OBJECT_CURVE) {
+        polygon |= bat_drawing_shows_polygon(d, s->object);
+        if (bat_drawing_shows_points(d, s->object) && s->object->kind == BATTEN_OBJECT_CURVE) {
             data = true;
             if (mark_of(d, s, em) == BAT_SAMPLE_CROSS)
                 mark = BAT_SAMPLE_CROSS;
         }
         comb |= s->tooth_count > 0 && d->comb_scale > 0;
-        if (d->shape_count <= COLOURED)
+        if (d->shape_count <= BAT_COLOURED)
             add_name(d, s, em, legend);
     }
     char length[BATTEN_NUMBER_SIZE];
@@ -499,7 +192,7 @@ static void fill_legend(const bat_drawing *d, double em, bat_legend *legend)
         bat_legend_add(legend, mark, (bat_pen){bat_ink, 1, BAT_SOLID}, "data points");
     if (comb)
         bat_legend_add(legend, BAT_SAMPLE_LINE,
-                       (bat_pen){lighter(palette[0], 0.35), 1, BAT_SOLID},
+                       (bat_pen){lighter(bat_palette[0], 0.35), 1, BAT_SOLID},
                        "curvature comb: 1/%s is %s %s long", unit_of(d), length, unit_of(d));
 }
 
@@ -564,11 +257,11 @@ batten_status bat_drawing_prepare(bat_drawing *d)
 {
     batten_status status = check_options(d->options);
     if (status == BATTEN_OK)
-        status = gather(d);
+        status = bat_drawing_gather(d);
     if (status == BATTEN_OK)
-        status = choose_view(d);
+        status = bat_drawing_choose_view(d);
     if (status == BATTEN_OK)
-        status = make_room(d);
+        status = bat_drawing_make_room(d);
     return status;
 }
 

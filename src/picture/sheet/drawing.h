@@ -38,4 +38,25 @@ batten_status bat_drawing_find_range(bat_drawing *drawing);
 /* Into its plot, which must have been fitted. */
 void bat_drawing_draw(bat_canvas *canvas, const bat_drawing *drawing);
 
+/* ---- what the parts of a drawing share ---- */
+
+/* This many objects are told apart by colour; more are named where they end. */
+enum { BAT_COLOURED = 8 };
+static const bat_colour bat_palette[BAT_COLOURED] = {
+    {0.09, 0.32, 0.62}, {0.76, 0.26, 0.10}, {0.08, 0.48, 0.30}, {0.48, 0.22, 0.58},
+    {0.72, 0.50, 0.04}, {0.05, 0.50, 0.58}, {0.70, 0.16, 0.38}, {0.36, 0.36, 0.36}};
+
+/* Make the shapes of the model: strokes, combs, colours. */
+batten_status bat_drawing_gather(bat_drawing *drawing);
+/* Choose the view and the scale of the combs, and find the range. */
+batten_status bat_drawing_choose_view(bat_drawing *drawing);
+/* Room for the longest line on the sheet. */
+batten_status bat_drawing_make_room(bat_drawing *drawing);
+bool bat_drawing_shows_polygon(const bat_drawing *drawing, const batten_object *object);
+bool bat_drawing_shows_points(const bat_drawing *drawing, const batten_object *object);
+/* A control point of a curve, in space. */
+void bat_drawing_control_point(const batten_curve *curve, int i, double point[3]);
+/* Where a tooth of a comb ends. */
+void bat_drawing_comb_tip(const batten_tooth *tooth, double scale, double tip[3]);
+
 #endif

@@ -1,0 +1,128 @@
+/* The shapes of a drawing: curves, isolines and points as strokes, combs as teeth, and their colours. */
+#include "picture/sheet/axes.h"
+#include "picture/sheet/drawing.h"
+#include "picture/sheet/flat.h"
+
+#include <string.h>
+
+/* ---- gathering ---- */
+
+static batten_status gather_comb(bat_shape *s)
+{
+    const batten_curve *curve = s->object->curve;
+    const int spans = batten_curve_spans(curve, NULL) - 1;
+    const int per_span = bat_max_int(4, 160 / bat_max_int(spans, 1));
+    const int count = spans * (per_span + 1);
+    batten_tooth *teeth = bat_array((size_t)count, sizeof *teeth);
+    if (!teeth)
+        return BATTEN_OUT_OF_MEMORY;
+    const batten_status status = batten_curve_comb(curve, per_span, 1, teeth);
+    if (status != BATTEN_OK) {
+        bat_release(teeth);
+        /* A curve with a cusp is still a curve: it is drawn without a comb. */
+        return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
+    }
+    s->teeth = teeth;
+    s->tooth_count = count;
+    for (int i = 0; i < count; i++)
+        s->sharpest = bat_max(s->sharpest, fabs(teeth[i].curvature));
+    return BATTEN_OK;
+}
+
+static batten_status gather_curve(const bat_drawing *d, bat_shape *s)
+{
+    bat_stroke stroke = {0, NULL};
+    batten_status status = bat_stroke_curve(s->object->curve, &stroke);
+    if (status == BATTEN_OK)
+        status = bat_strokes_add(&s->lines, stroke);
+    if (status == BATTEN_OK && d->options->comb && batten_curve_dimension(s->object->curve) > 1)
+        status = gather_comb(s);
+    return status;
+}
+
+static batten_status gather_isolines(const bat_drawing *d, bat_shape *s,
+                                     batten_direction direction)
+{
+    const batten_interval domain = batten_surface_domain(s->object->surface, direction);
+    const int count = d->options->isolines;
+    batten_status status = BATTEN_OK;
+    for (int k = 0; k <= count && status == BATTEN_OK; k++) {
+        const double at = k < count ? domain.a + (domain.b - domain.a) * k / count : domain.b;
+        bat_stroke stroke = {0, NULL};
+        status = bat_stroke_isoline(s->object->surface, direction, at, &stroke);
+        if (status == BATTEN_OK)
+            status = bat_strokes_add(&s->lines, stroke);
+    }
+    return status;
+}
+
+static batten_status gather_stations(bat_shape *s)
+{
+    const batten_offset_table *table = s->object->offset_table;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < batten_offset_table_station_count(table) && status == BATTEN_OK; i++) {
+        const batten_table_station *station = batten_offset_table_station(table, i);
+        const size_t count = (size_t)station->point_count;
+        double *points = bat_array3(count, 3, sizeof *points);
+        if (!points)
+            return BATTEN_OUT_OF_MEMORY;
+        for (size_t k = 0; k < count; k++) {
+            const batten_table_point *p = &station->points[k];
+            memcpy(points + 3 * k, (double[3]){p->x, p->y, p->z}, 3 * sizeof *points);
+        }
+        status = bat_strokes_add(&s->lines, (bat_stroke){count, points});
+    }
+    return status;
+}
+
+static batten_status gather_shape(const bat_drawing *d, bat_shape *s)
+{
+    switch (s->object->kind) {
+    case BATTEN_OBJECT_CURVE:
+        return gather_curve(d, s);
+    case BATTEN_OBJECT_SURFACE: {
+        const batten_status status = gather_isolines(d, s, BATTEN_U);
+        return status == BATTEN_OK ? gather_isolines(d, s, BATTEN_V) : status;
+    }
+    case BATTEN_OBJECT_OFFSET_TABLE:
+        return gather_stations(s);
+    case BATTEN_OBJECT_TRIANGLES:
+        return bat_stroke_triangles(s->object->triangles, d->options->isolines, &s->lines);
+    case BATTEN_OBJECT_MESH:
+        return bat_stroke_mesh(s->object->mesh, BAT_MESH_EDGES_OR_ALL, NULL, &s->lines);
+    case BATTEN_OBJECT_POINTS:
+    case BATTEN_OBJECT_BODY: /* the model was made flat, and its bodies meshes */
+    case BATTEN_OBJECT_INSTANCE:
+        break;
+    }
+    return BATTEN_OK;
+}
+
+static bat_colour colour_of(const batten_object *object, int index, int count)
+{
+    /* Colours of faces are often too pale for lines. */
+    const double share = object->kind == BATTEN_OBJECT_MESH ? 0.5 : 1;
+    if (object->has_colour)
+        return (bat_colour){share * object->colour[0], share * object->colour[1],
+                            share * object->colour[2]};
+    return bat_palette[count <= BAT_COLOURED ? index : 0];
+}
+
+batten_status bat_drawing_gather(bat_drawing *d)
+{
+    d->shape_count = batten_model_count(d->model);
+    if (d->shape_count == 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the model has no objects: there is nothing to draw");
+    d->shapes = bat_array((size_t)d->shape_count, sizeof *d->shapes);
+    if (!d->shapes)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < d->shape_count && status == BATTEN_OK; i++) {
+        const batten_object *object = batten_model_object(d->model, i);
+        d->shapes[i].object = object;
+        d->shapes[i].colour = colour_of(object, i, d->shape_count);
+        status = gather_shape(d, &d->shapes[i]);
+    }
+    return status;
+}

@@ -1,0 +1,79 @@
+/* A shaded picture while it is made: its surfaces, meshes, curves and light. */
+#ifndef BAT_SHADE_H
+#define BAT_SHADE_H
+#include "numeric/box.h"
+#include "picture/lines/stroke.h"
+#include "picture/shaded/light.h"
+#include "picture/shaded/mesh_solid.h"
+#include "picture/shaded/raster.h"
+#include "picture/shaded/smooth_edges.h"
+#include "picture/shaded/tiles.h"
+#include "picture/sheet/flat.h"
+#include "picture/sheet/sheet.h"
+
+/* What each sample of a surface carries. */
+enum {
+    BAT_SAMPLE_NORMAL = 0,
+    BAT_SAMPLE_LINE_U = 3,
+    BAT_SAMPLE_LINE_V = 4,
+    BAT_SAMPLE_CURVATURE = 5
+};
+
+/* One surface, ready to be filled in. */
+typedef struct {
+    bat_tiles tiles; /* after fit_picture its points are in samples, depth towards the eye */
+    const bat_scene *scene;
+    bat_light albedo;
+    double lines;         /* isolines in each direction */
+    bool edges[2];        /* does the domain end in u, in v, at edges? */
+    unsigned char smooth; /* sides that go over into others and are not drawn */
+    bool shows_isolines;
+} bat_shaded_solid;
+
+/* How a stroke is drawn. */
+typedef struct {
+    bat_light light;
+    double dot; /* radius of the marks of its points, samples; 0: it is a line */
+} bat_shaded_style;
+
+typedef struct {
+    const batten_model *model;
+    unsigned char *smooth; /* [count of the model], see smooth_edges.h */
+    const batten_draw_options *options;
+    const batten_job *job;
+    bat_view view;
+    bat_scene scene;
+    int solid_count, mesh_count;
+    bat_shaded_solid *solids;
+    bat_mesh_solid *meshes;
+    bat_strokes curves; /* and rows of points; after fit_picture in samples too */
+    bat_shaded_style *styles;
+    double least, greatest; /* raw curvatures */
+    double em;
+} bat_shaded;
+
+static inline bat_curvature bat_curvature_of_shading(batten_shading shading)
+{
+    return shading == BATTEN_SHADING_GAUSSIAN ? BAT_CURVATURE_GAUSSIAN
+           : shading == BATTEN_SHADING_MEAN   ? BAT_CURVATURE_MEAN
+                                              : BAT_CURVATURE_NONE;
+}
+
+static inline bool bat_has_stripes(batten_shading shading)
+{
+    return shading == BATTEN_SHADING_ZEBRA || shading == BATTEN_SHADING_ISOPHOTES;
+}
+
+/* ---- shade_gather.c ---- */
+
+/* Count the surfaces and meshes, and find their box. */
+void bat_shaded_count(bat_shaded *p, batten_box *box);
+/* Tile the surfaces, copy meshes, curves and points. @param size  the diagonal of the box */
+batten_status bat_shaded_gather(bat_shaded *p, double size);
+
+/* ---- shade_fill.c ---- */
+
+/* Fill the image of a canvas, band by band. */
+batten_status bat_shaded_fill(const bat_shaded *p, bat_canvas *canvas);
+
+#endif
