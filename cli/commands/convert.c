@@ -43,7 +43,7 @@ static bool unit_option(const arguments *given, const char *name, double *metres
     if (!text || *metres > 0)
         return true;
     complain(
-        "batten convert: --%s: '%s' is no unit of length; known are m, mm, cm, km, in, ft, "
+        "batten convert: --%s: unknown unit of length '%s'; known are m, mm, cm, km, in, ft, "
         "yd and others",
         name, text);
     return false;

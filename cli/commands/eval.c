@@ -89,7 +89,7 @@ static batten_status evaluate(const batten_object *object, const double at[2], i
         r.value_count = BATTEN_SURFACE_DERIVATIVES(order);
         status = batten_surface_evaluate(object->surface, at[0], at[1], order, values);
     } else {
-        return batten_fail(BATTEN_BAD_ARGUMENT, "'%s' is no %s, so %d parameter%s not fit",
+        return batten_fail(BATTEN_BAD_ARGUMENT, "'%s' is not a %s, so %d parameter%s not fit",
                            object->name, at_count == 1 ? "curve" : "surface", at_count,
                            at_count == 1 ? " does" : "s do");
     }

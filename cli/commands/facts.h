@@ -5,7 +5,7 @@
 
 #include <batten/model.h>
 
-/* What is told of one object, whatever its kind; `directions` is 1 for curves, 2 for surfaces,
+/* What is reported of one object, whatever its kind; `directions` is 1 for curves, 2 for surfaces,
  * else 0. */
 typedef struct {
     const char *type, *kind;

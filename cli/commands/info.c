@@ -243,7 +243,7 @@ static int flatten(batten_model **model, batten_notes *notes, int exit)
         instances += batten_model_object(*model, i)->kind == BATTEN_OBJECT_INSTANCE;
     batten_status status = batten_model_flat(*model, &flat);
     if (status == BATTEN_TOO_LARGE) {
-        batten_notes_remark(notes, "", 0, "", "%s; each is told once, where it is defined",
+        batten_notes_remark(notes, "", 0, "", "%s; each is listed once, where it is defined",
                             batten_message());
         status = batten_model_once(*model, &flat);
     }

@@ -77,7 +77,7 @@ int bat_word(const bat_run *run,
 bool bat_yes(const bat_run *run, const char *parameter);
 const char *bat_text(const bat_run *run, const char *parameter); /* NULL for none */
 batten_vec3 bat_point(const bat_run *run, const char *parameter);
-/* The model of an argument that is no list. */
+/* The model of an argument that is not a list. */
 const batten_model *bat_model(const bat_run *run, const char *parameter);
 
 double bat_unit_metres(const bat_run *run);
@@ -155,7 +155,7 @@ typedef struct {
                              batten_surface **out);
     batten_status (*triangles)(const bat_run *run, const batten_triangles *triangles,
                                batten_triangles **out);
-    /* Beside `curve`, of a chain; NULL: the curve is none any more. */
+    /* Beside `curve`, of a chain; NULL: the curve is no longer a chain. */
     batten_status (*chain)(const bat_run *run, const batten_chain *chain, batten_chain **out);
     bool keeps_data; /* the points that a curve was made from still belong to it */
     /* Instead of these: nearly the same shape, and how far it is from the given one. */

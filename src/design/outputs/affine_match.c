@@ -119,7 +119,7 @@ static batten_status compare(bat_run *run, const batten_object *from, const batt
         return bat_fail(status, "%s and %s: %s", from->name, to->name, batten_message());
     if (bat_has(run, "within") && !match.found) {
         run->unmet = true;
-        bat_note(run, "'%s' is no affine image of '%s' within %g", to->name, from->name,
+        bat_note(run, "'%s' is not an affine image of '%s' within %g", to->name, from->name,
                  within);
     }
     if (json)

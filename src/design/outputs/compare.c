@@ -46,7 +46,7 @@ static void add_compare(const batten_fairness *fairness, double length, bool in_
     c->sharpest = c->sharpest > fairness->max_curvature ? c->sharpest : fairness->max_curvature;
 }
 
-/* What is no NURBS but lies in a plane is measured as what it is. */
+/* A plane curve that is not a NURBS curve is measured in its own form. */
 static batten_status add_chain(const batten_object *object, column *c)
 {
     batten_fairness fairness;

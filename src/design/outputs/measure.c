@@ -30,7 +30,7 @@ static const struct {
     {"self_crossings", "crosses itself", batten_curve_self_crossings, true},
 };
 
-/* All that is told of one curve. */
+/* What is reported of one curve. */
 typedef struct {
     const char *name;
     int axis; /* across its plane; 2 for xy; -1: in space */
@@ -271,14 +271,14 @@ static void json_curve(batten_text *out, const facts *f)
 /* Of integrals over surfaces. */
 static const double precision = 1e-10;
 
-/* What is told of a surface, or of triangles, which are measured as patches with a pole. */
+/* What is reported of a surface, or of triangles, which are measured as patches with a pole. */
 typedef struct {
     double area, error;
     batten_box box;
-    double box_error; /* so far its sides may be from the surface */
+    double box_error; /* how far its sides may be from the surface */
 } extent;
 
-/* A fold, where halving does not converge, is told by the error. */
+/* A fold, where halving does not converge, shows in the error. */
 static batten_status add_area(const bat_run *run, const batten_surface *surface, extent *e)
 {
     double area = 0, error = 0;

@@ -47,8 +47,8 @@ static batten_status find_datum(const asking *a, int number, const double *point
         return BATTEN_OK;
     return bat_fail(
         BATTEN_BAD_ARGUMENT,
-        "point %d of 'pass' is none of the points: the nearest, point %d, is %g away", number,
-        *out, least);
+        "point %d of 'pass' is not one of the points: the nearest, point %d, is %g away",
+        number, *out, least);
 }
 
 static batten_status ask_points(asking *a, const char *parameter, batten_condition_kind kind)

@@ -291,8 +291,8 @@ static void body_rows(const batten_body_faults *b, counted rows[BODY_ROWS])
         {"seams", "seam", "seams", b->seams},
         {"close_knots", "curve or surface with close knots",
          "curves and surfaces with close knots", b->close_knots},
-        {"open_shells", "shell that is said to be closed and is open",
-         "shells that are said to be closed and are open", b->open_shells},
+        {"open_shells", "shell marked as closed that is open",
+         "shells marked as closed that are open", b->open_shells},
         {"turned_shells", "shell turned inside out", "shells turned inside out",
          b->turned_shells}};
     for (int i = 0; i < BODY_ROWS; i++)

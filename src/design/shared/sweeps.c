@@ -18,7 +18,7 @@ void bat_remark_space_section(const bat_run *run, const batten_curve *section)
     if (box.low.z != 0 || box.high.z != 0)
         bat_remark(run,
                    "the section is a space curve in the moving frame: its z, from %.4g to "
-                   "%.4g, goes along the way",
+                   "%.4g, is taken along the spine",
                    box.low.z, box.high.z);
 }
 

@@ -37,7 +37,7 @@ double bat_sweep_within(const bat_run *run);
  * steps; NULL when the parameter is not given. */
 batten_status bat_sweep_law(const bat_run *run, const char *parameter, batten_curve **out);
 
-/* Say of sections that are no curves of the xy-plane what becomes of their third coordinate. */
+/* Note what becomes of the third coordinate of sections that are not curves of the xy-plane. */
 void bat_remark_space_section(const bat_run *run, const batten_curve *section);
 
 /* Put the surfaces into the model, as "name" or "name 1", "name 2" ..., give their references

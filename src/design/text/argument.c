@@ -175,7 +175,7 @@ static void read_count(const reading *r, const char *word, bat_item *item)
         item->count = (int)q.value;
         return;
     }
-    snprintf(what, sizeof what, "must be a whole number, 0 or more; '%.60s' is none", word);
+    snprintf(what, sizeof what, "must be a whole number, 0 or more, not '%.60s'", word);
     complain_of(r, what);
 }
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Where a value stands or shall stand. */
+/* Where a value is, or is to be put. */
 typedef struct {
     const char *path;
     int node;          /* the value, or the map that gets a new key */
@@ -75,7 +75,7 @@ static void add_word(batten_text *out, const char *word, bool quoted)
 }
 
 /* Everything before the new bytes; `*at` is where the value then begins, `*resume` where the
- * old text goes on. */
+ * old text continues. */
 static void add_before(batten_text *out, const char *text, size_t length, const bat_tree *tree,
                        const place *p, size_t *resume)
 {
@@ -158,7 +158,8 @@ static batten_status splice(const char *text, size_t length, const bat_tree *tre
     bat_place where;
     status = bat_tree_parse(bytes, size, nesting, &after, &where);
     if (status == BATTEN_OK && !only_value_differs(tree, &after, p, begin, end))
-        status = bat_fail(BATTEN_BAD_FORMAT, "\"%.100s\" is no value for '%s'", value, p->path);
+        status =
+            bat_fail(BATTEN_BAD_FORMAT, "\"%.100s\" is not a value for '%s'", value, p->path);
     bat_tree_free(&after);
     if (status == BATTEN_OK) {
         *out = bytes;

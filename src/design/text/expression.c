@@ -159,7 +159,7 @@ static batten_status check_finite(const bat_quantity *made)
 {
     if (isfinite(made->value))
         return BATTEN_OK;
-    return bat_fail(BATTEN_OVERFLOW, "the expression becomes too large or is no number");
+    return bat_fail(BATTEN_OVERFLOW, "the value of the expression is too large or undefined");
 }
 
 /* Carry out the last operation that waits; its values are there. */

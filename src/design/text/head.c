@@ -92,8 +92,8 @@ static void read_units(bat_document *d)
     if (metres > 0)
         d->unit_metres = metres;
     else
-        bat_complain(d, node, "'%s' is no unit of length; known are m mm cm km um in ft mil mi",
-                     word);
+        bat_complain(d, node,
+                     "unknown unit of length '%s'; known are m mm cm km um in ft mil mi", word);
 }
 
 void bat_head_read(bat_document *d)

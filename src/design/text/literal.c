@@ -124,7 +124,7 @@ batten_status bat_literal_read(bat_reader *r, bat_quantity *out)
         const double radians = angle_unit(unit);
         if (metres <= 0 && radians <= 0)
             return bat_fail(BATTEN_BAD_FORMAT,
-                            "'%s' is no unit; known are m mm cm km um in ft mil mi deg rad",
+                            "unknown unit '%s'; known are m mm cm km um in ft mil mi deg rad",
                             unit);
         r->at = after;
         made.length = metres > 0;
@@ -164,7 +164,7 @@ batten_status bat_signed_read(bat_reader *r, bat_quantity *out)
     if (status != BATTEN_OK)
         return status;
     if (*bat_skip_blanks(r->at))
-        return bat_fail(BATTEN_BAD_FORMAT, "\"%.60s\" is no number: \"%.40s\" is left over",
+        return bat_fail(BATTEN_BAD_FORMAT, "\"%.60s\" is not a number: \"%.40s\" is left over",
                         begin, bat_skip_blanks(r->at));
     if (minus)
         made.value = -made.value;

@@ -102,7 +102,7 @@ static void evaluate_parameter(bat_document *d, bat_parameter *p)
     if (vanished)
         batten_notes_add(d->complaints->notes, d->file_name, d->tree.nodes[p->node].line,
                          p->name, "%s is too small for a number and became 0", word);
-    /* One error is enough: what uses it shall not complain too. */
+    /* One error is enough: what uses it must not complain too. */
     p->known = true;
 }
 

@@ -239,7 +239,7 @@ static int ascending(const void *a, const void *b)
 
 enum { SAMPLES = 24 };
 
-/* The field on a grid over one surface; what is no number is left out. */
+/* The field on a grid over one surface; what is not a number is left out. */
 static batten_status sample_field(const bat_wires *w, const batten_surface *s, size_t *count,
                                   double *values)
 {

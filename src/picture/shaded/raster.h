@@ -22,7 +22,7 @@ typedef struct {
     double value[BAT_VALUES];
 } bat_corner;
 
-/* What a shader is told of one sample. */
+/* What a shader knows of one sample. */
 typedef struct {
     double value[BAT_VALUES];
     double slope[BAT_VALUES]; /* length of the gradient of each value, per sample */

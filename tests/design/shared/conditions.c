@@ -100,7 +100,7 @@ TEST(least_squares_says_what_cannot_be_met)
         {"{least-squares: p, over: [[1, 1]]}", "'over' is for functions"},
         {"{least-squares: p, as: function, shape: decreasing}", "the shape between"},
         {"{least-squares: p, as: function, pass: [[9, 1]]}", "outside 0 .. 7"},
-        {"{least-squares: p, pass: [[9, 1]]}", "point 0 of 'pass' is none of the points"},
+        {"{least-squares: p, pass: [[9, 1]]}", "point 0 of 'pass' is not one of the points"},
         {"{least-squares: p, as: function, start-direction: [-1, 0]}", "must go forward"},
         {"{least-squares: s, closed: yes, start-direction: [-1, 0]}", "has no ends"},
         {"{least-squares: p, within: 0}", "'within' is 0"},

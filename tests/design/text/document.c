@@ -50,7 +50,7 @@ TEST(errors_name_file_line_column_and_the_nearest_name)
         {"batten: 2\n", "hull.yaml:1:9: the format has version 2"},
         {"batten: 0\n", "no version 0"},
         {"batten: one\n", "hull.yaml:1:9: the version of the format: a whole number"},
-        {"batten: 1\nunits: furlong\n", "hull.yaml:2:8: 'furlong' is no unit"},
+        {"batten: 1\nunits: furlong\n", "hull.yaml:2:8: unknown unit of length 'furlong'"},
         {"batten: 1\nunits: [m]\n", "'units' needs a value"},
         {"batten: 1\ntolerance: 3 deg\n", "tolerance must be a length, not an angle"},
         {"batten: 1\ntolerance: 0 mm\n", "must be above 0"},
@@ -128,9 +128,9 @@ TEST(every_error_of_a_text_is_noted)
     CHECK_STATUS(parse(text, &design), BATTEN_BAD_FORMAT);
     if (!*said)
         return;
-    CHECK_CONTAINS(said, "hull.yaml:2: column 8: 'q' is no unit");
+    CHECK_CONTAINS(said, "hull.yaml:2: column 8: unknown unit 'q'");
     CHECK_CONTAINS(said, "hull.yaml:4: column 7: there is no operation 'pionts'");
-    CHECK_CONTAINS(said, "hull.yaml:5: column 19: points needs a length: 'kg' is no unit");
+    CHECK_CONTAINS(said, "hull.yaml:5: column 19: points needs a length: unknown unit 'kg'");
     CHECK_CONTAINS(said, "hull.yaml:5: column 26: points has no parameter 'culumns'");
 }
 

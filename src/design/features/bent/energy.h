@@ -5,25 +5,25 @@
 
 #include <batten/bent.h>
 
-#define BAT_ENERGY_PARAMETERS                                                      \
-    BAT_EACH, BAT_CLOSED,                                                          \
-        {"tension",                                                                \
-         BATTEN_VALUE_NUMBER,                                                      \
-         false,                                                                    \
-         false,                                                                    \
-         "0",                                                                      \
-         NULL,                                                                     \
-         "energy added for each unit of length: the strip is pulled"},             \
-        {"scale-invariant",                                                        \
-         BATTEN_VALUE_YES_NO,                                                      \
-         false,                                                                    \
-         false,                                                                    \
-         "no",                                                                     \
-         NULL,                                                                     \
-         "the energy times the length or its cube: longer curves are no cheaper"}, \
-    {                                                                              \
-        "pieces", BATTEN_VALUE_COUNT, false, false, "2", NULL,                     \
-            "quintics between neighbouring points, 1 to 16"                        \
+#define BAT_ENERGY_PARAMETERS                                                        \
+    BAT_EACH, BAT_CLOSED,                                                            \
+        {"tension",                                                                  \
+         BATTEN_VALUE_NUMBER,                                                        \
+         false,                                                                      \
+         false,                                                                      \
+         "0",                                                                        \
+         NULL,                                                                       \
+         "energy added for each unit of length: the strip is pulled"},               \
+        {"scale-invariant",                                                          \
+         BATTEN_VALUE_YES_NO,                                                        \
+         false,                                                                      \
+         false,                                                                      \
+         "no",                                                                       \
+         NULL,                                                                       \
+         "the energy times the length or its cube: longer curves do not cost less"}, \
+    {                                                                                \
+        "pieces", BATTEN_VALUE_COUNT, false, false, "2", NULL,                       \
+            "quintics between neighbouring points, 1 to 16"                          \
     }
 
 /* Curves of least energy through all rows of the principal input. */

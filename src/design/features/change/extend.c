@@ -108,7 +108,7 @@ static batten_status change_surface(bat_run *run, const batten_object *object)
     return status;
 }
 
-/* Curves and surfaces are told where in different words. */
+/* Different parameters say where curves and surfaces are extended. */
 static batten_status check_words(const bat_run *run, const bat_objects *all)
 {
     const bool ends = bat_has(run, "start") || bat_has(run, "end") || bat_has(run, "from") ||

@@ -59,8 +59,8 @@ static batten_status find_factor(const bat_run *run, const batten_model *model, 
     const double named = given ? batten_unit_metres(given) : 0;
     const double own = batten_model_unit_metres(model);
     if (given && named <= 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'unit' is '%s', which is no unit of length",
-                        given);
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "'unit' is '%s', which is not a known unit of length", given);
     if (given && own > 0 && own != named)
         bat_note(run, "the file says that its unit is %g m; 'unit: %s' is used", own, given);
     if (bat_number(run, "scale") <= 0)

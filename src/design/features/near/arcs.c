@@ -138,7 +138,7 @@ static batten_status run_arcs(bat_run *run)
     for (int i = 0; i < objects.count && has_curves && status == BATTEN_OK; i++)
         status = objects.at[i]->curve
                      ? of_curve(run, objects.at[i])
-                     : bat_fail(BATTEN_NOT_COMPATIBLE, "'%s' is no curve, as others are",
+                     : bat_fail(BATTEN_NOT_COMPATIBLE, "'%s' is not a curve, as the others are",
                                 objects.at[i]->name);
     bat_objects_release(&objects);
     return has_curves || status != BATTEN_OK ? status : bat_through(run, &method);

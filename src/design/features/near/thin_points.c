@@ -76,7 +76,7 @@ static batten_status thin_polyline(bat_run *run, const batten_object *object)
     int count = 0;
     if (batten_curve_degree(object->curve) != 1 || batten_curve_is_rational(object->curve))
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "'%s' is no polyline; 'remove-knots' makes curves simpler",
+                        "'%s' is not a polyline; simplify curves with 'remove-knots'",
                         object->name);
     batten_status status = batten_curve_to_dimension(object->curve, 3, &space);
     if (status == BATTEN_OK)

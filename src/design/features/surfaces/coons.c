@@ -76,7 +76,7 @@ static batten_status take_function(const batten_curve *graph, const char *name,
     const int d = batten_curve_dimension(graph), n = batten_curve_point_count(graph);
     const double *points = batten_curve_points(graph);
     if (d < 2 || batten_curve_is_rational(graph))
-        return bat_fail(BATTEN_UNSUPPORTED, "'%s' is no polynomial graph", name);
+        return bat_fail(BATTEN_UNSUPPORTED, "'%s' is not a polynomial graph", name);
     double *values = bat_array((size_t)n, sizeof *values);
     if (!values)
         return BATTEN_OUT_OF_MEMORY;
@@ -85,10 +85,11 @@ static batten_status take_function(const batten_curve *graph, const char *name,
         const double x = batten_curve_greville(graph, i);
         values[i] = points[i * d + 1];
         if (!(fabs(points[i * d] - x) <= 1e-9) || (d > 2 && points[i * d + 2] != 0))
-            status = bat_fail(BATTEN_NOT_COMPATIBLE,
-                              "'%s' is no graph over its parameter: control point %d is at %g, "
-                              "not %g",
-                              name, i, points[i * d], x);
+            status =
+                bat_fail(BATTEN_NOT_COMPATIBLE,
+                         "'%s' is not a graph over its parameter: control point %d is at %g, "
+                         "not %g",
+                         name, i, points[i * d], x);
     }
     if (status == BATTEN_OK)
         status = batten_curve_create((batten_points){1, n, values}, batten_curve_degree(graph),

@@ -207,7 +207,8 @@ static void report(const bat_run *run, const bat_objects *curves,
         bat_remark(run, "at %d corner%s the surfaces around twist against each other",
                    reached->twisted, bat_plural(reached->twisted));
     if (reached->flat_corners > 0)
-        bat_remark(run, "at %d corner%s sides go on smoothly: the fill has no normal there",
+        bat_remark(run,
+                   "at %d corner%s the sides continue smoothly: the fill has no normal there",
                    reached->flat_corners, bat_plural(reached->flat_corners));
     if (reached->folded)
         bat_note(run, "the fill folds over near (%g, %g, %g)", reached->fold_at[0],

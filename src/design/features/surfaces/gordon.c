@@ -130,7 +130,7 @@ static batten_status gather(bat_run *run, network *n, bat_objects *profiles,
     return BATTEN_OK;
 }
 
-/* ---- what is said ---- */
+/* ---- notes ---- */
 
 enum { LABEL = 160 };
 
@@ -172,7 +172,7 @@ static void tell_changes(bat_run *run, const network *n, const batten_surface_go
 {
     char names[2][LABEL];
     if (r->cut_count > 0)
-        bat_remark(run, "curves that go on beyond the network: %d; cut, by up to %.3g",
+        bat_remark(run, "curves that extend beyond the network: %d; cut by up to %.3g",
                    r->cut_count, r->cut);
     if (r->reversed_count > 0)
         bat_remark(run, "%d curve%s %s run backwards", r->reversed_count,

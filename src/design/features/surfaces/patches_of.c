@@ -7,7 +7,7 @@ static const batten_parameter parameters[] = {
      "three patches for each triangle, or one with a pole at its first corner"},
 };
 
-/* The triangles alone; what else the input holds is no patch. */
+/* The triangles alone; whatever else the input holds is not a patch. */
 static batten_status gather_triangles(bat_run *run, batten_model *triangles)
 {
     bat_objects objects;

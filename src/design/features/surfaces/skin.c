@@ -137,7 +137,7 @@ static void read_options(const bat_run *run, batten_surface_skin_options *option
     options->creases = (batten_skin_creases)bat_word(run, "creases");
 }
 
-/* ---- what is said ---- */
+/* ---- notes ---- */
 
 static void report_skin(const bat_run *run, const batten_surface_skin_report *found)
 {

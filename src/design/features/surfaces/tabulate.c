@@ -6,7 +6,7 @@
 static const batten_parameter parameters[] = {
     {"tabulate", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves"},
     {"direction", BATTEN_VALUE_POINT, false, false, "z", NULL,
-     "of the lines; its length is no matter"},
+     "of the lines; its length does not matter"},
     {"from", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
      "where the lines begin, from the curve"},
     {"to", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "where they end"},

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* At most so many critical levels are told of one surface, and so many levels chosen. */
+/* At most this many critical levels are reported of one surface, and this many levels chosen. */
 enum { MOST_TOLD = 8, MOST_LEVELS = 1000 };
 
 static const batten_parameter parameters[] = {

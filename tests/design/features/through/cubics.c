@@ -204,7 +204,7 @@ TEST(a_match_within_a_bound_that_is_not_found_does_not_hold)
         CHECK_INT(batten_design_output_holds(design, i), i == 1);
         const int last = batten_notes_count(notes) - 1; /* may be lost where memory fails */
         if (i == 0 && last >= 0 && batten_notes_dropped(notes) == 0)
-            CHECK_CONTAINS(batten_notes_at(notes, last)->text, "is no affine image of 'c'");
+            CHECK_CONTAINS(batten_notes_at(notes, last)->text, "is not an affine image of 'c'");
         batten_release(data);
     }
     batten_design_free(design);
