@@ -94,7 +94,7 @@ static batten_status make_folder(const char *folder)
         return BATTEN_OK;
     if (error == EEXIST || error == ENOTDIR)
         return batten_fail(BATTEN_FILE_ERROR,
-                           "'%s' is to be the folder of the outputs, and is a file", folder);
+                           "'%s' should be the folder of the outputs, but is a file", folder);
     return batten_fail(BATTEN_FILE_ERROR, "cannot make the folder '%s': %s", folder,
                        strerror(error));
 }

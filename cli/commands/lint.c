@@ -104,7 +104,7 @@ static batten_status lint_body(const batten_object *object, batten_notes *notes)
         batten_notes_add(notes, "", 0, object->name, "and %d more", batten_notes_dropped(own));
     if (status == BATTEN_OK && faults.free_edges > 0 && parts->is_solid)
         batten_notes_add(notes, "", 0, object->name,
-                         "it calls itself a solid, and has edges of one face: %d",
+                         "it is marked as a solid, but has edges of one face: %d",
                          faults.free_edges);
     batten_notes_free(own);
     return status;

@@ -132,7 +132,7 @@ TEST(a_file_where_the_folder_of_outputs_is_to_be_is_said_before_the_work)
                        "outputs:\n  a.igs: a\n  b.igs: a\n");
     const test_process run = RUN("batten", "build", design, "-o", file);
     CHECK_INT(run.exit, 1);
-    CHECK_CONTAINS(run.errors, "folder' is to be the folder of the outputs, and is a file\n");
+    CHECK_CONTAINS(run.errors, "folder' should be the folder of the outputs, but is a file\n");
     const char *end = strchr(run.errors, '\n');
     CHECK(end && !end[1]);
     CHECK(strstr(run.out, "line") == NULL);

@@ -37,7 +37,7 @@ static void unknown_operation(bat_document *d, int key, bool is_output)
     }
     const bat_feature *other = bat_feature_find(word);
     if (other && other->shown.is_output != is_output)
-        bat_complain(d, key, "'%s' stands under '%s'", word,
+        bat_complain(d, key, "'%s' belongs under '%s'", word,
                      is_output ? "features" : "outputs");
     else
         bat_complain(d, key, "there is no operation '%s'%s%s%s", word,

@@ -256,7 +256,7 @@ static batten_status take_comma(yard *y)
         return status;
     if (y->pending_count == 0 || y->pending[y->pending_count - 1] != CALL_OPEN)
         return bat_fail(BATTEN_BAD_FORMAT,
-                        "a ',' stands outside of min( ) and max( ); the decimal mark is '.'");
+                        "a ',' is allowed only in min( ) and max( ); the decimal mark is '.'");
     y->commas[y->pending_count - 1]++;
     return BATTEN_OK;
 }

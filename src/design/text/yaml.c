@@ -199,7 +199,7 @@ static batten_status check_keys(builder *b, const bat_node *map)
         return BATTEN_OK;
     *b->place = (bat_place){again->line, again->column};
     return bat_fail(BATTEN_BAD_FORMAT,
-                    "'%s' stands here a second time; it is already in line %d", again->word,
+                    "'%s' appears here a second time; it is already on line %d", again->word,
                     before->line);
 }
 

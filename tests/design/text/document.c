@@ -92,10 +92,10 @@ TEST(errors_name_file_line_column_and_the_nearest_name)
         {"batten: 1\nfeatures:\n  a: {select: b}\n  b: {points: [0, 0]}\n",
          "select of 'a' needs 'names'"},
         {"batten: 1\nfeatures:\n  a: {write: b}\n",
-         "hull.yaml:3:7: 'write' stands under 'outputs'"},
+         "hull.yaml:3:7: 'write' belongs under 'outputs'"},
         {"batten: 1\nfeatures:\n  '': {points: [0, 0]}\n", "a name is missing"},
         {"batten: 1\nfeatures:\n  a: {points: [0, 0]}\n  a: {points: [1, 1]}\n",
-         "hull.yaml:4:3: 'a' stands here a second time"},
+         "hull.yaml:4:3: 'a' appears here a second time"},
         {"batten: 1\nparameters:\n  a: =b\n  b: =a\n",
          "parameters need each other in a ring: a -> b -> a"},
         {"batten: 1\nparameters:\n  a: =bee\n  beam: 3\n  bees: 1\n",
@@ -110,7 +110,7 @@ TEST(errors_name_file_line_column_and_the_nearest_name)
         {"batten: 1\noutputs:\n  ../a.step: b\n", "leads out of the folder"},
         {"batten: 1\noutputs:\n  a.step: b\n", "hull.yaml:3:11: no feature is named 'b'"},
         {"batten: 1\noutputs:\n  a.step: {points: [0, 0]}\n",
-         "'points' stands under 'features'"},
+         "'points' belongs under 'features'"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;

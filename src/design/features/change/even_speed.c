@@ -20,7 +20,7 @@ static batten_status change_even_speed(const bat_run *run, const batten_curve *c
     if (status != BATTEN_OK)
         return status;
     *error = report.error;
-    bat_remark(run, "length %.10g; the speed is 1 to %.2g on %d piece%s", report.length,
+    bat_remark(run, "length %.10g; the speed is 1 to within %.2g on %d piece%s", report.length,
                report.speed, report.pieces, bat_plural(report.pieces));
     return BATTEN_OK;
 }

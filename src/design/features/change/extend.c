@@ -133,7 +133,8 @@ static batten_status run_extend(bat_run *run)
     bat_objects all;
     for (int k = 0; k < 2; k++)
         if (bat_has(run, names[k][0]) && bat_has(run, names[k][1]))
-            return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' and '%s' say the same", names[k][0],
+            return bat_fail(BATTEN_BAD_ARGUMENT,
+                            "'%s' and '%s' set the same thing; give one of them", names[k][0],
                             names[k][1]);
     batten_status status = bat_gather(run, "extend", BAT_CURVES | BAT_SURFACES, &all);
     if (status != BATTEN_OK)

@@ -263,11 +263,11 @@ static void report_unroll(bat_run *run, const batten_unrolled *flat)
 static batten_status put_sheet(bat_run *run, const batten_unrolled *flat, double tolerance)
 {
     if (bat_has(run, "strain") && flat->strain > bat_number(run, "strain"))
-        return batten_fail(BATTEN_NOT_COMPATIBLE,
-                           "laid flat the sheet suffers a strain of %g at (%g, %g), more than "
-                           "%g",
-                           flat->strain, flat->strain_at[0], flat->strain_at[1],
-                           bat_number(run, "strain"));
+        return batten_fail(
+            BATTEN_NOT_COMPATIBLE,
+            "laid flat the sheet undergoes a strain of %g at (%g, %g), more than "
+            "%g",
+            flat->strain, flat->strain_at[0], flat->strain_at[1], bat_number(run, "strain"));
     batten_curve *outline = NULL;
     batten_status status = make_outline(flat, &outline);
     if (status != BATTEN_OK) {

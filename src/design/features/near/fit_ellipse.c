@@ -51,7 +51,7 @@ static batten_status make_fit_ellipse(bat_run *run, const bat_data *data, bat_ma
         batten_ellipse_fit((batten_points){2, data->count, data->points}, &report, &ellipse);
     if (status == BATTEN_OK) {
         made->has_parameters = false;
-        bat_remark(run, "'%s': an ellipse with the half axes %.9g and %.9g", data->name,
+        bat_remark(run, "'%s': an ellipse with the semi-axes %.9g and %.9g", data->name,
                    ellipse.a, ellipse.b);
         status = draw_fit_ellipse(&ellipse, bat_yes(run, "whole"), &made->curve);
     }

@@ -184,7 +184,7 @@ static void tell_changes(bat_run *run, const network *n, const batten_surface_go
                    label(n, r->repeated[i].is_guide, r->repeated[i].used, names[1]),
                    r->repeated[i].apart);
     if (r->repeated_count > BATTEN_GORDON_REPEATED)
-        bat_remark(run, "curves that stand there again: %d; left out", r->repeated_count);
+        bat_remark(run, "curves given more than once: %d; left out", r->repeated_count);
     if (r->seam > r->size * 1e-6)
         bat_remark(run, "%s is taken as closed: its ends are %.3g apart, the widest",
                    label(n, r->seam_is_guide, r->seam_curve, names[0]), r->seam);

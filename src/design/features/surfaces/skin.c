@@ -146,13 +146,13 @@ static void report_skin(const bat_run *run, const batten_surface_skin_report *fo
         "weights of sections were rescaled so that they do not jump",
         "rational sections became polynomial, for their weights jump"};
     if (found->reversed_count > 0 || found->turned_count > 0)
-        bat_remark(run, "%d sections were reversed, %d begin elsewhere", found->reversed_count,
+        bat_remark(run, "%d sections were reversed, %d start elsewhere", found->reversed_count,
                    found->turned_count);
     if (found->crossing_count > 0)
-        bat_note(run, "section %d crosses the next; so do %d in all: the surface folds there",
+        bat_note(run, "section %d crosses the next, as do %d in all: the surface folds there",
                  found->crossing + 1, found->crossing_count);
     if (found->disorder_count > 0)
-        bat_note(run, "sections %d and %d are rather in the other order; so are %d pairs",
+        bat_note(run, "sections %d and %d seem to be in the wrong order; %d pairs do",
                  found->disorder + 1, found->disorder + 2, found->disorder_count);
     if (found->cure != BATTEN_CURE_NONE)
         bat_remark(run, "%s", cures[found->cure]);

@@ -73,7 +73,7 @@ static batten_status correct(const bat_run *run, const batten_curve *curve, batt
                  report.first_incurable + 1);
     if (options.joins == BATTEN_CORRECT_CURVATURE && report.broken > 0)
         bat_note(run,
-                 "curvature could not be brought together at %d join%s; mostly because the "
+                 "curvatures could not be made equal at %d join%s; mostly because the "
                  "directions there bend the spans to opposite sides",
                  report.broken, bat_plural(report.broken));
     return BATTEN_OK;

@@ -147,7 +147,7 @@ TEST(fits_of_primitives_say_what_they_cannot_do)
 TEST(radius_and_half_axes_are_noted)
 {
     static const char *const features[] = {"{fit-circle: arc}", "{fit-ellipse: clock}"};
-    static const char *const says[] = {"radius 5 about [", "half axes 2 and 1"};
+    static const char *const says[] = {"radius 5 about [", "semi-axes 2 and 1"};
     for (int i = 0; i < 2; i++) {
         batten_notes *notes = NULL;
         CHECK_OK(batten_notes_create(4, &notes));
