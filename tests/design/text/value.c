@@ -1,5 +1,5 @@
-#include "design/text/spelling.h"
 #include "design/text/value.h"
+#include "design/text/spelling.h"
 
 #include "support/test.h"
 
@@ -219,20 +219,6 @@ TEST(names_of_an_expression_are_found_without_its_units)
         CHECK(length == strlen(expected[i]) && memcmp(name, expected[i], length) == 0);
     }
     CHECK(!bat_expression_next_name(text, &position, &name, &length));
-}
-
-TEST(edit_distance_counts_letters)
-{
-    CHECK_INT(bat_edit_distance("skin", "skin", 9), 0);
-    CHECK_INT(bat_edit_distance("skim", "skin", 9), 1);
-    CHECK_INT(bat_edit_distance("sikn", "skin", 9), 1);
-    CHECK_INT(bat_edit_distance("skn", "skin", 9), 1);
-    CHECK_INT(bat_edit_distance("kitten", "sitting", 9), 3);
-    CHECK_INT(bat_edit_distance("abc", "xyzuvw", 4), 4);
-    int best = 99;
-    CHECK(!bat_is_nearer("x", "y", &best));
-    CHECK(bat_is_nearer("degre", "degree", &best) && best == 1);
-    CHECK(!bat_is_nearer("degre", "decree", &best));
 }
 
 TEST(a_ring_of_parameters_offers_no_name_for_itself)
