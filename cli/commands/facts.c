@@ -6,6 +6,7 @@
 
 static double tolerance_in(batten_box box)
 {
+    /* A thousand-millionth of the box: above the rounding of what files hold, below what is made. */
     return 1e-9 *
            (box.high.x - box.low.x + (box.high.y - box.low.y) + (box.high.z - box.low.z));
 }

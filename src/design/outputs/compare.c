@@ -79,6 +79,7 @@ static batten_status add_curve(const batten_object *object, column *c)
             plane, (batten_points){batten_curve_dimension(plane), 0, NULL}, &fairness);
     if (status == BATTEN_OK)
         status =
+            /* For a table of four digits; the bound grows with the number of spans. */
             batten_curve_length(plane, 1e-9 * batten_curve_point_count(plane), NULL, &length);
     if (status == BATTEN_OK)
         add_compare(&fairness, length, axis < 0 && !flat, c);

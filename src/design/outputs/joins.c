@@ -89,6 +89,7 @@ static bool leave_surface(const batten_surface *surface, int side, double t, bat
     const batten_vec3 across2 = fixed_v ? svv : suu, along2 = fixed_v ? suu : svv;
     const batten_vec3 product = bat_vec3_cross(su, sv);
     const double area = norm(product), g = bat_vec3_dot(along, along);
+    /* Derivatives parallel to a few thousand roundings have no normal. */
     if (!(area > 1e-12 * norm(su) * norm(sv)) || !(g > 0))
         return false;
     /* x = (across - f along) / length: square to the edge, a unit vector in the tangent plane.

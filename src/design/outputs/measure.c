@@ -70,6 +70,7 @@ static batten_status measure_plane(const batten_curve *flat, double within, fact
         status = BATTEN_OK;
     if (status != BATTEN_OK || !f->closed)
         return status;
+    /* Relative to the square of the size: all digits that the report shows. */
     status = batten_curve_region(flat, within, 1e-12, &f->region);
     f->encloses = status == BATTEN_OK;
     return status == BATTEN_COINCIDENT ? BATTEN_OK : status;
@@ -104,6 +105,7 @@ static batten_status measure_measure(const batten_object *object, double within,
     if (status == BATTEN_OK && batten_curve_dimension(curve) == 2)
         f->axis = 2;
     if (status == BATTEN_OK)
+        /* As exact as rounding allows: the error that was reached is reported. */
         status = batten_curve_length(curve, 1e-12 * within, &f->error, &f->length);
     if (status == BATTEN_OK)
         status = measure_gap(curve, &f->gap);
@@ -306,6 +308,7 @@ static batten_status add_bounds(const batten_surface *surface, bool first, exten
     batten_box box;
     double error = 0;
     const batten_status status =
+        /* The box is exact to a thousand-millionth of the surface. */
         batten_surface_bounds(surface, size > 0 ? 1e-9 * size : 1, &error, &box);
     if (status != BATTEN_OK)
         return status;

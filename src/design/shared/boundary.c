@@ -45,6 +45,7 @@ static batten_status tell_corners(bat_run *run, const bat_boundary *boundary)
             continue;
         status = batten_curve_standstills(boundary->curves[e][0], &at[e]);
         for (int i = 0; status == BATTEN_OK && i < at[e].count; i++)
+            /* Within a millionth of an end it is the end that stands still: a pole, which is allowed. */
             if (at[e].at[i] > 1e-6 && at[e].at[i] < 1 - 1e-6)
                 bat_remark(run,
                            "side %d stands still at %.4g of its parameter; the normal there is "
@@ -54,6 +55,7 @@ static batten_status tell_corners(bat_run *run, const bat_boundary *boundary)
     for (int e = 0; status == BATTEN_OK && e < 2; e++)
         for (int i = 0; i < at[e].count; i++)
             for (int j = 0; j < at[e + 2].count; j++)
+                /* Inside, and at the same parameter to a millionth of the side. */
                 if (at[e].at[i] > 1e-6 && at[e].at[i] < 1 - 1e-6 &&
                     fabs(at[e].at[i] - at[e + 2].at[j]) < 1e-6)
                     bat_note(run,
@@ -174,6 +176,7 @@ static batten_status take_slope(bat_run *run, const batten_object *object, int e
     if (error > 0)
         bat_report_error(run, error, error);
     const double off = bat_max(misfit[0], misfit[1]);
+    /* A sine: less than a millionth is what exact neighbours keep of rounding. */
     if (off > 1e-6)
         bat_note(run, "a boundary curve leaves '%s' %.3g degrees off its tangent plane",
                  object->name, asin(bat_min(1, off)) * 180 / BAT_PI);

@@ -199,6 +199,7 @@ batten_status bat_curve_in_plane(const batten_curve *curve, int axis, batten_cur
 
 batten_status bat_points_check_size(int count, const double *points)
 {
+    /* Cubes of lengths, and their inverses, must neither overflow nor vanish: 1e308 has room for these. */
     static const double least = 1e-90, most = 1e90;
     double size = 0;
     for (int i = 0; i < 3 * count; i++)

@@ -122,6 +122,7 @@ static batten_status measure_body(bat_run *run, const batten_object *object, boo
 {
     const batten_body_parts *parts = batten_body_view(object->body);
     batten_body_measures m = {.area = 0};
+    /* Relative: nine digits of areas and volumes, with the bound beside them. */
     batten_status status = batten_body_measure(object->body, 1e-9, run->job, &m);
     if (status == BATTEN_TOLERANCE_NOT_MET) {
         bat_note(run, "'%.60s': %s", object->name, batten_message());

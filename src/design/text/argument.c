@@ -171,6 +171,7 @@ static void read_count(const reading *r, const char *word, bat_item *item)
     }
     if (!read_quantity(r, BATTEN_VALUE_COUNT, word, &q))
         return;
+    /* Fits an int. */
     if (q.value >= 0 && q.value <= 1e9 && q.value == floor(q.value)) {
         item->count = (int)q.value;
         return;

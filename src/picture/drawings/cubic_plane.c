@@ -407,11 +407,13 @@ static void fill_legend(bat_legend *legend)
 
 batten_draw_cubic_plane_options batten_draw_cubic_plane_defaults(void)
 {
-    return (batten_draw_cubic_plane_options){.size = sizeof(batten_draw_cubic_plane_options),
-                                             .low = -2,
-                                             .high = 3.6,
-                                             .tolerance = 1e-9,
-                                             .glyphs = true};
+    return (batten_draw_cubic_plane_options){
+        .size = sizeof(batten_draw_cubic_plane_options),
+        .low = -2,
+        .high = 3.6,
+        /* Relative: nearer to a boundary a cubic is drawn on it. */
+        .tolerance = 1e-9,
+        .glyphs = true};
 }
 
 static void draw_plane(const drawing *d)

@@ -100,6 +100,7 @@ static batten_view detect_view(const extent *e)
         largest = bat_max(largest, range[k]);
         coordinate = bat_max(coordinate, bat_max(fabs(e->low[k]), fabs(e->high[k])));
     }
+    /* Flat to the rounding of files, or of coordinates far from the origin. */
     const double flat = bat_max(1e-9 * largest, 1e-14 * coordinate);
     if (range[2] <= flat)
         return BATTEN_VIEW_TOP;

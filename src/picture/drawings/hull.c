@@ -146,6 +146,7 @@ static batten_status measure(const batten_model *model, batten_notes *notes, bat
     hull->low[1] = 0;
     if (!(hull->high[1] > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "a lines plan needs a hull with some breadth");
+    /* Points on the centre plane may have the rounding of single precision on the other side. */
     *out = (half){side, -1e-7 * hull->high[1]};
     return BATTEN_OK;
 }
@@ -231,6 +232,7 @@ static void add_design_waterline(bat_hull *hull, double at, batten_notes *notes)
         return;
     }
     int i = cuts->count;
+    /* Nearer than a millionth of the depth two waterlines are one line of the drawing. */
     const double same = 1e-6 * (hull->high[2] - hull->low[2]);
     while (i > 0 && cuts->cuts[i - 1].at > at - same)
         i--;
@@ -350,6 +352,7 @@ static batten_status keep_edge(const batten_surface *surface, batten_direction d
     batten_status status = bat_stroke_isoline(surface, direction, at, &edge);
     for (size_t i = 0; i < edge.count; i++)
         edge.points[3 * i + 1] *= h.side;
+    /* An edge shorter than a millionth of the hull is a pole, and is not drawn. */
     if (status == BATTEN_OK && !bat_stroke_is_point(&edge, 1e-6 * size))
         status = bat_strokes_add_part(edges, &edge, 1, 1, h.below);
     bat_stroke_free(&edge);
@@ -365,6 +368,7 @@ static batten_status gather_edges(const batten_model *model, half h, bat_hull *h
         for (int d = 0; d < 2; d++) {
             const batten_direction direction = d == 0 ? BATTEN_U : BATTEN_V;
             const batten_interval domain = batten_surface_domain(surface, direction);
+            /* Closed to the rounding of files. */
             if (batten_surface_is_closed(surface, direction, 1e-9 * size))
                 continue;
             batten_status status =

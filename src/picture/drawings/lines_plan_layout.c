@@ -41,6 +41,7 @@ static double usual_ratio(double least)
     static const double factors[] = {1, 1.5, 2, 2.5, 3, 4, 5, 7.5};
     const double power = pow(10, floor(log10(least)));
     for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++)
+        /* A scale that is reached but for rounding is taken. */
         if (factors[i] * power >= least * (1 - 1e-9))
             return factors[i] * power;
     return 10 * power;

@@ -215,6 +215,7 @@ static void unite(intervals *list)
     qsort(list->all, list->count, sizeof *list->all, by_start);
     size_t last = 0;
     for (size_t i = 1; i < list->count; i++) {
+        /* A millionth of a segment, see above. */
         if (list->all[i].from <= list->all[last].to + 1e-6)
             list->all[last].to = bat_max(list->all[last].to, list->all[i].to);
         else

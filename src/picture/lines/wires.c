@@ -108,6 +108,7 @@ static batten_status add_isoline(bat_wires *w, bat_wire_kind kind, int object,
         bat_stroke_isoline_within(surface, direction, at, w->tolerance, &stroke);
     if (status != BATTEN_OK)
         return status;
+    /* A pole to the rounding of files is not a line. */
     if (bat_stroke_is_point(&stroke, 1e-9 * w->size) ||
         (kind == BAT_WIRE_EDGE && is_known_edge(w, &stroke))) {
         bat_stroke_free(&stroke);
@@ -187,6 +188,7 @@ static batten_status add_lines(bat_wires *w, int object, batten_direction direct
 {
     const batten_surface *s = batten_model_object(w->model, object)->surface;
     const batten_interval domain = batten_surface_domain(s, direction);
+    /* Closed to the rounding of files. */
     const bool closed = batten_surface_is_closed(s, direction, 1e-9 * w->size);
     const int parts = w->options->isolines;
     batten_status status = BATTEN_OK;

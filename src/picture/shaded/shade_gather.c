@@ -55,6 +55,7 @@ static batten_status make_solid(bat_shaded *p, const batten_object *object, doub
                        p->job, &made.tiles);
     if (status != BATTEN_OK)
         return status;
+    /* Closed to the rounding of files. */
     made.edges[0] = !batten_surface_is_closed(s, BATTEN_U, 1e-9 * size);
     made.edges[1] = !batten_surface_is_closed(s, BATTEN_V, 1e-9 * size);
     made.shows_isolines = o->shading == BATTEN_SHADING_ISOLINES;

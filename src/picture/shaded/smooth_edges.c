@@ -38,6 +38,7 @@ batten_status bat_smooth_edges(const batten_model *model, const batten_model *pa
     for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++) {
         const batten_object *object = batten_model_object(model, i);
         if (object->kind == BATTEN_OBJECT_TRIANGLES && size > 0)
+            /* Edges are the same when they are within a millionth of the model: a thousandth of a pixel. */
             status = mark_set(object->triangles, 1e-6 * size, made + at);
         at += object->kind == BATTEN_OBJECT_TRIANGLES
                   ? batten_triangles_count(object->triangles)

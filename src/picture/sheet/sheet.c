@@ -24,6 +24,7 @@ double bat_round_step(double range, double count)
 
 int bat_decimals_of_step(double step)
 {
+    /* A power of ten whose logarithm is rounded down is still that power. */
     return -(int)floor(log10(step) + 1e-9);
 }
 
@@ -73,6 +74,7 @@ static void multiples(double from, double range, double step, double *first, dou
 {
     *first = ceil(from / step - 1e-9);
     *last = floor((from + range) / step + 1e-9);
+    /* From there on doubles are a whole number apart: no multiples are left inside a step. */
     if (fabs(*first) > 1e15 || fabs(*last) > 1e15)
         *last = *first - 1;
 }

@@ -65,6 +65,7 @@ static batten_status add_piece(batten_status status, batten_curve **outline,
 static batten_status put_outline(bat_run *run, const batten_fold *fold)
 {
     static const double black[3] = {0, 0, 0};
+    /* Pieces of one fold meet to rounding; a thousand-millionth of its length is above that. */
     const double tolerance = 1e-9 * fold->length;
     batten_curve *outline = NULL, *piece = NULL, *right = NULL;
     batten_status status = smooth(fold, &fold->left, &outline);

@@ -60,6 +60,7 @@ static batten_status put_box(bat_run *run, const batten_object *object,
     char name[220];
     snprintf(name, sizeof name, "box of %.200s", object->name);
     like.name = name;
+    /* Thinner than some thousand roundings of the box is flat. */
     const double flat = 1e-12 * (box->half[0] + box->half[1]);
     if (!(box->half[1] > flat))
         return bat_fail(BATTEN_COINCIDENT, "'%s' is straight: its box is a line", object->name);

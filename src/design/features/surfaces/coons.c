@@ -84,6 +84,7 @@ static batten_status take_function(const batten_curve *graph, const char *name,
     for (int i = 0; status == BATTEN_OK && i < n; i++) {
         const double x = batten_curve_greville(graph, i);
         values[i] = points[i * d + 1];
+        /* The graph is over 0 .. 1: abscissae are those of Greville but for the rounding of its maker. */
         if (!(fabs(points[i * d] - x) <= 1e-9) || (d > 2 && points[i * d + 2] != 0))
             status =
                 bat_fail(BATTEN_NOT_COMPATIBLE,
@@ -159,6 +160,7 @@ static void report(const work *w, const batten_surface_coons_report *found)
 {
     bat_run *run = w->run;
     const double tolerance = w->options.tolerance;
+    /* Gaps that are a millionth of the tolerance are rounding, not worth a remark. */
     if (found->corner_gap > 1e-6 * tolerance)
         bat_remark(run, "the curves are up to %.3g apart, at corner %d; they meet halfway",
                    found->corner_gap, found->corner);

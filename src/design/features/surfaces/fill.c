@@ -197,6 +197,7 @@ static void report(const bat_run *run, const bat_objects *curves,
                          options->angle * 1.001 + 1e-9,
                          options->curvature ? reached->most_curvature : HUGE_VAL};
     report_edges(run, curves, &most, reached);
+    /* Less than a ten-thousandth of a radian is not seen. */
     if (reached->corner_angle > 1e-4)
         bat_note(run,
                  "in the corner between '%.100s' and '%.100s' the surfaces around have planes "

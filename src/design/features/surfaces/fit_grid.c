@@ -78,6 +78,7 @@ static batten_status find_lines(const bat_grid *grid, int k, double *lines)
             const double at = grid->points[3 * (u * grid->count_v + v) + k];
             if (j == 0)
                 lines[i] = at;
+            /* Coordinates written with nine digits or more still make a grid. */
             if (fabs(at - lines[i]) > 1e-9 * most)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
                                 "point %d of row %d has %c = %.9g, and the first of its %s "

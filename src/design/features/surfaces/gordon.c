@@ -155,6 +155,7 @@ static void tell_coarse(bat_run *run, const network *n, const batten_surface_gor
 {
     const double parts = r->size / WITHIN_PARTS, tenth = r->nearest / 10;
     char names[2][LABEL];
+    /* What is just that part, but for rounding, is not coarse. */
     if (n->within > parts * (1 + 1e-9))
         bat_remark(run,
                    "within %.3g is coarse for a network that is %.3g across; try within: %.1g",
@@ -185,6 +186,7 @@ static void tell_changes(bat_run *run, const network *n, const batten_surface_go
                    r->repeated[i].apart);
     if (r->repeated_count > BATTEN_GORDON_REPEATED)
         bat_remark(run, "curves given more than once: %d; left out", r->repeated_count);
+    /* Ends closer than a millionth of the network are one point: nothing to remark. */
     if (r->seam > r->size * 1e-6)
         bat_remark(run, "%s is taken as closed: its ends are %.3g apart, the widest",
                    label(n, r->seam_is_guide, r->seam_curve, names[0]), r->seam);

@@ -156,11 +156,13 @@ static void report_skin(const bat_run *run, const batten_surface_skin_report *fo
                  found->disorder + 1, found->disorder + 2, found->disorder_count);
     if (found->cure != BATTEN_CURE_NONE)
         bat_remark(run, "%s", cures[found->cure]);
+    /* Spans in a ratio of a thousand make derivatives that no other program handles well. */
     if (found->span_ratio < 1e-3)
         bat_note(run,
                  "along the sections the shortest span is %.2g of the median one; 'within' "
                  "finds knots that lie more evenly",
                  found->span_ratio);
+    /* Less than a ten-thousandth of a radian is not seen, and comes from rounding in files. */
     if (found->crease > 1e-4)
         bat_note(run,
                  "the surface has a crease of %.3g degrees that no section has; "

@@ -60,6 +60,7 @@ static batten_status divide_evenly(const bat_run *run, const batten_curve *curve
     if (chords)
         return batten_curve_divide_equal_chords(curve, count, within, NULL, at->at);
     return bat_word(run, "by") == AFFINE
+               /* Relative to the whole affine length. */
                ? batten_curve_divide_affine(curve, count, 1e-9, at->at)
                : batten_curve_divide(curve, count, within, at->at);
 }
