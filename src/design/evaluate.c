@@ -117,7 +117,7 @@ static batten_status run_feature(bat_design_state *s, int i, const batten_job *j
     }
     result->shown.status = status;
     result->shown.seconds = batten_system_seconds() - begin;
-    settle(entry, result);
+    bat_result_settle(entry, result);
     return status;
 }
 
