@@ -72,7 +72,7 @@ TEST(errors_name_file_line_column_and_the_nearest_name)
         {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: 2147483648}\n",
          "above the largest"},
         {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: =1/2}\n",
-         "must be a whole number, 0 or more; '=1/2' is none"},
+         "must be a whole number, 0 or more, not '=1/2'"},
         {"batten: 1\nfeatures:\n  a: {points: [0, nan]}\n",
          "hull.yaml:3:19: points needs a length: a number is expected at \"nan\""},
         {"batten: 1\nfeatures:\n  a: {points: [0, 3 deg]}\n",
@@ -128,7 +128,7 @@ TEST(every_error_of_a_text_is_noted)
     CHECK_STATUS(parse(text, &design), BATTEN_BAD_FORMAT);
     if (!*said)
         return;
-    CHECK_CONTAINS(said, "hull.yaml:2: column 8: unknown unit 'q'");
+    CHECK_CONTAINS(said, "hull.yaml:2: column 8: unknown unit of length 'q'");
     CHECK_CONTAINS(said, "hull.yaml:4: column 7: there is no operation 'pionts'");
     CHECK_CONTAINS(said, "hull.yaml:5: column 19: points needs a length: unknown unit 'kg'");
     CHECK_CONTAINS(said, "hull.yaml:5: column 26: points has no parameter 'culumns'");

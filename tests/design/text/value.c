@@ -182,7 +182,7 @@ TEST(wrong_expressions_say_what_was_expected)
         {"=1, 2", "decimal mark"},
         {"=(1, 2)", "decimal mark"},
         {"=sin 3", "'(' is expected"},
-        {"=2 beam", "no unit"},
+        {"=2 beam", "unknown unit"},
         {"=beam beam", "operator is expected"},
         {"=*3", "number is expected"},
     };

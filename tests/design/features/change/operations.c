@@ -146,7 +146,7 @@ TEST(operations_say_what_they_cannot_do)
         {"{fair: s, within: 1 mm}", "without the points it was made from"},
         {"{fair: l1, within: 1 mm}", "without the points it was made from"},
         {"{move: t, by: x}", "is a table of offsets, which cannot be moved"},
-        {"{read: offsets.csv, unit: furlong}", "no unit of length"},
+        {"{read: offsets.csv, unit: furlong}", "not a known unit of length"},
         {"{read: offsets.csv, scale: 0}", "must be above 0"},
         {"{read: absent.csv}", "there is no such file"},
         {"{extrude: l1, along: origin}", "'along' is 0"},

@@ -49,7 +49,7 @@ TEST(curves_that_bend_and_tolerances_below_0_are_refused)
 {
     batten_design *design = NULL;
     CHECK_STATUS(evaluate("{thin-points: c, within: 1 cm}", &design), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("no polyline");
+    CHECK_MESSAGE("not a polyline");
     CHECK_STATUS(evaluate("{thin-points: p, within: -1 cm}", &design), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("must not be negative");
 }

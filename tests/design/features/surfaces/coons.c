@@ -78,7 +78,7 @@ TEST(what_a_coons_patch_cannot_use_is_said)
          "2 twists, not 1 or 4"},
         {"{coons: [s, e, n, w], functions: [f0]}", "1 functions, this kind takes 2"},
         {"{coons: [s, e, n, w], functions: [f0, f2]}", "F1: the value at 1 is 0.5, not 1"},
-        {"{coons: [s, e, n, w], functions: [f0, n2]}", "no graph over its parameter"},
+        {"{coons: [s, e, n, w], functions: [f0, n2]}", "not a graph over its parameter"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         char text[2000];
