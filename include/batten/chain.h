@@ -205,9 +205,10 @@ BATTEN_API batten_status batten_chain_join(const batten_chain *first,
  * chain than `tolerance`, at equal parameters.
  *
  * @param tolerance model units, > 0
- * @param[out] error 1.2 times the largest distance at equal parameters among 16 samples of each
- *             piece, and at least the largest gap between two spans that was let pass when the
- *             chain was made; 0 when exact. May be NULL
+ * @param[out] error a bound of the distance at equal parameters, from a bound of the sixth
+ *             derivative on each piece and the rounding of the coordinates; at least the largest
+ *             gap between two spans that was let pass when the chain was made; 0 when exact.
+ *             May be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, TOO_LARGE (1 million pieces), OVERFLOW
  * Cost: linear in the number of pieces.
  * Source: [dBHS87] for the order, 6.

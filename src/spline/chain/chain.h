@@ -40,6 +40,10 @@ void bat_span_geometric(int d, const batten_span *span, double t, int order, dou
 batten_status bat_span_elastica_check(const batten_span *span, int index);
 batten_status bat_span_geometric_check(const batten_span *span, int index);
 
+/* How far the span is at most, on [a, b] of its own parameter, from the quintic with its point and
+ * two derivatives at both ends; infinity where nothing is known (quintic_bound.c). */
+double bat_span_quintic_bound(int d, const batten_span *span, double a, double b);
+
 /* ---- what the families of nonlinear splines know of their spans ---- */
 
 /* A free elastica at the end of its arc length s, which begins at (0, 0) along the x axis. */

@@ -1,12 +1,13 @@
 /* From chains to NURBS: exact where the spans are, else quintics within a tolerance. */
 #include "spline/curve/curve.h"
+#include "numeric/halving.h"
 #include "numeric/vector.h"
 #include "spline/chain/chain.h"
 
 #include <float.h>
 #include <string.h>
 
-enum { MAX_PIECES = 1000000, DEPTH = 40, SAMPLES = 16 };
+enum { MAX_PIECES = 1000000, DEPTH = 40 };
 
 static int span_degree(const batten_chain *chain)
 {
@@ -145,60 +146,46 @@ static batten_status hermite(const batten_chain *chain, int degree, double a, do
     return BATTEN_OK;
 }
 
-/* The largest distance at equal parameters, among samples; infinity when there are no numbers.
- */
-static batten_status measure(const batten_chain *chain, int degree, double a, double b,
-                             const double *points, double *error)
+/* A bound of the distance at equal parameters from piece [a, b] of span i. */
+static double quintic_error(const batten_chain *chain, int i, double a, double b,
+                            const double *points)
 {
+    const batten_span *span = &chain->spans[i];
     const int d = batten_chain_dimension(chain);
+    const double from = chain->breaks[i];
+    const double scale = span->length / (chain->breaks[i + 1] - from);
     double largest = 0;
-    for (int i = 1; i < SAMPLES; i++) {
-        const double t = (double)i / SAMPLES;
-        double basis[6], near[3], true_point[3];
-        bat_bernstein(degree, t, 1 - t, basis);
-        bat_combine(degree, basis, (size_t)d, points, near);
-        const batten_status status =
-            batten_chain_evaluate(chain, a + (b - a) * t, 0, true_point);
-        if (status != BATTEN_OK)
-            return status;
-        largest = bat_max(largest, bat_distance(d, near, true_point));
-    }
-    *error = largest;
-    return BATTEN_OK;
+    for (int k = 0; k < 6 * d; k++)
+        largest = bat_max(largest, fabs(points[k]));
+    /* A point of the piece, and one of the span, are sums of three terms or fewer. */
+    const double rounding = 2 * 3 * DBL_EPSILON * largest;
+    return bat_span_quintic_bound(chain->dimension, span, (a - from) * scale,
+                                  (b - from) * scale) +
+           rounding;
 }
 
-/* Halve from the left until every part is near enough; waiting right halves lie on a stack. */
+/* Halve from the left until every part is near enough; the cubics are exact. */
 static batten_status add_hermite(const batten_chain *chain, pieces *p, int i, double tolerance,
                                  double *error)
 {
-    struct {
-        double b;
-        int depth;
-    } stack[DEPTH + 2] = {{chain->breaks[i + 1], 0}};
-    double a = chain->breaks[i];
+    bat_halving h = bat_halving_of(chain->breaks[i], chain->breaks[i + 1], DEPTH);
     batten_status status = BATTEN_OK;
-    for (int waiting = 1; status == BATTEN_OK && waiting > 0;) {
-        const double b = stack[waiting - 1].b, middle = a + (b - a) / 2;
-        const int depth = stack[waiting - 1].depth;
+    while (status == BATTEN_OK && h.waiting > 0) {
         double points[6 * 3], off = 0;
-        status = hermite(chain, p->degree, a, b, points);
+        status = hermite(chain, p->degree, h.a, h.b, points);
         if (status == BATTEN_OK && p->degree == 5)
-            status = measure(chain, p->degree, a, b, points, &off);
-        if (status == BATTEN_OK && 1.2 * off > tolerance) {
-            if (depth == DEPTH || !(middle > a && middle < b))
+            off = quintic_error(chain, i, h.a, h.b, points);
+        if (status == BATTEN_OK && !(off <= tolerance)) {
+            if (!bat_halving_split(&h))
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                                 "span %d of the chain comes within %g, not %g", i, off,
                                 tolerance);
-            stack[waiting - 1].depth = depth + 1;
-            stack[waiting].b = middle;
-            stack[waiting++].depth = depth + 1;
             continue;
         }
         if (status == BATTEN_OK)
-            status = add(p, points, NULL, b);
-        *error = bat_max(*error, 1.2 * off);
-        a = b;
-        waiting--;
+            status = add(p, points, NULL, h.b);
+        *error = bat_max(*error, off);
+        bat_halving_accept(&h);
     }
     return status;
 }

@@ -246,3 +246,48 @@ TEST(n2_chains_of_any_size_convert_with_the_same_relative_error)
         batten_chain_unref(chain);
     }
 }
+
+/* One random span of a kind that is not exact, about `turn` radians long. */
+static batten_span random_span(test_random *random, batten_span_kind kind, double turn)
+{
+    const double size = pow(10, test_random_in(random, -3, 3));
+    batten_span span = {.kind = kind, .length = size, .angle = test_random_in(random, -3, 3)};
+    const double k = turn / size;
+    if (kind == BATTEN_SPAN_SPIRAL)
+        for (int i = 0; i < 4; i++)
+            span.curvature[i] = test_random_in(random, -1, 1) * k * pow(size, -i);
+    else if (kind == BATTEN_SPAN_ELASTICA) {
+        span.curvature[0] = test_random_in(random, -1, 1) * k;
+        span.curvature[1] = test_random_in(random, -1, 1) * k / size;
+    } else {
+        span.chord = span.angle - asin(test_random_in(random, -0.1, 0.1));
+        span.curvature[0] = test_random_in(random, 0.25, 0.4) / size;
+        span.curvature[1] = test_random_in(random, -0.1, 0.1) / (size * size);
+    }
+    return span;
+}
+
+TEST(the_error_of_a_conversion_bounds_the_true_one_and_is_of_its_size)
+{
+    const batten_span_kind kinds[] = {BATTEN_SPAN_SPIRAL, BATTEN_SPAN_ELASTICA,
+                                      BATTEN_SPAN_GEOMETRIC};
+    /* The largest sixth derivative of a piece bounds it: one by the abscissa grows steeply. */
+    const double allowed[] = {6, 6, 20};
+    test_random random = test_random_begin(__func__);
+    for (int i = 0; i < COUNT(kinds); i++)
+        for (int round = 0; round < 60; round++) {
+            const batten_span span =
+                random_span(&random, kinds[i], test_random_in(&random, 2, 6));
+            batten_chain *chain = NULL;
+            batten_curve *curve = NULL;
+            double error = 0;
+            CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0,
+                                         &chain));
+            CHECK_OK(batten_chain_to_curve(chain, 1e-10 * span.length, &error, &curve));
+            const double most = distance(chain, curve, 2000);
+            CHECK(most <= error && error <= 1e-10 * span.length);
+            CHECK(error <= allowed[i] * most + 1e-13 * span.length);
+            batten_curve_unref(curve);
+            batten_chain_unref(chain);
+        }
+}
