@@ -150,6 +150,14 @@ BATTEN_API batten_status batten_curve_winding(const batten_curve *curve, const d
 BATTEN_API batten_status batten_curve_turning(const batten_curve *curve,
                                               double closing_tolerance, double *out);
 
+/** What batten_surface_area found. */
+typedef struct batten_area_measures {
+    double area; /**< model units squared */
+    double
+        error; /**< the sum of the differences: the error of the shorter rule, much above that
+                       of the longer, whose value is returned */
+} batten_area_measures;
+
 /**
  * The area of a surface of any kind, of 2 or 3 dimensions: what it covers twice counts twice.
  *
@@ -158,17 +166,13 @@ BATTEN_API batten_status batten_curve_turning(const batten_curve *curve,
  *
  * @param precision   relative, > 0; the limit of rounding is some 1e-15
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param[out] area   model units squared
- * @param[out] error  the sum of the differences: the error of the shorter rule, much above that
- *                    of the longer, whose value is returned; may be NULL
+ * @param[out] out    measures: filled in also with TOLERANCE_NOT_MET
  * @return BATTEN_OK; BAD_ARGUMENT (precision), UNSUPPORTED (dimension 1), OVERFLOW, CANCELLED;
- * TOLERANCE_NOT_MET after 8192 halvings, as where a surface folds: area and error are set then
- * nevertheless, and nowhere else.
+ * TOLERANCE_NOT_MET after 8192 halvings, as where a surface folds
  * Cost: 169 points for each span and, twice, for each halving; memory 64 bytes for each.
  */
 BATTEN_API batten_status batten_surface_area(const batten_surface *surface, double precision,
-                                             const batten_job *job, double *error,
-                                             double *area);
+                                             const batten_job *job, batten_area_measures *out);
 /**
  * Parameters that cut a curve into parts of equal length, both ends included.
  * @param count parts, 1 or more

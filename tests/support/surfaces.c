@@ -162,3 +162,14 @@ void check_same_shape(const batten_surface *a, const batten_surface *b, double t
                 CHECK_NEAR(y[c], x[c], tolerance);
         }
 }
+
+batten_status test_surface_area(const batten_surface *surface, double precision, double *area,
+                                double *error)
+{
+    batten_area_measures found = {*area, error ? *error : 0};
+    const batten_status status = batten_surface_area(surface, precision, NULL, &found);
+    *area = found.area;
+    if (error)
+        *error = found.error;
+    return status;
+}

@@ -1,6 +1,7 @@
 /* Random surfaces, and what they are by definition. */
 #ifndef TESTS_SUPPORT_SURFACES_H
 #define TESTS_SUPPORT_SURFACES_H
+#include <batten/measure.h>
 #include <batten/surface.h>
 
 #include "support/test.h"
@@ -40,4 +41,7 @@ void define_point(const batten_surface *surface, double u, double v, double *out
 double largest_coordinate(const batten_surface *surface);
 /* Do both surfaces have the same shape over their domains, to `tolerance`? */
 void check_same_shape(const batten_surface *a, const batten_surface *b, double tolerance);
+/* batten_surface_area, its measures as two numbers; `error` may be NULL. */
+batten_status test_surface_area(const batten_surface *surface, double precision, double *area,
+                                double *error);
 #endif

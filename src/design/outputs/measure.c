@@ -283,12 +283,12 @@ typedef struct {
 /* A fold, where halving does not converge, shows in the error. */
 static batten_status add_area(const bat_run *run, const batten_surface *surface, extent *e)
 {
-    double area = 0, error = 0;
-    batten_status status = batten_surface_area(surface, precision, run->job, &error, &area);
+    batten_area_measures found = {0};
+    batten_status status = batten_surface_area(surface, precision, run->job, &found);
     if (status == BATTEN_TOLERANCE_NOT_MET)
         status = BATTEN_OK;
-    e->area += area;
-    e->error += error;
+    e->area += found.area;
+    e->error += found.error;
     return status;
 }
 

@@ -209,7 +209,7 @@ static batten_status check_area(const batten_surface *surface, double precision,
 }
 
 batten_status batten_surface_area(const batten_surface *surface, double precision,
-                                  const batten_job *job, double *error, double *area)
+                                  const batten_job *job, batten_area_measures *out)
 {
     ruler r = {.surface = surface, .dimension = batten_surface_dimension(surface)};
     heap h = {0, 0, NULL};
@@ -228,14 +228,11 @@ batten_status batten_surface_area(const batten_surface *surface, double precisio
     if (status == BATTEN_OK || status == BATTEN_TOLERANCE_NOT_MET) {
         const double found = sum(&h, &h.cells->area) * r.size * r.size;
         const double off = sum(&h, &h.cells->error) * r.size * r.size;
-        if (isfinite(found)) {
-            *area = found;
-            if (error)
-                *error = off;
-        } else {
+        if (isfinite(found))
+            *out = (batten_area_measures){found, off};
+        else
             status =
                 bat_fail(BATTEN_OVERFLOW, "of a size of %g the area is out of range", r.size);
-        }
     }
     bat_release(h.cells);
     bat_release(r.values);

@@ -1,5 +1,6 @@
 #include "body/elementary/elementary.h"
 #include "numeric/vector.h"
+#include "support/surfaces.h"
 #include "support/test.h"
 #include <batten/measure.h>
 #include <batten/nearest.h>
@@ -106,7 +107,7 @@ TEST(a_plane_reaches_over_its_points)
     put(0, -4, 0, points + 6);
     batten_surface *surface = reach(&e, 3, points);
     check_surface(&e, surface, 10);
-    CHECK_OK(batten_surface_area(surface, 1e-12, NULL, &error, &area));
+    CHECK_OK(test_surface_area(surface, 1e-12, &area, &error));
     CHECK_NEAR(area, 11 * 7, 1e-9); /* 5 % of 10 more on each side */
     /* Its parameters are the coordinates of the frame. */
     double at[3], due[3];
@@ -127,7 +128,7 @@ TEST(a_cylinder_goes_all_around_with_its_normals_away_from_the_axis)
     batten_surface *surface = reach(&e, 2, points);
     check_surface(&e, surface, 10);
     CHECK(batten_surface_is_closed(surface, BATTEN_U, 1e-14));
-    CHECK_OK(batten_surface_area(surface, 1e-12, NULL, &error, &area));
+    CHECK_OK(test_surface_area(surface, 1e-12, &area, &error));
     CHECK_NEAR(area, 2 * BAT_PI * 2 * 11, 1e-8);
     batten_surface_unref(surface);
 }
@@ -270,12 +271,12 @@ TEST(spheres_and_tori_are_whole)
     double area, error;
     batten_surface *surface = reach(&ball, 0, NULL);
     check_surface(&ball, surface, 6);
-    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &error, &area));
+    CHECK_OK(test_surface_area(surface, 1e-10, &area, &error));
     CHECK_NEAR(area, 4 * BAT_PI * 9, 1e-7);
     batten_surface_unref(surface);
     surface = reach(&ring, 0, NULL);
     check_surface(&ring, surface, 14);
-    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &error, &area));
+    CHECK_OK(test_surface_area(surface, 1e-10, &area, &error));
     CHECK_NEAR(area, 4 * BAT_PI * BAT_PI * 10, 1e-6);
     batten_surface_unref(surface);
 }
@@ -290,7 +291,7 @@ TEST(G5_a_tube_over_the_axis_is_cut_there)
     put(0, a, b, points + 3);
     batten_surface *surface = reach(&e, 2, points);
     check_surface(&e, surface, 6);
-    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &error, &area));
+    CHECK_OK(test_surface_area(surface, 1e-10, &area, &error));
     CHECK_NEAR(area, 2 * BAT_PI * b * 2 * (a * turn + b * sin(turn)), 1e-7);
     CHECK_BITS(rim_radius(surface, false), 0);
     CHECK_BITS(rim_radius(surface, true), 0);
@@ -300,7 +301,7 @@ TEST(G5_a_tube_over_the_axis_is_cut_there)
     put(0, -(b * cos(0.5) - a), b * sin(0.5), points + 3);
     surface = reach(&e, 2, points);
     check_surface(&e, surface, 6);
-    CHECK_OK(batten_surface_area(surface, 1e-10, NULL, &error, &area));
+    CHECK_OK(test_surface_area(surface, 1e-10, &area, &error));
     CHECK_NEAR(area, 2 * BAT_PI * b * 2 * (b * sin(inner) - a * inner), 1e-7);
     batten_surface_unref(surface);
     const bat_elementary horn = {.kind = BAT_TORUS, .frame = tilted(), .a = 2, .b = 2};
@@ -366,7 +367,7 @@ TEST(a_profile_over_the_axis_is_cut_there)
         double points[3], area, error;
         put(0, 3 * cos(0.4), 3 * sin(0.4), points);
         batten_surface *surface = reach(&e, 1, points);
-        CHECK_OK(batten_surface_area(surface, 1e-9, NULL, &error, &area));
+        CHECK_OK(test_surface_area(surface, 1e-9, &area, &error));
         CHECK_NEAR(area, 4 * BAT_PI * 9, 1e-7);
         CHECK_BITS(rim_radius(surface, false), 0);
         CHECK_BITS(rim_radius(surface, true), 0);
@@ -388,7 +389,7 @@ TEST(the_points_say_which_side_of_the_axis_a_profile_is)
         double points[3], area, error;
         put(0, lemon ? 1 : 3, 0, points);
         batten_surface *surface = reach(&e, 1, points);
-        CHECK_OK(batten_surface_area(surface, 1e-9, NULL, &error, &area));
+        CHECK_OK(test_surface_area(surface, 1e-9, &area, &error));
         CHECK_NEAR(area, 8 * BAT_PI * ((lemon ? -1 : 1) * turn + 2 * sin(turn)), 1e-6);
         batten_surface_unref(surface);
         batten_curve_unref(curve);
