@@ -100,6 +100,7 @@ BATTEN_API void batten_set_allocator(const batten_allocator *allocator);
  * Keep a sentence as this thread's message and return `status`: `return batten_fail(...)`.
  *
  * @param format  as printf
+ * @return the status given, so that a function can end with it
  */
 BATTEN_API batten_status batten_fail(batten_status status, const char *format, ...)
     BATTEN_PRINTF(2, 3);

@@ -249,6 +249,8 @@ BATTEN_API batten_status batten_curve_evaluate_beyond(const batten_curve *curve,
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out [count][order + 1][d]; of no use after a failure, whose message names the
  * index
+ * @return as batten_curve_evaluate, naming the first parameter that fails; CANCELLED,
+ * OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_curve_evaluate_many(const batten_curve *curve, size_t count,
                                                     const double *u, int order,

@@ -90,6 +90,7 @@ BATTEN_API const char *batten_feature_nearest(const char *name);
  * The JSON Schema of design files, made from the table; release with batten_release.
  *
  * @param[out] json  release with batten_release
+ * @return BATTEN_OK or OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_design_schema(char **json);
 

@@ -60,6 +60,7 @@ BATTEN_API batten_status batten_chain_length(const batten_chain *chain, double *
  *
  * @param curve  any curve
  * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK or OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_curve_bounds(const batten_curve *curve, batten_box *out);
 

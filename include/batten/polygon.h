@@ -17,6 +17,7 @@ extern "C" {
  * @param points [degree + 1][dimension]; weights [degree + 1] or
  * NULL
  * @param[out] out  the result; as it was when the function fails
+ * @return as batten_curve_create
  */
 BATTEN_API batten_status batten_curve_bezier(int dimension, int degree, const double *points,
                                              const double *weights, batten_curve **out);

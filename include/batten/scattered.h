@@ -180,6 +180,7 @@ BATTEN_API batten_status batten_surface_cloud(const batten_cloud *cloud,
  * @param corners (0, 0), (1, 0), (0,
  * 1), (1, 1) [4][3]
  * @param[out] out  the result; as it was when the function fails
+ * @return as batten_surface_create
  */
 BATTEN_API batten_status batten_surface_from_corners(const double *corners,
                                                      batten_surface **out);

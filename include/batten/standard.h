@@ -16,6 +16,7 @@ extern "C" {
  * The segment from a to b, in `dimension` coordinates, degree 1, domain [0, 1].
  *
  * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_curve_line(int dimension, const double *a, const double *b,
                                            batten_curve **out);
@@ -97,6 +98,7 @@ BATTEN_API batten_status batten_curve_ellipse(double a, double b, double start, 
  *
  * @param dimension  coordinates of each point, 1 to 3
  * @param[out] out  the result; as it was when the function fails
+ * @return as batten_curve_create
  */
 BATTEN_API batten_status batten_curve_conic(int dimension, const double *a, const double *b,
                                             const double *c, double w, batten_curve **out);
@@ -128,6 +130,7 @@ BATTEN_API batten_status batten_curve_conic_five(const double *points, batten_cu
  * @param p01  S(0, 1)
  * @param p11  S(1, 1)
  * @param[out] out  the result; as it was when the function fails
+ * @return as batten_surface_create
  */
 BATTEN_API batten_status batten_surface_bilinear(batten_vec3 p00, batten_vec3 p10,
                                                  batten_vec3 p01, batten_vec3 p11,

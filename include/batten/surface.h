@@ -120,8 +120,12 @@ BATTEN_API bool batten_surface_is_closed(const batten_surface *surface,
 /** The box of the control points, which holds the surface; of a formula the box of samples,
  * with room for what lies between them: near, but not proved. */
 BATTEN_API batten_box batten_surface_box(const batten_surface *surface);
-/** An equal NURBS surface, exact where mathematics allows it, else within `tolerance`.
- * @param[out] error the deviation, 0 when exact; may be NULL */
+/**
+ * An equal NURBS surface, exact where mathematics allows it, else within `tolerance`.
+ * @param[out] error the deviation, 0 when exact; may be NULL
+ * @return BATTEN_OK; TOLERANCE_NOT_MET, TOO_LARGE and what the kind of surface refuses;
+ * OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_to_nurbs(const batten_surface *surface,
                                                  double tolerance, double *error,
                                                  batten_surface **out);
@@ -185,6 +189,7 @@ BATTEN_API bool batten_surface_is_periodic(const batten_surface *surface,
  * @param[out] out [BATTEN_SURFACE_DERIVATIVES(order)][dimension]
  * Sides, domain and errors as for curves; a periodic direction takes any parameter. Of a
  * surface that is no NURBS `order` is at most 3, else BAD_ARGUMENT.
+ * @return BATTEN_OK, OUT_OF_DOMAIN; what the kind of surface refuses; OUT_OF_MEMORY
  *
  * Cost: (p + 1)(q + 1) d multiplications for each derivative in u, (q + 1) d for each more;
  * memory is allocated above order 3 only. One call, many and grids give the same bits, on any
@@ -209,21 +214,29 @@ BATTEN_API batten_status batten_surface_evaluate(const batten_surface *surface, 
 BATTEN_API batten_status batten_surface_evaluate_side(const batten_surface *surface, double u,
                                                       double v, batten_sides sides, int order,
                                                       double *out);
-/** Many points in any order. A parameter outside the domain is found before anything is
+/**
+ * Many points in any order. A parameter outside the domain is found before anything is
  * written; after OVERFLOW, CANCELLED or OUT_OF_MEMORY the content of `out` is open.
  * @param surface  any surface
  * @param uv
  * [count][2]
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param[out] out [count][BATTEN_SURFACE_DERIVATIVES(order)][dimension] */
+ * @param[out] out [count][BATTEN_SURFACE_DERIVATIVES(order)][dimension]
+ * @return as batten_surface_evaluate, naming the first place that fails; CANCELLED,
+ * OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_evaluate_many(const batten_surface *surface,
                                                       size_t count, const double *uv, int order,
                                                       const batten_job *job, double *out);
-/** All points (u[i], v[j]); u and v need not be sorted.
+/**
+ * All points (u[i], v[j]); u and v need not be sorted.
  * @param surface  any surface
  * @param places  the parameters
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param[out] out [count_u][count_v][BATTEN_SURFACE_DERIVATIVES(order)][dimension] */
+ * @param[out] out [count_u][count_v][BATTEN_SURFACE_DERIVATIVES(order)][dimension]
+ * @return as batten_surface_evaluate, naming the first place that fails; CANCELLED,
+ * OUT_OF_MEMORY
+ */
 BATTEN_API batten_status batten_surface_evaluate_grid(const batten_surface *surface,
                                                       batten_uv_grid places, int order,
                                                       const batten_job *job, double *out);
@@ -259,6 +272,7 @@ BATTEN_API batten_status batten_surface_normal_grid(const batten_surface *surfac
  * size.
  *
  * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, OUT_OF_DOMAIN, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_surface_isocurve(const batten_surface *surface,
                                                  batten_direction direction, double at,
@@ -480,6 +494,7 @@ BATTEN_API batten_status batten_surface_with_point(const batten_surface *surface
  *
  * @param surface  any surface
  * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE (the map), OVERFLOW, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_surface_transform(const batten_surface *surface,
                                                   const batten_affine *map,
@@ -492,6 +507,7 @@ BATTEN_API batten_status batten_surface_transform(const batten_surface *surface,
  *
  * @param surface  any surface
  * @param[out] out  the result; as it was when the function fails
+ * @return as batten_surface_transform
  */
 BATTEN_API batten_status batten_surface_transform_sides(const batten_surface *surface,
                                                         const batten_affine *map,
@@ -543,7 +559,7 @@ BATTEN_API batten_status batten_surface_from_power(int dimension, batten_pieces 
  *
  * @param surface  a polynomial NURBS surface
  * @param[out] coefficients  [patches_u][patches_v][degree_u + 1][degree_v + 1][dimension]
- * @return BATTEN_OK; BAD_ARGUMENT for a rational surface
+ * @return BATTEN_OK; UNSUPPORTED for a rational surface
  *
  * Cost: linear in the patches.
  */

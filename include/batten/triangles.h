@@ -177,6 +177,7 @@ BATTEN_API batten_status batten_triangles_normal(const batten_triangles *triangl
  * @param triangles  a set of Bezier triangles
  * @param triangle  its index, from 0
  * @param[out] out  the result; as it was when the function fails
+ * @return as batten_curve_create
  */
 BATTEN_API batten_status batten_triangles_edge(const batten_triangles *triangles, int triangle,
                                                int edge, batten_curve **out);

@@ -139,6 +139,11 @@ def interface(_):
     wide = sorted(((len(r[3]), f'{r[0]}:{r[1]}: {r[2]} takes {len(r[3])}') for r in rows if len(r[3]) > 6), reverse=True)
     yield 'public-parameters-over-6', len(wide), [t for _, t in wide]
     yield 'public-headers', len({r[0] for r in rows}), sorted({r[0] for r in rows})
+    named = set(re.findall(r'<batten/(\w+\.h)>', read('include/batten/batten.h'))) | {'batten.h'}
+    lost = [h for h in tracked('include/*.h') if h.split('/')[-1] not in named]
+    yield 'headers-not-named-in-batten.h', len(lost), lost
+    odd = [f'{r[0]}:{r[1]}: {r[2]}' for r in rows if re.search(r'_of_(curve|surface|chain|body|triangles|points|name)\b', r[2])]
+    yield 'conversions-not-called-from', len(odd), odd
 
 
 def blocks(_):
