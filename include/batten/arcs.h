@@ -80,8 +80,8 @@ BATTEN_API batten_status batten_biarc_between(batten_ray start, batten_ray end,
  * @param end  which end
  * @return also NOT_FOUND when the point does not lie between the ends
  */
-BATTEN_API batten_status batten_biarc_place(const double start[2], const double end[2],
-                                            const double point[2], double *place);
+BATTEN_API batten_status batten_biarc_place(batten_vec2 start, batten_vec2 end,
+                                            batten_vec2 point, double *place);
 
 /**
  * A biarc in the plane or in space as a curve, by its legs: the joint divides the line between

@@ -14,6 +14,11 @@ typedef struct batten_vec3 {
     double x, y, z;
 } batten_vec3;
 
+/** A point or a direction of the plane. */
+typedef struct batten_vec2 {
+    double x, y;
+} batten_vec2;
+
 /** A closed interval, a <= b. */
 typedef struct batten_interval {
     double a, b;

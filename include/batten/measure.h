@@ -137,7 +137,7 @@ BATTEN_API batten_status batten_curve_region(const batten_curve *curve,
  * @param[out] out  the result; as it was when the function fails
  * @return NOT_COMPATIBLE; SINGULAR_HERE when the point is on the curve, to 1e-12 of its size
  */
-BATTEN_API batten_status batten_curve_winding(const batten_curve *curve, const double *point,
+BATTEN_API batten_status batten_curve_winding(const batten_curve *curve, batten_vec2 point,
                                               double closing_tolerance, int *out);
 /**
  * By how many full turns the tangent of a plane curve turns from start to end, corners and,

@@ -173,11 +173,11 @@ BATTEN_API void batten_unrolled_release(batten_unrolled *unrolled);
 /**
  * Where a point of the surface is in the plane: a mark.
  * @param u, v of `unrolled->surface`
- * @param[out] out [2]; as exact as the edges
+ * @param[out] out as exact as the edges
  * @return BATTEN_OK or OUT_OF_DOMAIN
  */
 BATTEN_API batten_status batten_unrolled_at(const batten_unrolled *unrolled, double u, double v,
-                                            double *out);
+                                            batten_vec2 *out);
 /** What is given besides the crease. Values along it are at equal steps of its length: one is a
  * constant, two a line, more a cubic through them. */
 typedef enum batten_fold_given {

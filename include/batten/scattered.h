@@ -73,7 +73,7 @@ BATTEN_API void batten_plane_triangles_release(batten_plane_triangles *triangles
  * convex, all of them.
  */
 BATTEN_API int batten_plane_triangles_find(const batten_plane_triangles *triangles, int start,
-                                           const double point[2], double at[3]);
+                                           batten_vec2 point, double at[3]);
 typedef enum batten_scattered_method {
     BATTEN_SCATTERED_PENALISED, /**< least squares and a penalty on bending */
     BATTEN_SCATTERED_MULTILEVEL /**< bicubic lattices, each half as wide as the one before, near

@@ -109,16 +109,16 @@ BATTEN_API batten_status batten_curve_conic(int dimension, const double *a, cons
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, SINGULAR_SYSTEM
  */
-BATTEN_API batten_status batten_curve_conic_through(const double *a, const double *b,
-                                                    const double *c, const double *q,
-                                                    batten_curve **out);
+BATTEN_API batten_status batten_curve_conic_through(batten_vec2 a, batten_vec2 b, batten_vec2 c,
+                                                    batten_vec2 q, batten_curve **out);
 /**
  * The conic arc through five points of the plane, in their order along it.
- * @param points [5][2]
+ * @param points  five points of the plane
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, COINCIDENT, SINGULAR_SYSTEM
+ * @return BATTEN_OK, UNSUPPORTED (dimension), BAD_ARGUMENT (not five), NOT_FINITE, COINCIDENT,
+ * SINGULAR_SYSTEM
  */
-BATTEN_API batten_status batten_curve_conic_five(const double *points, batten_curve **out);
+BATTEN_API batten_status batten_curve_conic_five(batten_points points, batten_curve **out);
 
 /* ---- surfaces ---- */
 

@@ -75,25 +75,26 @@ static batten_status count_windings(const batten_curve *curve, const batten_para
     return status;
 }
 
-batten_status batten_curve_winding(const batten_curve *curve, const double *point,
-                                   double closed, int *out)
+batten_status batten_curve_winding(const batten_curve *curve, batten_vec2 point, double closed,
+                                   int *out)
 {
+    const double point_xy[2] = {point.x, point.y};
     batten_parameters ways = {0, NULL};
     batten_deviation near;
     int count = 0;
     batten_status status = bat_closed_check(curve, closed);
     if (status == BATTEN_OK)
         status = batten_curve_deviation(
-            curve, (batten_points){batten_curve_dimension(curve), 1, point}, NULL, NULL, NULL,
-            &near);
+            curve, (batten_points){batten_curve_dimension(curve), 1, point_xy}, NULL, NULL,
+            NULL, &near);
     /* Within some thousand roundings the point is on it. */
     if (status == BATTEN_OK && near.max <= 1e-12 * bat_curve_size(curve))
-        status =
-            bat_fail(BATTEN_SINGULAR_HERE, "(%g, %g) lies on the curve", point[0], point[1]);
+        status = bat_fail(BATTEN_SINGULAR_HERE, "(%g, %g) lies on the curve", point_xy[0],
+                          point_xy[1]);
     if (status == BATTEN_OK)
         status = one_way(curve, &ways);
     if (status == BATTEN_OK)
-        status = count_windings(curve, &ways, point, &count);
+        status = count_windings(curve, &ways, point_xy, &count);
     if (status == BATTEN_OK)
         *out = count;
     bat_release(ways.at);

@@ -32,9 +32,9 @@ TEST(windings_are_counted_around_every_point)
     for (int i = 0; i < COUNT(rows); i++) {
         int winding = 7;
         const double at[2] = {rows[i].x, rows[i].y};
-        CHECK_OK(batten_curve_winding(curve, at, 1e-9, &winding));
+        CHECK_OK(batten_curve_winding(curve, (batten_vec2){at[0], at[1]}, 1e-9, &winding));
         CHECK_INT(winding, rows[i].winding);
-        CHECK_OK(batten_curve_winding(back, at, 1e-9, &winding));
+        CHECK_OK(batten_curve_winding(back, (batten_vec2){at[0], at[1]}, 1e-9, &winding));
         CHECK_INT(winding, -rows[i].winding);
     }
     CHECK_OK(batten_curve_turning(curve, 1e-9, &turns));
@@ -56,14 +56,15 @@ TEST(a_ray_through_corners_and_along_edges_counts_right)
     CHECK_OK(batten_curve_polyline((batten_points){2, 5, square}, &b));
     const double inside[2] = {0, 0}, outside[2] = {-2, 0}, beside[2] = {-1, 1},
                  on[2] = {0.5, 1};
-    CHECK_OK(batten_curve_winding(a, inside, 0, &winding));
+    CHECK_OK(batten_curve_winding(a, (batten_vec2){inside[0], inside[1]}, 0, &winding));
     CHECK_INT(winding, 1);
-    CHECK_OK(batten_curve_winding(a, outside, 0, &winding));
+    CHECK_OK(batten_curve_winding(a, (batten_vec2){outside[0], outside[1]}, 0, &winding));
     CHECK_INT(winding, 0);
-    CHECK_OK(batten_curve_winding(b, beside, 0, &winding));
+    CHECK_OK(batten_curve_winding(b, (batten_vec2){beside[0], beside[1]}, 0, &winding));
     CHECK_INT(winding, 0);
     winding = 7;
-    CHECK_STATUS(batten_curve_winding(b, on, 0, &winding), BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_curve_winding(b, (batten_vec2){on[0], on[1]}, 0, &winding),
+                 BATTEN_SINGULAR_HERE);
     CHECK_INT(winding, 7);
     batten_curve_unref(b);
     batten_curve_unref(a);

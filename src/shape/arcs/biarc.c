@@ -82,13 +82,16 @@ double bat_biarc_place(double alpha, double beta, batten_biarc_joint joint)
     return bat_max(margin, bat_min(1 - margin, place));
 }
 
-batten_status batten_biarc_place(const double start[2], const double end[2],
-                                 const double point[2], double *place)
+batten_status batten_biarc_place(batten_vec2 start, batten_vec2 end, batten_vec2 point,
+                                 double *place)
 {
-    assert(start && end && point && place);
-    const double chord[2] = {end[0] - start[0], end[1] - start[1]};
-    const double out[2] = {point[0] - start[0], point[1] - start[1]};
-    const double on[2] = {end[0] - point[0], end[1] - point[1]};
+    const double start_xy[2] = {start.x, start.y};
+    const double end_xy[2] = {end.x, end.y};
+    const double point_xy[2] = {point.x, point.y};
+    assert(place);
+    const double chord[2] = {end_xy[0] - start_xy[0], end_xy[1] - start_xy[1]};
+    const double out[2] = {point_xy[0] - start_xy[0], point_xy[1] - start_xy[1]};
+    const double on[2] = {end_xy[0] - point_xy[0], end_xy[1] - point_xy[1]};
     const double w = bat_turn(chord, out), v = bat_turn(on, chord);
     double found = v / (w + v);
     if (w == 0 && v == 0)
@@ -96,7 +99,7 @@ batten_status batten_biarc_place(const double start[2], const double end[2],
     if (!(found > 0 && found < 1))
         return bat_fail(BATTEN_NOT_FOUND,
                         "the point (%g, %g) does not lie between the ends of the biarc",
-                        point[0], point[1]);
+                        point_xy[0], point_xy[1]);
     *place = found;
     return BATTEN_OK;
 }

@@ -297,7 +297,7 @@ void batten_unrolled_release(batten_unrolled *unrolled)
 }
 
 batten_status batten_unrolled_at(const batten_unrolled *unrolled, double u, double v,
-                                 double *out)
+                                 batten_vec2 *out)
 {
     const batten_interval domain = batten_surface_domain(unrolled->surface, BATTEN_V);
     const double at[3] = {domain.a, v, domain.b};
@@ -315,7 +315,9 @@ batten_status batten_unrolled_at(const batten_unrolled *unrolled, double u, doub
         return status;
     const double whole = bat_distance(3, space[0], space[2]);
     const double share = whole > 0 ? bat_distance(3, space[0], space[1]) / whole : 0;
+    double place[2];
     for (int c = 0; c < 2; c++)
-        out[c] = first[c] + share * (second[c] - first[c]);
+        place[c] = first[c] + share * (second[c] - first[c]);
+    *out = (batten_vec2){place[0], place[1]};
     return BATTEN_OK;
 }

@@ -2,6 +2,7 @@
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <batten/standard.h>
 #include <float.h>
@@ -300,23 +301,27 @@ static double area(const double *a, const double *b, const double *c)
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-batten_status batten_curve_conic_through(const double *a, const double *b, const double *c,
-                                         const double *q, batten_curve **out)
+batten_status batten_curve_conic_through(batten_vec2 a, batten_vec2 b, batten_vec2 c,
+                                         batten_vec2 q, batten_curve **out)
 {
-    assert(a && b && c && q && out);
-    const double whole = area(a, b, c);
+    const double a_xy[2] = {a.x, a.y};
+    const double b_xy[2] = {b.x, b.y};
+    const double c_xy[2] = {c.x, c.y};
+    const double q_xy[2] = {q.x, q.y};
+    assert(out);
+    const double whole = area(a_xy, b_xy, c_xy);
     if (!isfinite(whole))
         return bat_fail(BATTEN_NOT_FINITE, "the area of the triangle is %g", whole);
     if (whole == 0)
         return bat_fail(BATTEN_SINGULAR_SYSTEM, "the points of the triangle lie on a line");
-    const double at_a = area(q, b, c) / whole, at_b = area(a, q, c) / whole,
-                 at_c = area(a, b, q) / whole;
+    const double at_a = area(q_xy, b_xy, c_xy) / whole, at_b = area(a_xy, q_xy, c_xy) / whole,
+                 at_c = area(a_xy, b_xy, q_xy) / whole;
     if (!(at_a > 0 && at_b > 0 && at_c > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "the point is not inside the triangle: its barycentric coordinates are "
                         "%g, %g, %g",
                         at_a, at_b, at_c);
-    return batten_curve_conic(2, a, b, c, at_b / (2 * sqrt(at_a * at_c)), out);
+    return batten_curve_conic(2, a_xy, b_xy, c_xy, at_b / (2 * sqrt(at_a * at_c)), out);
 }
 
 /*
@@ -427,14 +432,18 @@ static batten_status check_five(const double *points)
     return BATTEN_OK;
 }
 
-batten_status batten_curve_conic_five(const double *points, batten_curve **out)
+batten_status batten_curve_conic_five(batten_points points, batten_curve **out)
 {
-    assert(points && out);
-    const batten_status status = check_five(points);
+    if (points.dimension != 2)
+        return bat_wrong_dimension(points, 2);
+    if (points.count != 5)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a conic takes 5 points, not %d", points.count);
+    assert(points.at && out);
+    const batten_status status = check_five(points.at);
     if (status != BATTEN_OK)
         return status;
-    pencil conic = {points, 0, 0};
-    const double *q = points + 4;
+    pencil conic = {points.at, 0, 0};
+    const double *q = points.at + 4;
     conic.s = area(at(&conic, 0), at(&conic, 3), q) * area(at(&conic, 1), at(&conic, 4), q);
     conic.t = area(at(&conic, 0), at(&conic, 1), q) * area(at(&conic, 3), at(&conic, 4), q);
     const double size = bat_max(fabs(conic.s), fabs(conic.t));

@@ -62,9 +62,10 @@ int bat_walk_find(const bat_walk *walk, int start, const double point[2], double
 }
 
 int batten_plane_triangles_find(const batten_plane_triangles *triangles, int start,
-                                const double point[2], double at[3])
+                                batten_vec2 point, double at[3])
 {
-    assert(triangles && point && at);
+    const double point_xy[2] = {point.x, point.y};
+    assert(triangles && at);
     const bat_walk walk = {triangles->count,
                            triangles->vertices,
                            triangles->corners,
@@ -72,7 +73,7 @@ int batten_plane_triangles_find(const batten_plane_triangles *triangles, int sta
                            triangles->slivers == 0,
                            NULL,
                            0};
-    return bat_walk_find(&walk, start, point, at);
+    return bat_walk_find(&walk, start, point_xy, at);
 }
 
 /* ---- triangles from elsewhere ---- */

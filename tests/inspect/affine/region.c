@@ -147,7 +147,8 @@ TEST(curves_that_enclose_nothing_are_refused)
     CHECK_OK(shape_bezier(2, 3, open, &curve));
     CHECK_STATUS(batten_curve_region(curve, 1e-9, 1e-9, &r), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("its ends are 3 apart");
-    CHECK_STATUS(batten_curve_winding(curve, at, 1e-9, &winding), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_curve_winding(curve, (batten_vec2){at[0], at[1]}, 1e-9, &winding),
+                 BATTEN_NOT_COMPATIBLE);
     CHECK_STATUS(batten_curve_region(curve, NAN, 1e-9, &r), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_region(curve, 4, 0, &r), BATTEN_BAD_ARGUMENT);
     CHECK_OK(batten_curve_region(curve, 4, 1e-9, &r)); /* closed by a line: clockwise */

@@ -121,7 +121,9 @@ TEST(joints_lie_on_the_joint_circle)
                        1e-12);
             const double start[2] = {0, 0}, end[2] = {1, 0};
             double place = 0;
-            CHECK_OK(batten_biarc_place(start, end, biarc.joint, &place));
+            CHECK_OK(batten_biarc_place((batten_vec2){start[0], start[1]},
+                                        (batten_vec2){end[0], end[1]},
+                                        (batten_vec2){biarc.joint[0], biarc.joint[1]}, &place));
             CHECK_NEAR(place, k / 10.0, 1e-9);
         }
     }
@@ -348,7 +350,9 @@ TEST(g1_biarcs_between_coincident_points_are_refused)
     CHECK_MESSAGE("full circle");
     double place = 0;
     const double behind[2] = {0, 2};
-    CHECK_STATUS(batten_biarc_place(a, b, behind, &place), BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_biarc_place((batten_vec2){a[0], a[1]}, (batten_vec2){b[0], b[1]},
+                                    (batten_vec2){behind[0], behind[1]}, &place),
+                 BATTEN_NOT_FOUND);
 }
 
 TEST(n2_biarcs_of_any_size_have_the_same_shape)

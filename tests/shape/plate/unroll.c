@@ -115,10 +115,10 @@ TEST(the_tangents_of_a_helix_unroll_without_strain_onto_the_tangents_of_a_circle
     CHECK_OK(batten_curve_length(flat.second, 1e-11, NULL, &length));
     CHECK_NEAR(length, flat.length_second[0], 1e-8);
     /* A mark midway along a ruling lies midway in the plane. */
-    double mark[2];
-    CHECK_OK(batten_unrolled_at(&flat, flat.u[5], 0.5, mark));
-    for (int c = 0; c < 2; c++)
-        CHECK_NEAR(mark[c], (flat.points[20 + c] + flat.points[22 + c]) / 2, 1e-11);
+    batten_vec2 mark;
+    CHECK_OK(batten_unrolled_at(&flat, flat.u[5], 0.5, &mark));
+    CHECK_NEAR(mark.x, (flat.points[20] + flat.points[22]) / 2, 1e-11);
+    CHECK_NEAR(mark.y, (flat.points[21] + flat.points[23]) / 2, 1e-11);
     batten_unrolled_release(&flat);
     batten_surface_unref(surface);
 }

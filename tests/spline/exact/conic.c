@@ -201,7 +201,9 @@ TEST(a_conic_satisfies_its_equation_in_barycentric_coordinates)
             CHECK_NEAR(p[0] * p[0], 4 * w * w * beta0 * p[1], 1e-14); /* [V] */
         }
         CHECK_OK(batten_curve_evaluate(curve, 0.3, 0, p));
-        CHECK_OK(batten_curve_conic_through(a, b, c, p, &again));
+        CHECK_OK(batten_curve_conic_through(
+            (batten_vec2){a[0], a[1]}, (batten_vec2){b[0], b[1]}, (batten_vec2){c[0], c[1]},
+            (batten_vec2){p[0], p[1]}, &again));
         CHECK_NEAR(batten_curve_weights(again)[1], weights[i], 1e-14);
         batten_curve_unref(again);
         batten_curve_unref(curve);
@@ -219,9 +221,18 @@ TEST(a_conic_satisfies_its_equation_in_barycentric_coordinates)
     batten_curve_unref(other);
     const double out[] = {2, 2}, far[] = {NAN, 0};
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_conic_through(a, b, c, out, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_conic_through(a, b, b, out, &none), BATTEN_SINGULAR_SYSTEM);
-    CHECK_STATUS(batten_curve_conic_through(a, b, far, out, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_conic_through(
+                     (batten_vec2){a[0], a[1]}, (batten_vec2){b[0], b[1]},
+                     (batten_vec2){c[0], c[1]}, (batten_vec2){out[0], out[1]}, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_conic_through(
+                     (batten_vec2){a[0], a[1]}, (batten_vec2){b[0], b[1]},
+                     (batten_vec2){b[0], b[1]}, (batten_vec2){out[0], out[1]}, &none),
+                 BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_conic_through(
+                     (batten_vec2){a[0], a[1]}, (batten_vec2){b[0], b[1]},
+                     (batten_vec2){far[0], far[1]}, (batten_vec2){out[0], out[1]}, &none),
+                 BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_curve_conic(2, a, b, c, 0, &none), BATTEN_BAD_WEIGHT);
     CHECK_STATUS(batten_curve_conic(4, a, b, c, 1, &none), BATTEN_BAD_ARGUMENT);
 }
@@ -230,7 +241,7 @@ static void check_five(const double *points, double (*equation)(double, double),
                        double tolerance)
 {
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_conic_five(points, &curve));
+    CHECK_OK(batten_curve_conic_five((batten_points){2, 5, points}, &curve));
     double least[5] = {1e9, 1e9, 1e9, 1e9, 1e9};
     for (int k = 0; k <= 1000; k++) {
         double p[2];
@@ -290,12 +301,16 @@ TEST(five_points_that_are_no_arc_are_refused)
     const double branches[] = {1, 1, 2, 0.5, -1, -1, -2, -0.5, -0.5, -2},
                  mixed[] = {1, 0, -1, 0, 0, 1, 0.6, 0.8, 0, -1};
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_conic_five(line, &none), BATTEN_SINGULAR_SYSTEM);
-    CHECK_STATUS(batten_curve_conic_five(twice, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, line}, &none),
+                 BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, twice}, &none),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 3 coincide");
-    CHECK_STATUS(batten_curve_conic_five(bad, &none), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_conic_five(branches, &none), BATTEN_SINGULAR_SYSTEM);
-    CHECK_STATUS(batten_curve_conic_five(mixed, &none), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, bad}, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, branches}, &none),
+                 BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, mixed}, &none),
+                 BATTEN_SINGULAR_SYSTEM);
 }
 
 TEST(lines_and_polylines_have_the_points_they_were_given)
@@ -359,13 +374,20 @@ TEST(a_conic_goes_through_no_point_beyond_any_side_of_its_triangle)
                                 {0.5, 0.5}, {0, 0.5},    {0.5, 0}};
     batten_curve *none = NULL;
     for (int i = 0; i < COUNT(beyond); i++) {
-        CHECK_STATUS(batten_curve_conic_through(a, b, c, beyond[i], &none),
-                     BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(
+            batten_curve_conic_through((batten_vec2){a[0], a[1]}, (batten_vec2){b[0], b[1]},
+                                       (batten_vec2){c[0], c[1]},
+                                       (batten_vec2){beyond[i][0], beyond[i][1]}, &none),
+            BATTEN_BAD_ARGUMENT);
         CHECK_MESSAGE("not inside the triangle");
     }
     const double huge[] = {1e200, 0}, high[] = {0, 1e200}, in[] = {1, 1};
-    CHECK_STATUS(batten_curve_conic_through(a, huge, high, in, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_conic_through(
+                     (batten_vec2){a[0], a[1]}, (batten_vec2){huge[0], huge[1]},
+                     (batten_vec2){high[0], high[1]}, (batten_vec2){in[0], in[1]}, &none),
+                 BATTEN_NOT_FINITE);
     const double five[] = {1e200, 0, 0, 1e200, -1e200, 0, 0, -1e200, 0.8e200, -0.6e200};
-    CHECK_STATUS(batten_curve_conic_five(five, &none), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, five}, &none),
+                 BATTEN_SINGULAR_SYSTEM);
     CHECK(none == NULL);
 }

@@ -190,7 +190,7 @@ TEST(walking_finds_every_place_in_the_hull_and_none_outside)
         const double p[2] = {test_random_in(&random, 0, 1), test_random_in(&random, 0, 1)};
         double b[3];
         const int t = batten_plane_triangles_find(
-            &made, test_random_int(&random, 0, made.count - 1), p, b);
+            &made, test_random_int(&random, 0, made.count - 1), (batten_vec2){p[0], p[1]}, b);
         if (t < 0)
             continue;
         found++;
@@ -203,7 +203,9 @@ TEST(walking_finds_every_place_in_the_hull_and_none_outside)
     CHECK(found > 340);
     double b[3];
     const double outside[2] = {2, 0.5}, nowhere[2] = {NAN, 0};
-    CHECK_INT(batten_plane_triangles_find(&made, 0, outside, b), -1);
-    CHECK_INT(batten_plane_triangles_find(&made, 0, nowhere, b), -1);
+    CHECK_INT(batten_plane_triangles_find(&made, 0, (batten_vec2){outside[0], outside[1]}, b),
+              -1);
+    CHECK_INT(batten_plane_triangles_find(&made, 0, (batten_vec2){nowhere[0], nowhere[1]}, b),
+              -1);
     batten_plane_triangles_release(&made);
 }

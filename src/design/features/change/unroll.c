@@ -163,8 +163,12 @@ static batten_status lay_points(const batten_unrolled *flat, const batten_curve 
         status = batten_fail(BATTEN_NOT_COMPATIBLE,
                              "a mark is %g from the surface at its parameter %g", off.max,
                              u[off.worst]);
-    for (int i = 0; i < count && status == BATTEN_OK; i++)
-        status = batten_unrolled_at(flat, uv[2 * i], uv[2 * i + 1], plane + 2 * i);
+    for (int i = 0; i < count && status == BATTEN_OK; i++) {
+        batten_vec2 at = {0, 0};
+        status = batten_unrolled_at(flat, uv[2 * i], uv[2 * i + 1], &at);
+        plane[2 * i] = at.x;
+        plane[2 * i + 1] = at.y;
+    }
     return status;
 }
 

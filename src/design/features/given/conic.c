@@ -18,7 +18,7 @@ static batten_status through_five(bat_run *run, const bat_item *items)
     batten_curve *conic = NULL, *lifted = NULL;
     for (int i = 0; i < 10; i++)
         points[i] = items[i / 2].number[i % 2];
-    batten_status status = batten_curve_conic_five(points, &conic);
+    batten_status status = batten_curve_conic_five((batten_points){2, 5, points}, &conic);
     if (status == BATTEN_OK)
         status = batten_curve_to_dimension(conic, 3, &lifted);
     batten_curve_unref(conic);
@@ -30,7 +30,9 @@ static batten_status through_one(bat_run *run, const bat_item *items)
     const batten_vec3 q = bat_point(run, "through");
     batten_curve *conic = NULL, *lifted = NULL;
     batten_status status = batten_curve_conic_through(
-        items[0].number, items[1].number, items[2].number, (const double[]){q.x, q.y}, &conic);
+        (batten_vec2){items[0].number[0], items[0].number[1]},
+        (batten_vec2){items[1].number[0], items[1].number[1]},
+        (batten_vec2){items[2].number[0], items[2].number[1]}, (batten_vec2){q.x, q.y}, &conic);
     if (status == BATTEN_OK)
         status = batten_curve_to_dimension(conic, 3, &lifted);
     batten_curve_unref(conic);
