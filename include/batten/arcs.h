@@ -57,7 +57,8 @@ typedef struct batten_biarc {
  *
  * @param start, end  points
  *     start_direction, end_direction: not 0; their lengths do not matter
- * @param place  with JOINT_GIVEN: the angle at the end between chord and joint as a share of the
+ * @param place  with JOINT_GIVEN: the angle at the end between chord and joint as a share of
+ * the
  *              sum of the angles at start and end, in (0, 1): 1/2 is EQUAL_CHORD
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_FINITE; BAD_ARGUMENT (a direction is 0; place); COINCIDENT;
@@ -259,7 +260,8 @@ typedef struct batten_arcs_report {
  * each arc, each biarc as long as the tolerance allows, within a thousandth; biarcs have the
  * directions of the curve at their ends, and 2 / (324 tolerance)^(1/3) stands in their number.
  * With one side allowed the tolerance counts by half. What is lines and arcs exactly from
- * corner to corner (see batten_arcs_from_curve_exact) stays as it is, even where fewer arcs would do: a
+ * corner to corner (see batten_arcs_from_curve_exact) stays as it is, even where fewer arcs
+ * would do: a
  * circle is two arcs, a line one line, a polyline with round corners itself. Corners and ends
  * of the curve are kept exactly as points; SMOOTH and PLAIN turn there by a little more or less
  * than the curve. SMOOTH arcs of a closed curve without corners may begin anywhere on it.

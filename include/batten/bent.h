@@ -45,7 +45,8 @@ typedef struct batten_chain_nonlinear_options {
                                inflection, or as much as there can be: see inflections_added */
     int max_steps;          /**< of Newton; 50 */
 } batten_chain_nonlinear_options;
-/** The defaults of elastica and their like: those beside the fields of batten_chain_nonlinear_options. */
+/** The defaults of elastica and their like: those beside the fields of
+ * batten_chain_nonlinear_options. */
 BATTEN_API batten_chain_nonlinear_options batten_chain_nonlinear_defaults(void);
 
 typedef struct batten_chain_nonlinear_report {
@@ -160,7 +161,8 @@ typedef struct batten_curve_minimum_energy_options {
                             NULL: free */
     int max_steps;                                 /**< of Newton; 200 */
 } batten_curve_minimum_energy_options;
-/** The defaults of least energy: those beside the fields of batten_curve_minimum_energy_options. */
+/** The defaults of least energy: those beside the fields of
+ * batten_curve_minimum_energy_options. */
 BATTEN_API batten_curve_minimum_energy_options batten_curve_minimum_energy_defaults(void);
 
 typedef struct batten_curve_minimum_energy_report {

@@ -140,7 +140,8 @@ typedef struct batten_body_trace_report {
     int seams;   /**< edges put in where a face goes all around a closed surface */
     int poles;   /**< edges without a curve put in */
     double error; /**< the largest distance of an edge from its face, over all uses */
-    int loose; /**< faces whose edges are farther off than the tolerance: `error` says how far */
+    int loose; /**< faces whose edges are farther off than the tolerance: `error` says how
+                    far */
     int failed; /**< faces whose edges do not lie on them, or whose loops cannot be closed in
                      (u, v): they are not in the result */
     int rims;   /**< borders of surfaces put in as edges, for one loop only goes around a face:

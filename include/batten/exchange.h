@@ -198,7 +198,8 @@ BATTEN_API batten_write_gcode_options batten_write_gcode_defaults(void);
  * and G3.
  *
  * Paths are chains of arcs and lines, polylines, and NURBS curves that are arcs and lines
- * exactly (batten_arcs_from_curve_exact), each in a plane z = constant; other curves are left out with a
+ * exactly (batten_arcs_from_curve_exact), each in a plane z = constant; other curves are left
+ * out with a
  * note (make arcs of them first). Inches (G20) when the unit of the model
  * is the inch, else millimetres (G21), into which other units are converted. Coordinates are
  * rounded to `decimals`; centres are computed from the rounded ends, so that both ends of an

@@ -45,7 +45,8 @@ typedef struct batten_curve_extend_report {
  *
  * @param curve  of 2 or 3 dimensions; not periodic
  * @param length  model units, > 0; an ARC may go around once, 2 pi of its radius
- * @param how  tolerance: of a SPIRAL from the clothoid, and of the length of a NATURAL extension;
+ * @param how  tolerance: of a SPIRAL from the clothoid, and of the length of a NATURAL
+ * extension;
  * model units, > 0
  * @param[out] report  may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT (length, tolerance, more than once around), NOT_FINITE,
@@ -128,7 +129,8 @@ BATTEN_API batten_status batten_curve_trim(const batten_curve *curve, double a, 
                                            double tolerance, batten_curve **out);
 
 /**
- * The parts on the side of the plane `normal . x = distance` to which the normal points, in their
+ * The parts on the side of the plane `normal . x = distance` to which the normal points, in
+ * their
  * order along the curve; of a curve in the plane, of a line. What lies in the plane belongs to
  * the part beside it. The parts of a closed curve go over its seam.
  * @param normal of any length but 0; `distance` in its measure

@@ -93,7 +93,8 @@ BATTEN_API batten_status batten_surface_gregory_between(int count,
  * @param tolerance model units, > 0
  * @param angle     radians, > 0
  * @param[out] error   the deviation; may be NULL
- * @param[out] angle_error the largest angle between the normals at 129 places of each edge; places
+ * @param[out] angle_error the largest angle between the normals at 129 places of each edge;
+ * places
  * without a normal (poles) do not count; may be NULL
  * @return as batten_surface_to_nurbs; TOLERANCE_NOT_MET with the angle reached
  */

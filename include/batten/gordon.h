@@ -102,7 +102,8 @@ typedef struct batten_surface_gordon_report {
  * twice. A profile may be a point; where all guides end in one point and no profile is given, a
  * pole is made there. Rational curves are made polynomial.
  *
- * @param profiles  profile_count, guide_count: 1 or more; 2 with poles and the seam of closed ones
+ * @param profiles  profile_count, guide_count: 1 or more; 2 with poles and the seam of closed
+ * ones
  * counted
  * @param options  its tolerance must be set
  * @param job  threads, progress, cancelling; NULL for one thread and no questions

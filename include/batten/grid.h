@@ -146,7 +146,8 @@ typedef struct batten_line_method {
  * @param kind  which of them
  * @param closed_u, closed_v  also give the step from the last line back to the first
  * @param[out] uv  u, v: [count_u], [count_v]; closed: one more
- * @param[out] spread  [2] the largest |own - average| of a line of points, in steps, in u and in
+ * @param[out] spread  [2] the largest |own - average| of a line of points, in steps, in u and
+ * in
  * v; above 0.5 skinning is better; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT naming the two lines
  * Source: [PT97] 9.2.5.
@@ -243,7 +244,8 @@ typedef struct batten_surface_tension_options {
     const double *tensions_v;
     const double *u, *v; /**< parameters of the grid lines; NULL: chord lengths */
 } batten_surface_tension_options;
-/** The defaults of surfaces in tension: those beside the fields of batten_surface_tension_options. */
+/** The defaults of surfaces in tension: those beside the fields of
+ * batten_surface_tension_options. */
 BATTEN_API batten_surface_tension_options batten_surface_tension_defaults(void);
 
 /**

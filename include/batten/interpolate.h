@@ -2,7 +2,8 @@
 #define BATTEN_INTERPOLATE_H
 /**
  * @file
- * Curves through points by one linear system: splines, nu-splines and weighted splines, quadratics,
+ * Curves through points by one linear system: splines, nu-splines and weighted splines,
+ * quadratics,
  * Beta-splines, splines under conditions and in tension.
  *
  * Among all curves through the points they make the sum over the spans of w times the integral
@@ -307,7 +308,8 @@ typedef struct batten_curve_constrained_options {
     int constraint_count;
     const batten_constraint *constraints;
 } batten_curve_constrained_options;
-/** The defaults of splines under conditions: those beside the fields of batten_curve_constrained_options. */
+/** The defaults of splines under conditions: those beside the fields of
+ * batten_curve_constrained_options. */
 BATTEN_API batten_curve_constrained_options batten_curve_constrained_defaults(void);
 
 typedef struct batten_curve_constrained_report {

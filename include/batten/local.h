@@ -2,7 +2,8 @@
 #define BATTEN_LOCAL_H
 /**
  * @file
- * Curves through points found locally: tangents, slopes and curvatures at the points, and the pieces
+ * Curves through points found locally: tangents, slopes and curvatures at the points, and the
+ * pieces
  * between them.
  */
 #include <batten/interpolate.h>
@@ -269,7 +270,8 @@ typedef struct batten_curve_catmull_rom_options {
     bool closed;              /**< the first point is not repeated */
     batten_phantoms phantoms; /**< BATTEN_PHANTOM_EXTRAPOLATE */
 } batten_curve_catmull_rom_options;
-/** The defaults of Catmull-Rom splines: those beside the fields of batten_curve_catmull_rom_options. */
+/** The defaults of Catmull-Rom splines: those beside the fields of
+ * batten_curve_catmull_rom_options. */
 BATTEN_API batten_curve_catmull_rom_options batten_curve_catmull_rom_defaults(void);
 
 typedef struct batten_curve_catmull_rom_report {
@@ -320,7 +322,8 @@ typedef struct batten_tangents_kochanek_bartels_options {
     bool closed;
     batten_phantoms phantoms;
 } batten_tangents_kochanek_bartels_options;
-/** The defaults of Kochanek and Bartels: those beside the fields of batten_tangents_kochanek_bartels_options. */
+/** The defaults of Kochanek and Bartels: those beside the fields of
+ * batten_tangents_kochanek_bartels_options. */
 BATTEN_API batten_tangents_kochanek_bartels_options
 batten_tangents_kochanek_bartels_defaults(void);
 
@@ -375,7 +378,8 @@ typedef struct batten_curve_correct_tangents_options {
     double tolerance; /**< relative: nearer to 1 than this they are left as they are; 1e-9 */
     batten_correct_joins joins; /**< BATTEN_CORRECT_TANGENT */
 } batten_curve_correct_tangents_options;
-/** The defaults of corrected tangents: those beside the fields of batten_curve_correct_tangents_options. */
+/** The defaults of corrected tangents: those beside the fields of
+ * batten_curve_correct_tangents_options. */
 BATTEN_API batten_curve_correct_tangents_options batten_curve_correct_tangents_defaults(void);
 
 typedef struct batten_curve_correct_tangents_report {
@@ -433,7 +437,8 @@ typedef struct batten_curve_cornered_options {
     batten_end_kind ends;         /**< at corners and ends that are free: NOT_A_KNOT, NATURAL,
                                      PARABOLIC,         BESSEL, CIRCLE or FAIR; NATURAL */
 } batten_curve_cornered_options;
-/** The defaults of curves with corners: those beside the fields of batten_curve_cornered_options. */
+/** The defaults of curves with corners: those beside the fields of
+ * batten_curve_cornered_options. */
 BATTEN_API batten_curve_cornered_options batten_curve_cornered_defaults(void);
 
 /**

@@ -141,7 +141,8 @@ BATTEN_API batten_status batten_curve_winding(const batten_curve *curve, batten_
                                               double closing_tolerance, int *out);
 /**
  * By how many full turns the tangent of a plane curve turns from start to end, corners and,
- * when the ends meet within `closing_tolerance`, that in the closing point included: a whole number for a
+ * when the ends meet within `closing_tolerance`, that in the closing point included: a whole
+ * number for a
  * closed curve, 1 or -1 when it does not cross itself.
  *
  * @param[out] out  the result; as it was when the function fails

@@ -78,7 +78,8 @@ typedef struct batten_surface_offset_options {
     bool keep;        /**< make it also where it turns over; else that is refused. false */
     int most_points;  /**< of the surface near it; more are TOLERANCE_NOT_MET. 4,000,000 */
 } batten_surface_offset_options;
-/** The defaults of parallel surfaces: those beside the fields of batten_surface_offset_options. */
+/** The defaults of parallel surfaces: those beside the fields of
+ * batten_surface_offset_options. */
 BATTEN_API batten_surface_offset_options batten_surface_offset_defaults(void);
 
 typedef struct batten_surface_offset_report {

@@ -220,7 +220,8 @@ typedef struct batten_draw_cubic_plane_options {
     double tolerance; /**< relative, for batten_curve_classify; 1e-9 */
     bool glyphs;      /**< small curves that show what lies in each region; true */
 } batten_draw_cubic_plane_options;
-/** The defaults of pictures of the plane of cubics: those beside the fields of batten_draw_cubic_plane_options. */
+/** The defaults of pictures of the plane of cubics: those beside the fields of
+ * batten_draw_cubic_plane_options. */
 BATTEN_API batten_draw_cubic_plane_options batten_draw_cubic_plane_defaults(void);
 
 /**

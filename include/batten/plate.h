@@ -28,7 +28,8 @@ typedef struct batten_surface_developable_options {
     bool keep_regression; /**< an edge of regression between the edges is reported, not refused;
                                false */
 } batten_surface_developable_options;
-/** The defaults of developable surfaces: those beside the fields of batten_surface_developable_options. */
+/** The defaults of developable surfaces: those beside the fields of
+ * batten_surface_developable_options. */
 BATTEN_API batten_surface_developable_options batten_surface_developable_defaults(void);
 
 /** One ruling of the surface. */

@@ -109,7 +109,8 @@ typedef struct batten_cloud {
                                      smallest rectangle around it in the plane of least squares */
 } batten_cloud;
 
-/** The defaults of surfaces near scattered data: those beside the fields of batten_surface_scattered_options. */
+/** The defaults of surfaces near scattered data: those beside the fields of
+ * batten_surface_scattered_options. */
 BATTEN_API batten_surface_scattered_options batten_surface_scattered_defaults(void);
 
 /**
@@ -313,7 +314,8 @@ typedef struct batten_triangles_scattered_options {
     double sliver;       /**< the same; 1e-3 */
 } batten_triangles_scattered_options;
 
-/** The defaults of elements over scattered data: those beside the fields of batten_triangles_scattered_options. */
+/** The defaults of elements over scattered data: those beside the fields of
+ * batten_triangles_scattered_options. */
 BATTEN_API batten_triangles_scattered_options batten_triangles_scattered_defaults(void);
 
 typedef struct batten_triangles_scattered_report {

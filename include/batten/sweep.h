@@ -235,7 +235,8 @@ BATTEN_API batten_status batten_surfaces_pipe(double radius, const batten_curve 
 /**
  * The surface that a curve leaves when it is turned about an axis and moved along it: a
  * helicoid, a thread. v is the angle.
- * @param screw  pitch: model units for a full turn, of any sign; 0: a revolution, within the tolerance
+ * @param screw  pitch: model units for a full turn, of any sign; 0: a revolution, within the
+ * tolerance
  *     angle: radians, > 0, at most 1000 turns
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] report  what was reached; may be NULL

@@ -282,7 +282,8 @@ BATTEN_API batten_status batten_triangles_join_smoothly(const batten_triangles *
  * the two corners, the corners' tangents stay. So that this is exact the result is one degree
  * higher.
  *
- * @param kept  edge_kept, edge_changed: edges 0..2, whose control points agree within `tolerance`
+ * @param kept  edge_kept, edge_changed: edges 0..2, whose control points agree within
+ * `tolerance`
  * @param changed  the side that moves
  * @param[out] moved  the longest way of a control point against the elevated set; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT for a rational set or a dimension below 3; BAD_DEGREE;
