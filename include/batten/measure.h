@@ -155,9 +155,9 @@ BATTEN_API batten_status batten_curve_turning(const batten_curve *curve,
 /** What batten_surface_area found. */
 typedef struct batten_area_measures {
     double area; /**< model units squared */
-    double
-        error; /**< the sum of the differences: the error of the shorter rule, much above that
-                       of the longer, whose value is returned */
+    /** The sum of the differences: the error of the shorter rule, much above that of the longer,
+     * whose value is returned. */
+    double error;
 } batten_area_measures;
 
 /**
