@@ -211,7 +211,8 @@ class Workshop:
             path = os.path.join(self.folder, f'tests-{top}.o')
             rules = json.loads(subprocess.check_output(['ninja', '-C', self.build, '-t', 'compdb'], text=True))
             objects = sorted({os.path.join(self.build, r['output']) for r in rules
-                              if f'batten-test-{top}.dir/' in r.get('output', '') and r['output'].endswith('.o')})
+                              if r.get('output', '').endswith('.o') and
+                              any(f'batten-test-{part}.dir/' in r['output'] for part in (top, 'kit'))})
             if not objects or not sources:
                 self.programs[top] = None
                 return None

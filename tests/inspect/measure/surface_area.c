@@ -1,4 +1,5 @@
 #include "inspect/shapes.h"
+#include "support/surfaces.h"
 
 #include <batten/coons.h>
 #include <batten/measure.h>

@@ -1,5 +1,6 @@
 #include "exchange/step/parsing.h"
 #include "exchange/step/read/shapes.h"
+#include "support/surfaces.h"
 
 #include <batten/measure.h>
 
