@@ -334,6 +334,9 @@ def main():
     options = parser.parse_args()
     if options.rise:
         return rise()
+    unknown = [name for name in options.guards if name not in GUARDS]
+    if unknown:
+        parser.error(f'unknown guard {unknown[0]!r}: choose from ' + ', '.join(GUARDS))
     budgets, bad = parsed(read(BUDGETS)), 0
     for name in options.guards or GUARDS:
         for figure, value, lines in GUARDS[name](options.build):
