@@ -1,3 +1,7 @@
+/*
+ * Tables for powers of ten, every 27th of them and the powers of five that lead to the others;
+ * and the long integers that decide where 128 bits do not suffice to read or write a number.
+ */
 #include "base/decimal.h"
 
 /* ---- powers of ten ---- */

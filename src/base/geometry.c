@@ -1,3 +1,7 @@
+/*
+ * Affine maps of space: translation, scaling, rotation about an axis, reflection in a plane,
+ * and how they are composed and applied to points.
+ */
 #include "base/base.h"
 #include <batten/geometry.h>
 

@@ -1,3 +1,7 @@
+/*
+ * The allocator that all memory of the library comes from, which the caller may replace. Sizes
+ * are checked for overflow before anything is allocated.
+ */
 #include "base/base.h"
 
 #include <stdint.h>

@@ -1,3 +1,7 @@
+/*
+ * A bounded list of remarks on a file, each with the line and the entity it concerns. Beyond
+ * the limit notes are only counted.
+ */
 #include "base/base.h"
 #include <batten/base.h>
 

@@ -1,14 +1,15 @@
+/*
+ * Reading numbers from text: doubles, correctly rounded, and whole numbers.
+ *
+ * The digits are multiplied by a power of ten, first known to 64 bits, then to 128, while the
+ * error is kept track of; that decides nearly always. Where it leaves the answer open long
+ * integers compute the same quantity.
+ */
 #include "base/decimal.h"
 #include "base/digits.h"
 #include "base/real.h"
 
 #include <string.h>
-
-/*
- * The digits are multiplied by a power of ten, first known to 64 bits, then to 128, while the
- * error is kept track of; that decides nearly always. Where it leaves the answer open long
- * integers compute the same quantity.
- */
 
 /* ---- any number ---- */
 

@@ -1,16 +1,18 @@
-#include "base/digits.h"
-#include "base/real.h"
-
-#include <stdlib.h>
-#include <string.h>
-
 /*
+ * Writing numbers as text: integers, and doubles in the fewest digits that read back as the
+ * same value.
+ *
  * Every decimal strictly between the midpoints to the neighbours of x reads back as x, and the
  * midpoints do when the last bit of x is 0. With 10^k at most the distance of the midpoints,
  * some multiple of 10^k lies there; at most one multiple of 10^(k + 1) does, and if so it is
  * shorter. So all that is needed are the midpoints and x in units of 10^k. Source:
  * [Giulietti22].
  */
+#include "base/digits.h"
+#include "base/real.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 typedef enum { NOTHING, BELOW_HALF, HALF, ABOVE_HALF, UNCLEAR } rest_kind;
 

@@ -1,3 +1,7 @@
+/*
+ * Status codes with their names and texts, the message of the last failure on each thread, and
+ * the version of the library.
+ */
 #include "base/base.h"
 
 #include <string.h>

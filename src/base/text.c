@@ -1,3 +1,7 @@
+/*
+ * A text that grows as it is written, with numbers and JSON strings; a failed allocation is
+ * reported once, when the text is taken. Also how foreign bytes are shown in messages.
+ */
 #include "base/base.h"
 #include "base/system.h"
 #include <batten/text.h>

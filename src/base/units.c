@@ -1,3 +1,7 @@
+/*
+ * Units of length: the metres of a unit by any of its names, and the short name of a unit by
+ * its metres.
+ */
 #include <batten/text.h>
 
 #include <float.h>

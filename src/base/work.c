@@ -1,3 +1,7 @@
+/*
+ * Loops over independent pieces on several threads, progress and cancellation by the caller,
+ * and pairwise summation. None of the results depends on the number of threads.
+ */
 #include "base/work.h"
 #include "base/system.h"
 

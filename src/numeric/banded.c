@@ -1,3 +1,7 @@
+/*
+ * Banded systems without pivoting: LU, LU of cyclic matrices by bordering, and LDL^T of
+ * symmetric ones, each for many right sides.
+ */
 #include "numeric/banded.h"
 #include "numeric/dense.h"
 

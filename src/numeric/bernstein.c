@@ -1,3 +1,7 @@
+/*
+ * Polynomials in Bernstein form: evaluation and subdivision by de Casteljau's algorithm, and
+ * roots by subdivision with Descartes' rule of signs. Source: [LR81].
+ */
 #include "numeric/bernstein.h"
 
 #include <float.h>

@@ -1,3 +1,7 @@
+/*
+ * Small dense linear systems: LU with scaled partial pivoting, and least squares by Householder
+ * reflections. Source: [GVL13] 5.2 for the latter.
+ */
 #include "numeric/dense.h"
 
 #include <float.h>

@@ -1,3 +1,7 @@
+/*
+ * Eigenvalues and eigenvectors of a small symmetric matrix by Jacobi's rotations. Source:
+ * [GVL13] 8.5.
+ */
 #include "numeric/eigen.h"
 
 #include <float.h>

@@ -1,6 +1,8 @@
+/*
+ * Exact sums and products of doubles, kept as expansions: sums of doubles that do not overlap.
+ * Source: [Shewchuk97], sections 2.4 and 2.8.
+ */
 #include "numeric/exact.h"
-
-/* Source: [Shewchuk97], sections 2.4 and 2.8. */
 
 /* a + b = *high + *low exactly. */
 static void two_sum(double a, double b, double *high, double *low)

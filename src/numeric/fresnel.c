@@ -1,3 +1,7 @@
+/*
+ * Generalised Fresnel integrals, the moments of cos and sin of a polynomial, by Gauss-Legendre
+ * quadrature. A bound on the integrand in the complex plane says how many panels are needed.
+ */
 #include "numeric/fresnel.h"
 
 /* Gauss-Legendre with 8 and 16 nodes on [-1, 1]: the positive nodes and their weights. */

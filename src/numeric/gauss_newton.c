@@ -1,3 +1,7 @@
+/*
+ * Nonlinear least squares with few unknowns: Gauss-Newton steps, damped after Levenberg and
+ * Marquardt. Source: [NW06] 10.3.
+ */
 #include "numeric/gauss_newton.h"
 #include "numeric/dense.h"
 #include "numeric/vector.h"

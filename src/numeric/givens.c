@@ -1,3 +1,7 @@
+/*
+ * Least squares with banded rows by Givens rotations, one row at a time, also where the
+ * unknowns form a ring; and the band of the inverse of R^T R, after [HdH85].
+ */
 #include "numeric/givens.h"
 
 #include <float.h>

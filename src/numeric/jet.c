@@ -1,3 +1,7 @@
+/*
+ * Taylor arithmetic in two variables up to third order: sums, products and quotients by
+ * Leibniz' rule, and composition with a function of one variable.
+ */
 #include "numeric/jet.h"
 
 #include <math.h>

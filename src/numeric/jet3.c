@@ -1,3 +1,7 @@
+/*
+ * Vectors of space with jets as coordinates: products, length and direction, together with all
+ * their derivatives.
+ */
 #include "numeric/jet3.h"
 
 bat_jet bat_jet_of_v(const double d[4])

@@ -1,3 +1,7 @@
+/*
+ * The orientation and in-circle predicates. Floating point decides when an error bound lets it,
+ * otherwise exact arithmetic does. Source: [Shewchuk97], sections 4.3 and 4.4.
+ */
 #include "numeric/plane_signs.h"
 
 #include "numeric/exact.h"

@@ -1,3 +1,7 @@
+/*
+ * Real roots of a polynomial in power form. The roots of each derivative, from the highest
+ * down, separate those of the one before it.
+ */
 #include "numeric/polynomial.h"
 
 #include <float.h>

@@ -1,3 +1,7 @@
+/*
+ * Gauss-Legendre rules of up to 64 nodes, and adaptive integration with a Gauss-Kronrod pair
+ * that always halves the worst interval. Source: [DLMF] 3.5, [PDUK83].
+ */
 #include "numeric/quadrature.h"
 
 #include "base/list.h"

@@ -1,3 +1,7 @@
+/*
+ * The k-th smallest of many numbers by quickselect, Hoare's partitioning about a middle
+ * element.
+ */
 #include "numeric/select.h"
 
 double bat_select(size_t count, double *values, size_t k)

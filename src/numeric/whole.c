@@ -1,3 +1,7 @@
+/*
+ * Arithmetic on whole numbers of any size, by the schoolbook methods. Numbers live in pools and
+ * are freed together. Source: [Knuth97] 4.3.1 for division.
+ */
 #include "numeric/whole.h"
 
 #include <string.h>

@@ -1,3 +1,7 @@
+/*
+ * Polynomials with whole coefficients: arithmetic, the greatest common divisor by
+ * subresultants, and Yun's square-free factors. Source: [Knuth97] 4.6.1 and 4.6.2.
+ */
 #include "numeric/whole_polynomial.h"
 
 /* ---- sums and products ---- */

@@ -1,3 +1,7 @@
+/*
+ * Real roots of a polynomial with whole coefficients as proved intervals: isolated by halving
+ * with Descartes' rule of signs, then refined. Source: [CA76] and [Abbott14].
+ */
 #include "numeric/whole_polynomial.h"
 
 /* Two roots nearer than this are not told apart. */

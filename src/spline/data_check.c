@@ -1,3 +1,7 @@
+/*
+ * Checks of points and parameters passed in by callers, with messages that name the first bad
+ * one.
+ */
 #include "spline/data_check.h"
 
 #include "base/plural.h"

@@ -1,3 +1,7 @@
+/*
+ * Coordinate frames in space: the world, planes across an axis, and a given frame made
+ * orthonormal.
+ */
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 

@@ -1,3 +1,4 @@
+/* Allocation and release of the polynomial spline that curves and surfaces are built on. */
 #include "spline/spline.h"
 
 batten_status bat_spline_make(int degree, int count, size_t width, bat_spline *out)

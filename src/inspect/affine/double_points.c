@@ -1,3 +1,7 @@
+/*
+ * Double points of a plane polynomial curve, by elimination: the resultant of two forms in the
+ * sum and the product of the parameters, computed exactly in whole numbers.
+ */
 #include "inspect/affine/double_points.h"
 
 /*

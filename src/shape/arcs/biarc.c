@@ -1,3 +1,7 @@
+/*
+ * Two arcs that meet with a common tangent, between points with given directions: where the
+ * joint goes for each rule, and the arcs themselves.
+ */
 #include "shape/arcs/biarc.h"
 #include "numeric/vector.h"
 #include "spline/chain/chain.h"

@@ -1,3 +1,7 @@
+/*
+ * The clothoid between two points with given directions, by Newton's method on its rate of
+ * curvature from a fitted first guess. Source: [BF15].
+ */
 #include "shape/bent/spiral.h"
 #include "numeric/fresnel.h"
 #include "numeric/vector.h"

@@ -1,3 +1,7 @@
+/*
+ * Interpolation by a B-spline curve with end conditions. The control points solve a linear
+ * system; a prescribed end curvature first becomes a second derivative, which iteration finds.
+ */
 #include "numeric/vector.h"
 #include "shape/linear/end_conditions.h"
 #include "shape/linear/linear_solve.h"

@@ -1,3 +1,8 @@
+/*
+ * Solving the factored interpolation system for given data: right sides, Bessel and fair end
+ * slopes, and a check of the residual, with one step of iterative refinement if it is too
+ * large.
+ */
 #include "shape/linear/linear_solve.h"
 #include "numeric/banded.h"
 

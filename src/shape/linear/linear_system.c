@@ -1,3 +1,7 @@
+/*
+ * Setting up the interpolation system: which conditions it has, the knots that go with them,
+ * and the factored collocation matrix, banded or cyclic.
+ */
 #include "shape/linear/linear_system.h"
 #include "base/plural.h"
 #include "numeric/banded.h"

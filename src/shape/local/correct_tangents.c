@@ -1,3 +1,7 @@
+/*
+ * Cubic spans with a loop, a cusp or needless inflections, cured by shortening their end
+ * tangents. Source: [SL] III.6.
+ */
 #include "shape/local/correct_tangents.h"
 #include "numeric/vector.h"
 

@@ -1,3 +1,7 @@
+/*
+ * The plane cubic with given points, directions and curvatures at both ends. Its two quadratic
+ * equations are reduced to a quartic and the roots polished by Newton. Source: [dBHS87].
+ */
 #include "shape/local/curvature_ends.h"
 
 #include "numeric/polynomial.h"

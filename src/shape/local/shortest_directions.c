@@ -1,3 +1,8 @@
+/*
+ * The cubic spline of least energy through points with directions, but not lengths, of the
+ * derivative given at some of them; a banded system yields the slopes. Source: [SL] III.7,
+ * [Nielson74].
+ */
 #include "base/plural.h"
 #include "numeric/banded.h"
 #include "numeric/vector.h"

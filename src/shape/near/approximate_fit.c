@@ -1,3 +1,7 @@
+/*
+ * Linear least squares with a B-spline: the rows for data and smoothing penalties, their
+ * solution by Givens rotations, and the residuals and degrees of freedom.
+ */
 #include "base/work.h"
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"

@@ -1,3 +1,7 @@
+/*
+ * Approximate reparametrization by arc length: quintic Hermite pieces that match point, tangent
+ * and curvature, halved until they are within the tolerance.
+ */
 #include "shape/near/even_speed.h"
 #include "base/plural.h"
 #include "inspect/singular.h"

@@ -1,3 +1,7 @@
+/*
+ * Points and parameters beyond the ends of a row of data, for local methods: extrapolated by
+ * Neville's algorithm, mirrored in the end point or repeated, or periodic.
+ */
 #include "shape/points/mirrored_ends.h"
 #include "shape/points/parametrize.h"
 #include "spline/data_check.h"

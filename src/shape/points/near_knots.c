@@ -1,3 +1,7 @@
+/*
+ * Nearly equal knots of several curves made equal, so that merging them leaves no tiny spans. A
+ * curve is changed only if it stays within the tolerance.
+ */
 #include "shape/points/near_knots.h"
 
 #include "numeric/vector.h"

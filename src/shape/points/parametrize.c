@@ -1,3 +1,7 @@
+/*
+ * Parameters for data points: uniform, chordal, centripetal, and Foley's, which weighs in the
+ * angles and may use Nielson's affine invariant metric.
+ */
 #include "shape/points/parametrize.h"
 #include "base/plural.h"
 #include "spline/curve/curve.h"

@@ -1,3 +1,7 @@
+/*
+ * The kinds of span that a chain may have, as a table of functions, and the simplest of them,
+ * arcs and lines.
+ */
 #include "spline/chain/chain.h"
 
 /* The one table of kinds, in the order of the enumeration. */

@@ -1,3 +1,7 @@
+/*
+ * Knot vectors: validation, span search, multiplicity, periodic wrapping, reversal, mapping to
+ * another domain, and B-spline basis functions with derivatives by the triangular recurrence.
+ */
 #include "spline/spline.h"
 
 #include <string.h>

@@ -1,3 +1,7 @@
+/*
+ * One parameter direction of a surface: a lookup table that finds the span without searching,
+ * and basis functions from tabulated reciprocals of knot differences.
+ */
 #include "spline/surface/axis.h"
 
 #include <string.h>
