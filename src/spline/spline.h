@@ -108,6 +108,9 @@ batten_status bat_spline_remove(const bat_spline *spline, double u, int times, s
  */
 batten_status bat_spline_remove_all(const bat_spline *spline, size_t group, double tolerance,
                                     int *removed, double *error, bat_spline *out);
+/* The part of it that goes knot by knot, in place. */
+batten_status bat_spline_thin(bat_spline *spline, size_t group, double tolerance, int *removed,
+                              double *error);
 /* What one removal of each distinct inner knot alone would move, at its last index; infinity
  * elsewhere. errors [count + degree + 1]. */
 batten_status bat_spline_removal_errors(const bat_spline *spline, size_t group, double *errors);
