@@ -294,17 +294,3 @@ double batten_curve_greville(const batten_curve *curve, int i)
         sum += (U[i + j] - U[i + 1]) / p;
     return bat_min(U[i + 1] + sum, U[i + p]);
 }
-
-int batten_curve_spans(const batten_curve *curve, double *knots)
-{
-    const double *U = curve->knots;
-    int count = 0;
-    for (int i = curve->degree; i <= curve->count; i++) {
-        if (i > curve->degree && U[i] == U[i - 1])
-            continue;
-        if (knots)
-            knots[count] = U[i];
-        count++;
-    }
-    return count;
-}
