@@ -1,4 +1,4 @@
-/* Threads, processors, the clock, real paths and the C locale on POSIX systems. */
+/* Threads, processors, the clock and real paths on POSIX systems. */
 #define _XOPEN_SOURCE 700
 #include "base/system.h"
 #if BAT_SYSTEM == BAT_SYSTEM_POSIX
@@ -6,9 +6,7 @@
 
 #include <errno.h>
 #include <limits.h>
-#include <locale.h>
 #include <pthread.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -43,19 +41,7 @@ int bat_processor_count(void)
     return count < 1 ? 1 : count > INT_MAX ? INT_MAX : (int)count;
 }
 
-/* ---- text, paths, time ---- */
-
-int bat_format(char *buffer, size_t size, const char *format, va_list arguments)
-{
-    const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    const locale_t before = c ? uselocale(c) : (locale_t)0;
-    const int length = vsnprintf(buffer, size, format, arguments);
-    if (c) {
-        uselocale(before);
-        freelocale(c);
-    }
-    return length;
-}
+/* ---- paths, time ---- */
 
 double batten_system_seconds(void)
 {
