@@ -112,25 +112,6 @@ batten_status bat_nurbs_change(const batten_surface *surface, batten_direction d
     return status;
 }
 
-batten_status bat_nurbs_copy(const bat_nurbs *nurbs, bool rational, bat_nurbs **out)
-{
-    bat_nurbs_shape shape = bat_nurbs_shape_of(nurbs);
-    shape.rational |= rational;
-    bat_nurbs *made = NULL;
-    const batten_status status = bat_nurbs_make(&shape, &made);
-    if (status != BATTEN_OK)
-        return status;
-    const size_t count = (size_t)shape.count[0] * (size_t)shape.count[1];
-    memcpy(made->points, nurbs->points, count * (size_t)shape.dimension * sizeof *made->points);
-    for (size_t i = 0; made->weights && i < count; i++)
-        made->weights[i] = nurbs->weights ? nurbs->weights[i] : 1;
-    for (int k = 0; k < 2; k++)
-        memcpy(made->axes[k].knots, nurbs->axes[k].knots,
-               ((size_t)shape.count[k] + (size_t)shape.degree[k] + 1) * sizeof(double));
-    *out = made;
-    return BATTEN_OK;
-}
-
 /* Would so many control points along `direction` be too many? */
 static batten_status check_size(const batten_surface *surface, batten_direction direction,
                                 double count)

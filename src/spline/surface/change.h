@@ -24,5 +24,14 @@ batten_status bat_nurbs_change(const batten_surface *surface, batten_direction d
 /* A copy with the same knots, points and weights, to be edited before bat_nurbs_finish;
  * `rational` adds weights 1. */
 batten_status bat_nurbs_copy(const bat_nurbs *nurbs, bool rational, bat_nurbs **out);
+/* One control point and its weight from one surface into another, rational if the other is. */
+static inline void bat_nurbs_copy_point(const bat_nurbs *from, int at, bat_nurbs *to, int place)
+{
+    const size_t d = (size_t)from->base.dimension;
+    memcpy(to->points + (size_t)place * d, from->points + (size_t)at * d,
+           d * sizeof *to->points);
+    if (from->weights)
+        to->weights[place] = from->weights[at];
+}
 
 #endif

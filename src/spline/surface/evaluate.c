@@ -202,7 +202,7 @@ static batten_status evaluate_large(const bat_nurbs *nurbs, const int span[2],
 batten_status bat_nurbs_evaluate(const batten_surface *surface, double u, double v,
                                  batten_side side_u, batten_side side_v, int order, double *out)
 {
-    const bat_nurbs *nurbs = bat_surface_nurbs(surface);
+    const bat_nurbs *nurbs = bat_nurbs_of(surface);
     batten_status status = bat_axis_place(&nurbs->axes[0], side_u, &u);
     if (status == BATTEN_OK)
         status = bat_axis_place(&nurbs->axes[1], side_v, &v);
@@ -312,7 +312,7 @@ batten_status bat_nurbs_evaluate_many(const batten_surface *surface, size_t coun
                                       const double *uv, int order, const batten_job *job,
                                       double *out)
 {
-    const bat_nurbs *nurbs = bat_surface_nurbs(surface);
+    const bat_nurbs *nurbs = bat_nurbs_of(surface);
     batch work = {nurbs, uv, order, out};
     const batten_status status = check_parameters(nurbs, count, uv);
     return status == BATTEN_OK ? bat_parallel(job, count, CHUNK, evaluate_chunk, &work)

@@ -345,7 +345,7 @@ batten_status bat_nurbs_evaluate_grid(const batten_surface *surface, size_t coun
                                       const double *u, size_t count_v, const double *v,
                                       int order, const batten_job *job, double *out)
 {
-    grid work = {.nurbs = bat_surface_nurbs(surface),
+    grid work = {.nurbs = bat_nurbs_of(surface),
                  .count_u = count_u,
                  .count_v = count_v,
                  .u = u,
@@ -478,7 +478,7 @@ batten_status bat_nurbs_normal_grid(const batten_surface *surface, size_t count_
                                     const double *u, size_t count_v, const double *v,
                                     const batten_job *job, double *points, double *normals)
 {
-    grid work = {.nurbs = bat_surface_nurbs(surface),
+    grid work = {.nurbs = bat_nurbs_of(surface),
                  .count_u = count_u,
                  .count_v = count_v,
                  .u = u,

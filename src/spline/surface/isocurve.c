@@ -43,7 +43,7 @@ static void fill_curve(const bat_nurbs *nurbs, const double *row, batten_curve *
 batten_status bat_nurbs_isocurve(const batten_surface *surface, batten_direction direction,
                                  double at, batten_curve **out)
 {
-    const bat_nurbs *nurbs = bat_surface_nurbs(surface);
+    const bat_nurbs *nurbs = bat_nurbs_of(surface);
     const bat_axis *along = &nurbs->axes[bat_other(direction)];
     batten_status status = bat_axis_place(&nurbs->axes[direction], BATTEN_FROM_RIGHT, &at);
     if (status != BATTEN_OK)

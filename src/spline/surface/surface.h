@@ -87,11 +87,15 @@ void bat_nurbs_free(bat_nurbs *nurbs);
 bat_nurbs_shape bat_nurbs_shape_of(const bat_nurbs *nurbs);
 
 const bat_nurbs *bat_surface_nurbs(const batten_surface *surface); /* asserts the kind */
+/* The same inside the functions of the kind, which are called through it. */
+static inline const bat_nurbs *bat_nurbs_of(const batten_surface *surface)
+{
+    return (const bat_nurbs *)surface;
+}
 
 extern const bat_surface_kind bat_nurbs_kind;
 
-/* Its evaluation (surface_evaluate.c, surface_grid.c), isocurves (surface_isocurve.c), and map
- * (surface_change.c). */
+/* Its evaluation (evaluate.c, grid.c), isocurves (isocurve.c), and maps (nurbs.c). */
 batten_status bat_nurbs_evaluate(const batten_surface *surface, double u, double v,
                                  batten_side side_u, batten_side side_v, int order,
                                  double *out);
