@@ -221,7 +221,9 @@ def symbols(build):
     """source -> names defined for others, source -> names wanted."""
     needs('nm', 'binutils')
     objects = {}
-    for base, _, names in os.walk(build):
+    # Not below: the test of an installation keeps a build of its own in there.
+    places = (os.path.join(build, folder, 'CMakeFiles') for folder in ('', 'cli'))
+    for base, _, names in (step for place in places for step in os.walk(place)):
         for name in names:
             match = re.search(r'/(batten(?:-\w+)?-objects|batten-command)\.dir/(.*\.c)\.o$', os.path.join(base, name))
             if match:
