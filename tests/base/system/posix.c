@@ -4,6 +4,7 @@
 #include "base/system.h"
 
 #include "support/test.h"
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -43,8 +44,9 @@ TEST(the_clock_counts_seconds_and_never_runs_backwards)
 TEST(a_real_path_is_absolute_and_has_no_links)
 {
     const char *folder = test_scratch("real"), *link = test_scratch("link"), *reason = "none";
-    CHECK_INT(mkdir(folder, 0700), 0);
-    CHECK_INT(symlink(folder, link), 0);
+    /* Run again with failing allocations, it finds them there. */
+    CHECK(mkdir(folder, 0700) == 0 || errno == EEXIST);
+    CHECK(symlink(folder, link) == 0 || errno == EEXIST);
     char *real = batten_system_real_path(folder, &reason);
     CHECK(real || !reason);
     char *followed = batten_system_real_path(link, &reason);
