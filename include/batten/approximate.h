@@ -153,7 +153,7 @@ BATTEN_API batten_status batten_curve_least_squares(
  * The data that are much farther from a curve than most.
  *
  * @param data  parameters: of the points on the curve, as a fit hands them over
- *     weights: [count]; points of weight 0 are none, and do not count; or NULL
+ *     weights: [count]; points of weight 0 do not count; or NULL
  * @param times  an outlier is farther than so many times the median distance, the nearest
  *                    data set aside, as many as there are control points but at most half; 5 is
  *                    some 3.4 standard deviations of a function's normal errors. Distances that
