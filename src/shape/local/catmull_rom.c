@@ -269,9 +269,12 @@ batten_status batten_curve_catmull_rom(batten_points points,
     if (status != BATTEN_OK)
         return status;
     task t = {.k = o->blend + 1, .m = o->local, .degree = o->blend + o->local};
-    status =
-        bat_row_beyond_make(points.dimension, points.count, points.at, o->alpha, o->given,
-                            o->closed, o->phantoms, bat_max_int(o->blend, o->local), &t.row);
+    const bat_beyond_rule rule = {.alpha = o->alpha,
+                                  .given = o->given,
+                                  .closed = o->closed,
+                                  .kind = o->phantoms,
+                                  .degree = bat_max_int(o->blend, o->local)};
+    status = bat_row_beyond_make(points, &rule, &t.row);
     if (status == BATTEN_OK)
         status = find(&t, parameters, report, out);
     bat_release(t.pieces);

@@ -89,8 +89,12 @@ batten_tangents_kochanek_bartels(batten_points points,
         return status;
     const batten_tangents_kochanek_bartels_options *o = &chosen;
     bat_row_beyond row;
-    status = bat_row_beyond_make(points.dimension, points.count, points.at, o->alpha, o->given,
-                                 o->closed, o->phantoms, PARABOLA, &row);
+    const bat_beyond_rule rule = {.alpha = o->alpha,
+                                  .given = o->given,
+                                  .closed = o->closed,
+                                  .kind = o->phantoms,
+                                  .degree = PARABOLA};
+    status = bat_row_beyond_make(points, &rule, &row);
     if (status == BATTEN_OK)
         status = check(points.count, o);
     if (status == BATTEN_OK)

@@ -8,33 +8,34 @@
 
 #include <string.h>
 
-static batten_status check(double alpha, const double *given, batten_phantoms kind)
+static batten_status check_rule(const bat_beyond_rule *rule)
 {
-    if ((int)kind < 0 || kind > BATTEN_PHANTOM_REPEAT)
+    if ((int)rule->kind < 0 || rule->kind > BATTEN_PHANTOM_REPEAT)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for points beyond the ends",
-                        (int)kind);
-    if (!given && !(alpha >= 0 && alpha <= 1))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "alpha is %g; it must be in 0..1", alpha);
+                        (int)rule->kind);
+    if (!rule->given && !(rule->alpha >= 0 && rule->alpha <= 1))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "alpha is %g; it must be in 0..1", rule->alpha);
     return BATTEN_OK;
 }
 
-batten_status bat_row_beyond_make(int dimension, int count, const double *points, double alpha,
-                                  const double *given, bool closed, batten_phantoms kind,
-                                  int degree, bat_row_beyond *row)
+batten_status bat_row_beyond_make(batten_points points, const bat_beyond_rule *rule,
+                                  bat_row_beyond *row)
 {
-    *row = (bat_row_beyond){dimension, count, closed, kind, degree, points, NULL};
-    batten_status status = bat_points_check(dimension, count, points, closed ? 3 : 2);
+    const int d = points.dimension, count = points.count;
+    const bool closed = rule->closed;
+    *row = (bat_row_beyond){d, count, closed, rule->kind, rule->degree, points.at, NULL};
+    batten_status status = bat_points_check(d, count, points.at, closed ? 3 : 2);
     if (status == BATTEN_OK)
-        status = check(alpha, given, kind);
+        status = check_rule(rule);
     if (status != BATTEN_OK)
         return status;
-    row->degree = bat_min_int(degree, count - 1);
+    row->degree = bat_min_int(rule->degree, count - 1);
     row->t = bat_array((size_t)count + closed, sizeof *row->t);
     if (!row->t)
         return BATTEN_OUT_OF_MEMORY;
-    if (!given)
-        return bat_parametrize_power(dimension, count, points, alpha, closed, row->t);
-    memcpy(row->t, given, ((size_t)count + closed) * sizeof *row->t);
+    if (!rule->given)
+        return bat_parametrize_power(d, count, points.at, rule->alpha, closed, row->t);
+    memcpy(row->t, rule->given, ((size_t)count + closed) * sizeof *row->t);
     return bat_parameters_check(count + closed, row->t);
 }
 
