@@ -9,9 +9,8 @@
 struct batten_body {
     bat_references references;
     batten_body_parts
-        parts;            /* owns its arrays, the names, and one reference to each geometry */
-    atomic_int box_state; /* 0: none, 1: one is being put in, 2: it is there */
-    batten_box box;
+        parts; /* owns its arrays, the names, and one reference to each geometry */
+    bat_kept_box box;
 };
 
 /* Casts away the const under which the parts show what they own. */
@@ -70,23 +69,9 @@ const batten_body_parts *batten_body_view(const batten_body *body)
 
 /* ---- its box ---- */
 
-bool bat_body_kept_box(const batten_body *body, batten_box *out)
+bat_kept_box *bat_body_kept_box(const batten_body *body)
 {
-    if (atomic_load_explicit(&body->box_state, memory_order_acquire) != 2)
-        return false;
-    *out = body->box;
-    return true;
-}
-
-/* The first to come keeps its own; all find the same. */
-void bat_body_keep_box(const batten_body *body, const batten_box *box)
-{
-    batten_body *kept = (batten_body *)(uintptr_t)body;
-    int none = 0;
-    if (!atomic_compare_exchange_strong(&kept->box_state, &none, 1))
-        return;
-    kept->box = *box;
-    atomic_store_explicit(&kept->box_state, 2, memory_order_release);
+    return &((batten_body *)(uintptr_t)body)->box;
 }
 
 /* ---- what is allowed ---- */
@@ -301,7 +286,7 @@ batten_status batten_body_create(const batten_body_parts *parts, batten_body **o
     if (!body)
         return BATTEN_OUT_OF_MEMORY;
     bat_references_begin(&body->references);
-    atomic_init(&body->box_state, 0);
+    bat_kept_box_begin(&body->box);
     body->parts = *parts;
     body->parts.vertices = NULL;
     body->parts.edges = NULL;

@@ -1,5 +1,6 @@
 /* Models: named objects with a unit, shared by reference. */
 #include "base/base.h"
+#include "model/extent.h"
 
 #include <batten/model.h>
 #include <limits.h>
@@ -13,6 +14,7 @@ struct batten_model {
     int depth; /* of instances within instances */
     int count, capacity;
     batten_object *objects; /* each owns its name, layer, arrays and one reference */
+    bat_kept_box boxes[2];  /* [bat_model_bounds], of a definition that is placed */
 };
 
 enum { DEEPEST = 32 };
@@ -39,6 +41,8 @@ batten_status batten_model_create(double unit_metres, batten_model **out)
         return BATTEN_OUT_OF_MEMORY;
     bat_references_begin(&model->references);
     model->unit_metres = unit_metres;
+    bat_kept_box_begin(&model->boxes[BAT_EXACT_BODIES]);
+    bat_kept_box_begin(&model->boxes[BAT_WIDE_BODIES]);
     *out = model;
     return BATTEN_OK;
 }
@@ -104,6 +108,11 @@ int batten_model_count(const batten_model *model)
 int batten_model_depth(const batten_model *model)
 {
     return model->depth;
+}
+
+bat_kept_box *bat_model_kept_box(const batten_model *model, bat_model_bounds bounds)
+{
+    return &((batten_model *)(uintptr_t)model)->boxes[bounds];
 }
 
 const batten_object *batten_model_object(const batten_model *model, int index)
@@ -251,6 +260,8 @@ batten_status batten_model_add(batten_model *model, const batten_object *object)
         return BATTEN_OUT_OF_MEMORY;
     }
     model->objects[model->count++] = copied;
+    bat_kept_box_begin(&model->boxes[BAT_EXACT_BODIES]); /* kept before it was whole */
+    bat_kept_box_begin(&model->boxes[BAT_WIDE_BODIES]);
     if (object->definition)
         model->depth = bat_max_int(model->depth, object->definition->depth + 1);
     return BATTEN_OK;

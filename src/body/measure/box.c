@@ -119,7 +119,8 @@ static batten_status add_face(const batten_body_parts *parts, int face, double s
 batten_status bat_body_find_box(const batten_body *body, batten_box *out)
 {
     const batten_body_parts *parts = batten_body_view(body);
-    if (bat_body_kept_box(body, out))
+    bat_kept_box *kept = bat_body_kept_box(body);
+    if (bat_kept_box_get(kept, out))
         return BATTEN_OK;
     batten_box box = bat_body_edge_box(body);
     const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
@@ -129,20 +130,23 @@ batten_status bat_body_find_box(const batten_body *body, batten_box *out)
             status = add_face(parts, i, size, &box);
     if (status != BATTEN_OK)
         return status;
-    bat_body_keep_box(body, &box);
+    bat_kept_box_put(kept, box);
     *out = box;
     return BATTEN_OK;
 }
 
-batten_box batten_body_box(const batten_body *body)
+batten_box bat_body_wide_box(const batten_body *body)
 {
     const batten_body_parts *parts = batten_body_view(body);
-    batten_box box;
-    if (bat_body_find_box(body, &box) == BATTEN_OK)
-        return box;
-    box = bat_body_edge_box(body);
+    batten_box box = bat_body_edge_box(body);
     for (int i = 0; i < parts->face_count; i++)
         if (!is_flat(parts->faces[i].surface, parts->tolerance))
             widen_by_face(&box, batten_surface_box(parts->faces[i].surface), 0);
     return box;
+}
+
+batten_box batten_body_box(const batten_body *body)
+{
+    batten_box box;
+    return bat_body_find_box(body, &box) == BATTEN_OK ? box : bat_body_wide_box(body);
 }

@@ -1,19 +1,22 @@
 /* Boxes around bodies. */
 #ifndef BAT_BODY_BOX_H
 #define BAT_BODY_BOX_H
-#include "base/base.h"
+#include "body/kept_box.h"
 #include <batten/body.h>
 
 /* The box of the edges and vertices, and of the surfaces of faces without loops: about how
  * large a body is. Faces may reach beyond it. */
 batten_box bat_body_edge_box(const batten_body *body);
 
-/* As batten_body_box, which gives the box of all surfaces where this fails: OUT_OF_MEMORY. */
+/* As batten_body_box, which gives the wide box where this fails: OUT_OF_MEMORY. */
 batten_status bat_body_find_box(const batten_body *body, batten_box *out);
 
-/* The box of a body that was found before; false when there is none. */
-bool bat_body_kept_box(const batten_body *body, batten_box *out);
-void bat_body_keep_box(const batten_body *body, const batten_box *box);
+/* The box of the edges and of all surfaces whose faces may swell beyond them: it may be larger
+ * than the body, and needs no memory. */
+batten_box bat_body_wide_box(const batten_body *body);
+
+/* The place for the box of a body in that body; changed by its first reader only. */
+bat_kept_box *bat_body_kept_box(const batten_body *body);
 
 /* ---- face_range.c ---- */
 

@@ -1,6 +1,7 @@
 /* The box around a body holds it, also where faces swell beyond their edges. */
 #include "body/measure/box.h"
 #include "body/by_hand.h"
+#include "numeric/box.h"
 #include "support/test.h"
 
 #include <batten/mesh.h>
@@ -28,6 +29,26 @@ static double size_of(batten_box box)
     return hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
 }
 
+/* As far as rounding goes: parts of surfaces have control points of their own. */
+static bool holds(batten_box outer, batten_box inner)
+{
+    const double room = 1e-12 * size_of(outer);
+    return inner.low.x >= outer.low.x - room && inner.low.y >= outer.low.y - room &&
+           inner.low.z >= outer.low.z - room && inner.high.x <= outer.high.x + room &&
+           inner.high.y <= outer.high.y + room && inner.high.z <= outer.high.z + room;
+}
+
+/* A wide box holds at least what the box does, and nothing beyond edges and surfaces. */
+static void check_wide(const batten_body *body, batten_box box)
+{
+    const batten_box wide = bat_body_wide_box(body);
+    const batten_body_parts *parts = batten_body_view(body);
+    batten_box most = bat_body_edge_box(body);
+    for (int i = 0; i < parts->face_count; i++)
+        bat_box_join(&most, batten_surface_box(parts->faces[i].surface));
+    CHECK(holds(wide, box) && holds(most, wide));
+}
+
 /* As it is, and traced; the second time it is known. */
 static void check_both(hand *m, const double low[3], const double high[3], double room)
 {
@@ -40,6 +61,7 @@ static void check_both(hand *m, const double low[3], const double high[3], doubl
         batten_body_measures measured;
         check_box(box_of(k ? traced : body), low, high, room);
         check_box(batten_body_box(k ? traced : body), low, high, room);
+        check_wide(k ? traced : body, box_of(k ? traced : body));
         CHECK_OK(batten_body_measure(k ? traced : body, 1e-9, NULL, &measured));
         check_box(measured.box, low, high, 1e-6);
         CHECK(measured.box_error <= 1e-8 * size_of(measured.box));
