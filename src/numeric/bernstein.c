@@ -40,15 +40,6 @@ static int sign(double value, double zero)
     return (value > zero) - (value < -zero);
 }
 
-int bat_bernstein_sign(int degree, const double *c, double zero)
-{
-    const int first = sign(c[0], zero);
-    for (int i = 1; i <= degree; i++)
-        if (sign(c[i], zero) != first)
-            return 0;
-    return first;
-}
-
 /* ---- roots ---- */
 
 enum { DEEPEST = 52 }; /* halvings until the ends of an interval are neighbours */

@@ -14,10 +14,6 @@ double bat_bernstein_value(int degree, const double *c, double t);
  */
 void bat_bernstein_split(int degree, const double *c, double t, double *left, double *right);
 
-/* 1 or -1 when all coefficients, and so all values, lie beyond `zero` on one side of 0; else 0:
- * not decided. */
-int bat_bernstein_sign(int degree, const double *c, double zero);
-
 typedef struct {
     double t;
     int multiplicity; /* how many roots rounding does not tell apart; 2 too where the graph only

@@ -130,13 +130,6 @@ static int compare_sizes(bat_whole a, bat_whole b)
     return 0;
 }
 
-int bat_whole_compare(bat_whole a, bat_whole b)
-{
-    if (a.sign != b.sign)
-        return a.sign < b.sign ? -1 : 1;
-    return a.sign < 0 ? compare_sizes(b, a) : compare_sizes(a, b);
-}
-
 static int bits_of(uint32_t limb)
 {
     int bits = 0;

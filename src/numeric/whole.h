@@ -46,7 +46,6 @@ static inline bat_whole bat_whole_negated(bat_whole a)
     return a;
 }
 
-int bat_whole_compare(bat_whole a, bat_whole b);
 /* How many bits |a| has; 0 of 0. */
 int bat_whole_bits(bat_whole a);
 bat_whole bat_whole_add(bat_wholes *pool, bat_whole a, bat_whole b);

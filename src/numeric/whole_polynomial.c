@@ -257,10 +257,3 @@ int bat_poly_squarefree(bat_wholes *pool, bat_whole_poly p, bat_whole_poly *part
     }
     return highest;
 }
-
-bat_whole_poly bat_poly_radical(bat_wholes *pool, bat_whole_poly p)
-{
-    const bat_whole_poly whole = bat_poly_primitive(pool, p);
-    return bat_poly_quotient(pool, whole,
-                             bat_poly_gcd(pool, whole, bat_poly_derivative(pool, whole)));
-}

@@ -32,8 +32,6 @@ bat_whole_poly bat_poly_gcd(bat_wholes *pool, bat_whole_poly p, bat_whole_poly q
 /* p = product of parts[i]^i, i = 1 .. the result, which is the highest multiplicity; parts
  * [degree + 1], primitive. p is primitive and not 0. Source: Yun, in [Knuth97] 4.6.2. */
 int bat_poly_squarefree(bat_wholes *pool, bat_whole_poly p, bat_whole_poly *parts);
-/* Every root of p once. */
-bat_whole_poly bat_poly_radical(bat_wholes *pool, bat_whole_poly p);
 /* v^degree p(u / v) for a degree >= that of p; with v > 0 it has the sign of p. */
 bat_whole bat_poly_value(bat_wholes *pool, bat_whole_poly p, int degree, bat_whole u,
                          bat_whole v);

@@ -44,16 +44,6 @@ TEST(a_split_polynomial_has_the_same_values)
     }
 }
 
-TEST(the_sign_of_all_coefficients_decides)
-{
-    const double up[3] = {1, 2, 3}, mixed[3] = {1, -1, 1}, touching[2] = {0, 1}, down[1] = {-2};
-    CHECK_INT(bat_bernstein_sign(2, up, 0), 1);
-    CHECK_INT(bat_bernstein_sign(2, up, 1), 0);
-    CHECK_INT(bat_bernstein_sign(2, mixed, 0), 0);
-    CHECK_INT(bat_bernstein_sign(1, touching, 0), 0);
-    CHECK_INT(bat_bernstein_sign(0, down, 1), -1);
-}
-
 static void check_roots(int count, const double *at, int expected, const double *roots,
                         const int *orders, double tolerance)
 {

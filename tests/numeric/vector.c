@@ -31,3 +31,16 @@ TEST(vectors_obey_their_identities)
     CHECK_BITS(bat_vec3_of(2, (const double[2]){4, 5}).y, 5);
     CHECK_BITS(bat_vec3_of(3, (const double[3]){4, 5, 6}).z, 6);
 }
+
+TEST(the_distance_of_a_segment_is_that_of_its_nearest_point)
+{
+    const double a[3] = {0, 0, 0}, b[3] = {4, 0, 3};
+    const double before[3] = {-3, 4, 0}, beside[3] = {2, 7, 1.5}, beyond[3] = {4, 2, 4};
+    CHECK_NEAR(bat_segment_distance(3, a, b, before), 5, 0);
+    CHECK_NEAR(bat_segment_distance(3, a, b, beside), 7, 1e-15);
+    CHECK_NEAR(bat_segment_distance(3, a, b, beyond), sqrt(5), 1e-15);
+    CHECK_NEAR(bat_segment_distance(3, b, a, beyond), sqrt(5), 1e-15);
+    CHECK_NEAR(bat_segment_distance(3, b, b, a), 5, 0); /* a point */
+    CHECK_NEAR(bat_segment_distance(2, a, b, (const double[2]){3, -2}), 2, 0);
+    CHECK_NEAR(bat_segment_distance(1, a, b, (const double[1]){6}), 2, 0);
+}

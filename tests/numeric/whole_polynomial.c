@@ -1,6 +1,7 @@
 #include "numeric/whole_polynomial.h"
 
 #include "base/base.h"
+#include "numeric/bernstein.h"
 #include "support/test.h"
 
 static bat_effort effort;
@@ -29,10 +30,18 @@ static bat_whole_poly with_roots(int count, int (*roots)[2])
     return p;
 }
 
+/* Every root of p once. */
+static bat_whole_poly radical_of(bat_whole_poly p)
+{
+    const bat_whole_poly whole = bat_poly_primitive(&pool, p);
+    return bat_poly_quotient(&pool, whole,
+                             bat_poly_gcd(&pool, whole, bat_poly_derivative(&pool, whole)));
+}
+
 static bool equal(bat_whole_poly p, bat_whole_poly q)
 {
     for (int i = 0; i <= p.degree && p.degree == q.degree; i++)
-        if (bat_whole_compare(p.c[i], q.c[i]) != 0)
+        if (bat_whole_subtract(&pool, p.c[i], q.c[i]).sign != 0)
             return false;
     return p.degree == q.degree;
 }
@@ -74,8 +83,7 @@ TEST(roots_of_random_products_come_back)
             roots[i][0] = test_random_int(&random, -40, 40);
             roots[i][1] = test_random_int(&random, 1, 30);
         }
-        const bat_whole_poly p = with_roots(DEGREE, roots),
-                             radical = bat_poly_radical(&pool, p);
+        const bat_whole_poly p = with_roots(DEGREE, roots), radical = radical_of(p);
         for (int i = 0; i < DEGREE; i++) {
             bool again = false;
             for (int j = 0; j < i; j++)
@@ -183,5 +191,81 @@ TEST(polynomials_without_real_roots_have_no_intervals)
     bat_poly_isolate(&pool, of_ints(0, (int64_t[]){5}), found, &count);
     if (ALIVE)
         CHECK_INT(count, 0);
+    bat_wholes_release(&pool);
+}
+
+TEST(the_coefficients_of_bernstein_have_the_values_of_the_polynomial)
+{
+    test_random random = test_random_begin(__func__);
+    for (int n = test_cases(50); n > 0; n--) {
+        begin();
+        int64_t c[7];
+        double b[7], largest = 0;
+        const int degree = test_random_int(&random, 1, 6);
+        for (int i = 0; i <= degree; i++)
+            c[i] = test_random_int(&random, -9, 9);
+        c[degree] = 5;
+        bat_poly_bernstein(&pool, of_ints(degree, c), b);
+        for (int k = 0; k <= degree && ALIVE; k++)
+            largest = bat_max(largest, fabs(b[k]));
+        if (ALIVE)
+            CHECK_NEAR(largest, 1, 0); /* they are scaled to that */
+        const double at[3] = {0, 0.25, 1};
+        double value[3], sum[3] = {0};
+        for (int i = 0; i < 3 && ALIVE; i++) {
+            value[i] = bat_bernstein_value(degree, b, at[i]);
+            for (int k = degree; k >= 0; k--)
+                sum[i] = sum[i] * at[i] + (double)c[k];
+        }
+        for (int i = 0; i < 3 && ALIVE; i++) /* of one factor */
+            CHECK_NEAR(value[i] * sum[1], value[1] * sum[i],
+                       1e-14 * (fabs(sum[1]) + fabs(sum[i])));
+        if (ALIVE)
+            CHECK(value[1] * sum[1] >= 0);
+        bat_wholes_release(&pool);
+    }
+}
+
+TEST(sums_shorten_where_leading_coefficients_cancel)
+{
+    begin();
+    const bat_whole_poly p = of_ints(3, (int64_t[]){1, 2, 0, 4}),
+                         q = of_ints(1, (int64_t[]){0, 1}),
+                         r = of_ints(3, (int64_t[]){0, 0, 0, 2});
+    const bat_whole_poly sum = bat_poly_combine(&pool, 1, p, -2, r),
+                         longer = bat_poly_combine(&pool, 3, q, 1, p),
+                         none = bat_poly_combine(&pool, 1, p, -1, p);
+    if (ALIVE) {
+        CHECK(equal(sum, of_ints(1, (int64_t[]){1, 2})));
+        CHECK(equal(longer, of_ints(3, (int64_t[]){1, 5, 0, 4})));
+        CHECK_INT(none.degree, -1);
+        bat_whole_root root = {false, true, bat_whole_of_int(&pool, 1), 0, 0};
+        CHECK_INT(bat_poly_sign_at(&pool, none, p, &root), 0);
+        /* 2^3 p(1/2) = 8 + 8 + 4 with the degree 3, and twice that with the degree 4 */
+        const bat_whole one = bat_whole_of_int(&pool, 1), two = bat_whole_of_int(&pool, 2);
+        const bat_whole least = bat_poly_value(&pool, p, 3, one, two),
+                        more = bat_poly_value(&pool, p, 4, one, two);
+        CHECK_INT(bat_whole_subtract(&pool, least, bat_whole_of_int(&pool, 20)).sign, 0);
+        CHECK_INT(bat_whole_subtract(&pool, more, bat_whole_of_int(&pool, 40)).sign, 0);
+    }
+    bat_wholes_release(&pool);
+}
+
+TEST(roots_nearer_than_the_depth_of_the_search_are_reported_as_not_told_apart)
+{
+    /* (2^201 t - 1) (2^202 t - 1): both in (0, 2^-200) */
+    bat_whole_root found[2];
+    int count = 0;
+    begin();
+    bat_whole_poly p = bat_poly_make(&pool, 2);
+    if (p.degree == 2) {
+        p.c[0] = bat_whole_of_int(&pool, 1);
+        p.c[1] = bat_whole_shift(&pool, bat_whole_of_int(&pool, -3), 201);
+        p.c[2] = bat_whole_shift(&pool, bat_whole_of_int(&pool, 1), 403);
+    }
+    if (ALIVE) {
+        bat_poly_isolate(&pool, p, found, &count);
+        CHECK(effort.status == BATTEN_INCOMPLETE || effort.status == BATTEN_OUT_OF_MEMORY);
+    }
     bat_wholes_release(&pool);
 }

@@ -1,3 +1,5 @@
+#include "spline/curve/curve.h"
+
 #include <batten/curvature.h>
 #include <batten/polygon.h>
 
@@ -315,4 +317,83 @@ TEST(uniform_cubics_blend_as_in_the_notes)
         batten_curve_unref(uniform);
         batten_curve_unref(curve);
     }
+}
+
+TEST(polygons_of_other_dimensions_and_degrees_are_refused)
+{
+    const double V[8] = {0, 0, 1, 2, 3, 1, 4, 4};
+    batten_curve *curve = NULL;
+    for (int i = 0; i < 2; i++) {
+        const int dimension = i ? 4 : 0, degree = i ? BATTEN_MAX_DEGREE + 1 : 0;
+        CHECK_STATUS(batten_curve_from_edges(dimension, 1, V, V + 2, &curve),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_from_edges(2, degree, V, V + 2, &curve), BATTEN_BAD_DEGREE);
+        CHECK_STATUS(batten_curve_uniform((batten_points){dimension, 2, V}, 1, NULL,
+                                          BATTEN_POLYGON_FREE, &curve),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_uniform((batten_points){2, 4, V}, degree, NULL,
+                                          BATTEN_POLYGON_CLOSED, &curve),
+                     BATTEN_BAD_DEGREE);
+    }
+    CHECK_STATUS(
+        batten_curve_uniform((batten_points){2, 1, V}, 3, NULL, BATTEN_POLYGON_CLOSED, &curve),
+        BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("1 vertex; 2 are needed");
+    CHECK_STATUS(batten_curve_uniform((batten_points){2, BAT_MAX_POINTS, V}, 3, NULL,
+                                      BATTEN_POLYGON_CLOSED, &curve),
+                 BATTEN_TOO_LARGE);
+    CHECK(!curve);
+}
+
+TEST(edges_are_those_of_one_polynomial_span)
+{
+    const double V[8] = {0, 0, 1, 2, 3, 1, 4, 4}, weights[4] = {1, 2, 2, 1};
+    double start[2] = {9, 9}, edges[6];
+    batten_curve *rational = NULL, *spans = NULL, *loose = NULL;
+    CHECK_OK(batten_curve_bezier(2, 3, V, weights, &rational));
+    CHECK_STATUS(batten_curve_to_edges(rational, start, edges), BATTEN_BAD_ARGUMENT);
+    CHECK_OK(batten_curve_uniform((batten_points){2, 4, V}, 2, NULL, BATTEN_POLYGON_CLAMPED,
+                                  &spans));
+    CHECK_STATUS(batten_curve_to_edges(spans, start, edges), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("this curve has 4 control points of degree 2");
+    CHECK_OK(
+        batten_curve_uniform((batten_points){2, 4, V}, 3, NULL, BATTEN_POLYGON_FREE, &loose));
+    CHECK_STATUS(batten_curve_to_edges(loose, start, edges), BATTEN_BAD_ARGUMENT);
+    CHECK_BITS(start[0], 9);
+    batten_curve_unref(rational);
+    batten_curve_unref(spans);
+    batten_curve_unref(loose);
+}
+
+TEST(weights_of_added_vertices_are_those_of_the_ends)
+{
+    /* Repeated ends: so are their weights, and the curve begins at the first vertex. */
+    const double V[6] = {0, 0, 1, 2, 3, 1}, weights[3] = {2, 1, 4};
+    batten_curve *curve = NULL;
+    double at[2];
+    CHECK_OK(batten_curve_uniform((batten_points){2, 3, V}, 3, weights, BATTEN_POLYGON_REPEATED,
+                                  &curve));
+    CHECK_INT(batten_curve_point_count(curve), 7);
+    for (int i = 0; i < 3; i++) {
+        CHECK_NEAR(batten_curve_weights(curve)[i], 2, 0);
+        CHECK_NEAR(batten_curve_weights(curve)[4 + i], 4, 0);
+    }
+    CHECK_OK(batten_curve_evaluate(curve, batten_curve_domain(curve).b, 0, at));
+    CHECK_NEAR(at[0], 3, 1e-15);
+    CHECK_NEAR(at[1], 1, 1e-15);
+    batten_curve_unref(curve);
+}
+
+TEST(arcs_of_cubics_refuse_what_is_not_finite)
+{
+    batten_curve *curve = NULL;
+    double error = -1;
+    CHECK_STATUS(batten_curve_arc_cubic(INFINITY, 1, 1, &error, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_arc_cubic(1, -1, 1, &error, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_arc_cubic(1, 1, INFINITY, &error, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_NEAR(error, -1, 0);
+    /* However loose the tolerance, no piece turns by more than pi. */
+    CHECK_OK(batten_curve_arc_cubic(1, 2 * pi, 1e9, NULL, &curve));
+    CHECK_INT(batten_curve_point_count(curve), 7);
+    batten_curve_unref(curve);
 }

@@ -1,5 +1,7 @@
 #include <batten/chain.h>
 
+#include "base/base.h"
+
 #include "support/test.h"
 
 /* One of every plane kind, each begun where the one before ends. */
@@ -177,4 +179,49 @@ TEST(a_part_of_a_closed_chain_is_open)
     CHECK_STATUS(batten_chain_join(ring, part, 1, &back), BATTEN_NOT_COMPATIBLE);
     batten_chain_unref(part);
     batten_chain_unref(ring);
+}
+
+TEST(chains_that_cannot_join_are_refused)
+{
+    batten_span span[2] = {{.kind = BATTEN_SPAN_ARC, .length = 1},
+                           {.kind = BATTEN_SPAN_ARC, .length = 1, .start = {1, 0}}};
+    batten_span ring[2] = {{.kind = BATTEN_SPAN_ARC, .length = BAT_PI, .curvature = {1}},
+                           {.kind = BATTEN_SPAN_ARC,
+                            .length = BAT_PI,
+                            .curvature = {1},
+                            .start = {0, 2},
+                            .angle = BAT_PI}};
+    const batten_frame low = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}},
+                       high = {{0, 0, 5}, {1, 0, 0}, {0, 0, 1}};
+    batten_chain *first = NULL, *second = NULL, *closed = NULL, *joined = NULL;
+    batten_chain *lower = NULL, *upper = NULL, *same = NULL;
+    CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, span, NULL, false}, 0, &first));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 1, span + 1, NULL, false}, 0, &second));
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 2, ring, NULL, true}, 1e-12, &closed));
+    CHECK_STATUS(batten_chain_join(first, second, -1, &joined), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_join(first, second, INFINITY, &joined), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_chain_join(first, closed, 9, &joined), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_chain_join(closed, first, 9, &joined), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("a closed chain has no end to join");
+    CHECK_STATUS(batten_chain_join(second, first, 0.5, &joined), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("are 2 apart, more than 0.5");
+    CHECK_OK(batten_chain_place(first, &low, &lower));
+    CHECK_OK(batten_chain_place(second, &high, &upper));
+    CHECK_OK(batten_chain_place(second, &low, &same));
+    CHECK_STATUS(batten_chain_join(lower, second, 9, &joined), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_chain_join(lower, upper, 9, &joined), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("do not lie in one plane");
+    CHECK(!joined);
+    CHECK_OK(batten_chain_join(lower, same, 0, &joined));
+    CHECK_INT(batten_chain_span_count(joined), 2);
+    CHECK_NEAR(batten_chain_domain(joined).b, 2, 0);
+    batten_chain_unref(joined);
+    batten_chain_unref(lower);
+    batten_chain_unref(upper);
+    batten_chain_unref(same);
+    batten_chain_unref(first);
+    batten_chain_unref(second);
+    batten_chain_unref(closed);
 }

@@ -1,4 +1,6 @@
-#include <batten/curve.h>
+#include "spline/curve/curve.h"
+
+#include <batten/standard.h>
 
 #include "support/generate.h"
 
@@ -79,4 +81,30 @@ TEST(K6_knots_that_fall_together_when_moved_are_refused)
     CHECK_STATUS(batten_curve_join(first, second, 0, &none), BATTEN_BAD_KNOTS);
     batten_curve_unref(second);
     batten_curve_unref(first);
+}
+
+TEST(rows_of_curves_join_in_order_whatever_their_number)
+{
+    /* The points (i, i^2), joined by lines. */
+    enum { MOST = 9 };
+    batten_curve *lines[MOST] = {NULL}, *all = NULL;
+    for (int i = 0; i < MOST; i++)
+        CHECK_OK(batten_curve_line(2, (const double[]){i, i * i},
+                                   (const double[]){i + 1, (i + 1) * (i + 1)}, &lines[i]));
+    for (int count = 1; count <= MOST; count++) {
+        CHECK_OK(bat_curves_chain(count, lines, 0, &all));
+        CHECK_INT(batten_curve_point_count(all), count + 1);
+        for (int i = 0; i <= count; i++) {
+            CHECK_NEAR(batten_curve_points(all)[2 * i], i, 0);
+            CHECK_NEAR(batten_curve_points(all)[2 * i + 1], i * i, 0);
+        }
+        batten_curve_unref(all);
+    }
+    all = NULL;
+    batten_curve *const gap[3] = {lines[0], lines[1], lines[3]};
+    CHECK_STATUS(bat_curves_chain(3, gap, 0.5, &all), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("apart, more than 0.5");
+    CHECK(!all);
+    for (int i = 0; i < MOST; i++)
+        batten_curve_unref(lines[i]);
 }

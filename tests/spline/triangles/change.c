@@ -1,3 +1,5 @@
+#include "spline/curve/curve.h"
+
 #include <batten/triangles.h>
 
 #include "support/test.h"
@@ -174,4 +176,39 @@ TEST(two_sets_become_one_of_the_higher_degree)
     batten_triangles_unref(second);
     batten_triangles_unref(all);
     batten_triangles_unref(plane);
+}
+
+TEST(a_triangle_is_cut_at_a_place_whose_coordinates_have_the_sum_1)
+{
+    const double points[3] = {1, 2, 4};
+    const double bad[][3] = {
+        {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}, {0.5, 0.3, 0.3}, {0.5, 0.2, 0.2}};
+    batten_triangles *one = NULL, *cut = NULL;
+    CHECK_OK(
+        batten_triangles_create(&(batten_triangles_parts){1, 1, 1, points, NULL, NULL}, &one));
+    for (int i = 0; i < COUNT(bad); i++)
+        CHECK_STATUS(batten_triangles_split(one, 0, bad[i], &cut), BATTEN_BAD_ARGUMENT);
+    CHECK(!cut);
+    batten_triangles_unref(one);
+}
+
+TEST(S5_sets_beyond_the_limit_are_refused_by_every_change)
+{
+    enum { MANY = 29000 }; /* of degree 25, 351 points each, are more than ten millions */
+    double *points = test_array((size_t)MANY * 3, sizeof *points);
+    int *first = test_array((size_t)BAT_MAX_POINTS / 351 + 2, sizeof *first);
+    batten_triangles *many = NULL, *high = NULL, *made = NULL;
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, MANY, points, NULL, NULL},
+                                     &many));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 25, 1, points, NULL, NULL},
+                                     &high));
+    CHECK_STATUS(batten_triangles_elevate(many, 24, &made), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("29000 triangles of degree 25");
+    CHECK_STATUS(batten_triangles_together(many, high, &made), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("29001 triangles of degree 25");
+    CHECK_STATUS(batten_triangles_select(high, BAT_MAX_POINTS / 351 + 1, first, &made),
+                 BATTEN_TOO_LARGE);
+    CHECK(!made);
+    batten_triangles_unref(many);
+    batten_triangles_unref(high);
 }

@@ -211,3 +211,72 @@ TEST(S3_the_joints_of_a_grid_are_found_in_good_time)
     batten_triangle_joins_release(&joins);
     batten_triangles_unref(triangles);
 }
+
+TEST(smooth_joins_take_polynomials_over_a_domain_that_share_an_edge)
+{
+    /* Two triangles of a square, and a third that touches the first at a corner alone. */
+    const double plane[] = {0, 0, 1, 0, 0, 1, 1, 1, -1, 0, -1, -1};
+    const int order[] = {0, 1, 2, 3, 2, 1, 0, 4, 5};
+    const batten_triangulation domain = {6, plane, order};
+    const double values[9] = {0, 0, 0, 1, 0, 0, 0, 0, 0},
+                 weights[9] = {1, 1, 1, 1, 2, 1, 1, 1, 1};
+    batten_triangles *set = NULL, *rational = NULL, *made = NULL;
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, 3, values, NULL, &domain},
+                                     &set));
+    CHECK_OK(batten_triangles_create(
+        &(batten_triangles_parts){1, 1, 3, values, weights, &domain}, &rational));
+    CHECK_STATUS(batten_triangles_join_smoothly(rational, 0, 1, 1, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_triangles_join_smoothly(set, 0, 1, -1, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_triangles_join_smoothly(set, 0, 1, 2, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("order 2 is not in 0..1");
+    CHECK_STATUS(batten_triangles_join_smoothly(set, 1, 1, 1, NULL, &made),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_triangles_join_smoothly(set, 0, 2, 1, NULL, &made),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("triangles 0 and 2 share no edge");
+    CHECK(!made);
+    /* All values of the first are 0, and so becomes the far corner of the second. */
+    CHECK_OK(batten_triangles_join_smoothly(set, 0, 1, 1, NULL, &made));
+    CHECK_NEAR(batten_triangles_points(made)[3], 0, 0);
+    batten_triangles_unref(set);
+    batten_triangles_unref(rational);
+    batten_triangles_unref(made);
+}
+
+TEST(tangent_planes_are_made_equal_where_there_are_some)
+{
+    /* The first triangle's inner point lies on its edge's end: no plane there. */
+    const double flat[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0},
+                 line[] = {2, -1, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0},
+                 weights[] = {1, 2, 1, 1, 2, 1};
+    const batten_triangle_edge kept = {0, 0}, changed = {1, 0};
+    batten_triangles *set = NULL, *made = NULL;
+    CHECK_OK(
+        batten_triangles_create(&(batten_triangles_parts){3, 1, 2, flat, NULL, NULL}, &set));
+    CHECK_OK(batten_triangles_join_tangents(set, kept, changed, 0, NULL, &made));
+    batten_triangles_unref(made);
+    made = NULL;
+    CHECK_STATUS(batten_triangles_join_tangents(set, kept, kept, 0, NULL, &made),
+                 BATTEN_NOT_COMPATIBLE);
+    batten_triangles_unref(set);
+    CHECK_OK(
+        batten_triangles_create(&(batten_triangles_parts){3, 1, 2, line, NULL, NULL}, &set));
+    CHECK_STATUS(batten_triangles_join_tangents(set, kept, changed, 0, NULL, &made),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("triangle 0 has no tangent plane at one end of edge 0");
+    batten_triangles_unref(set);
+    CHECK_OK(
+        batten_triangles_create(&(batten_triangles_parts){3, 1, 2, flat, weights, NULL}, &set));
+    CHECK_STATUS(batten_triangles_join_tangents(set, kept, changed, 0, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    batten_triangles_unref(set);
+    CHECK_OK(
+        batten_triangles_create(&(batten_triangles_parts){2, 1, 2, flat, NULL, NULL}, &set));
+    CHECK_STATUS(batten_triangles_join_tangents(set, kept, changed, 9, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    batten_triangles_unref(set);
+    CHECK(!made);
+}

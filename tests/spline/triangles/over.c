@@ -110,3 +110,66 @@ TEST(places_behind_a_corner_of_the_rim_that_turns_inwards_are_found)
     CHECK_NEAR(found[5], plane(1.5, 0), 1e-13);
     batten_triangles_unref(out);
 }
+
+static bool stops_at_once(void *user)
+{
+    (void)user;
+    return true;
+}
+
+static bool never_stops(void *user)
+{
+    ++*(int *)user;
+    return false;
+}
+
+TEST(a_job_over_triangles_is_asked_and_stops)
+{
+    enum { PLACES = 2500 };
+    batten_triangles *triangles = square(20);
+    double *at = test_array((size_t)PLACES * 2, sizeof *at),
+           *found = test_array(PLACES, sizeof *found);
+    for (int i = 0; i < 2 * PLACES; i++)
+        at[i] = 0.25;
+    found[0] = -7;
+    int asked = 0;
+    const batten_job stopped = {.is_cancelled = stops_at_once},
+                     watched = {.is_cancelled = never_stops, .user = &asked}, blind = {0};
+    const batten_outside_points refused = {BATTEN_OUTSIDE_REFUSED, NULL};
+    CHECK_STATUS(batten_triangles_over(triangles, (batten_batch){PLACES, at}, 0, refused,
+                                       &stopped, found),
+                 BATTEN_CANCELLED);
+    CHECK_MESSAGE("after 0 of 2500 places");
+    CHECK_NEAR(found[0], -7, 0);
+    CHECK_OK(batten_triangles_over(triangles, (batten_batch){PLACES, at}, 0, refused, &watched,
+                                   found));
+    CHECK_NEAR(found[PLACES - 1], plane(0.25, 0.25), 1e-13);
+    CHECK(asked >= 3);
+    CHECK_OK(batten_triangles_over(triangles, (batten_batch){PLACES, at}, 0, refused, &blind,
+                                   found));
+    const double odd[2] = {0, INFINITY};
+    CHECK_STATUS(
+        batten_triangles_over(triangles, (batten_batch){1, odd}, 0, refused, NULL, found),
+        BATTEN_NOT_FINITE);
+    batten_triangles_unref(triangles);
+}
+
+TEST(a_slope_too_large_for_a_number_is_refused)
+{
+    const double vertices[6] = {0, 0, 1e-3, 0, 0, 1e-3}, values[3] = {0, 1e306, 0};
+    const int corners[3] = {0, 1, 2};
+    const batten_triangulation domain = {3, vertices, corners};
+    batten_triangles *triangles = NULL;
+    double found[3];
+    const double at[2] = {2e-4, 2e-4};
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, 1, values, NULL, &domain},
+                                     &triangles));
+    CHECK_OK(batten_triangles_over(triangles, (batten_batch){1, at}, 0,
+                                   (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL}, NULL,
+                                   found));
+    CHECK_STATUS(batten_triangles_over(triangles, (batten_batch){1, at}, 1,
+                                       (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL},
+                                       NULL, found),
+                 BATTEN_OVERFLOW);
+    batten_triangles_unref(triangles);
+}

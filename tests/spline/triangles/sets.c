@@ -80,3 +80,48 @@ TEST(graphs_are_of_functions)
     batten_curve_unref(function);
     batten_curve_unref(graph);
 }
+
+TEST(weights_of_one_set_alone_make_both_rational)
+{
+    const double points[3] = {0, 1, 2}, weights[3] = {1, 2, 3};
+    batten_triangles *plain = NULL, *rational = NULL, *both = NULL;
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, 1, points, NULL, NULL},
+                                     &plain));
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, 1, points, weights, NULL},
+                                     &rational));
+    CHECK_OK(batten_triangles_together(plain, rational, &both));
+    for (int i = 0; i < 3; i++) {
+        CHECK_NEAR(batten_triangles_weights(both)[i], 1, 0);
+        CHECK_NEAR(batten_triangles_weights(both)[3 + i], weights[i], 0);
+    }
+    batten_triangles_unref(both);
+    CHECK_OK(batten_triangles_together(plain, plain, &both));
+    CHECK(!batten_triangles_is_rational(both));
+    CHECK_INT(batten_triangles_count(both), 2);
+    batten_triangles_unref(both);
+    batten_triangles_unref(plain);
+    batten_triangles_unref(rational);
+}
+
+TEST(graphs_of_triangles_take_polynomial_values_over_a_domain)
+{
+    const double vertices[6] = {0, 0, 1, 0, 0, 1}, values[3] = {1, 2, 3},
+                 weights[3] = {1, 2, 1};
+    const int corners[3] = {0, 1, 2};
+    const batten_triangulation domain = {3, vertices, corners};
+    batten_triangles *bare = NULL, *rational = NULL, *graph = NULL;
+    CHECK_OK(
+        batten_triangles_create(&(batten_triangles_parts){1, 1, 1, values, NULL, NULL}, &bare));
+    CHECK_OK(batten_triangles_create(
+        &(batten_triangles_parts){1, 1, 1, values, weights, &domain}, &rational));
+    CHECK_STATUS(batten_triangles_from_function(bare, &graph), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_triangles_from_function(rational, &graph), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("polynomial triangles of dimension 1 over a domain");
+    CHECK_STATUS(batten_triangles_select(bare, 1, (const int[1]){1}, &graph),
+                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_triangles_select(bare, -1, (const int[1]){0}, &graph),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK(!graph);
+    batten_triangles_unref(bare);
+    batten_triangles_unref(rational);
+}

@@ -3,6 +3,8 @@
 #include "support/test.h"
 #include "support/triangles.h"
 
+#include <limits.h>
+
 static const double vertices[] = {0, 0, 2, 0, 2, 1.5, -0.5, 1};
 static const int corners[] = {0, 1, 2, 0, 2, 3};
 static const batten_triangulation square = {4, vertices, corners};
@@ -371,4 +373,126 @@ TEST(the_domain_of_mirrored_triangles_goes_round_as_before)
     CHECK_NEAR(found.vertices[3], 2, 0);
     batten_triangles_unref(image);
     batten_triangles_unref(triangles);
+}
+
+TEST(sizes_of_sets_are_checked_before_their_numbers)
+{
+    const double points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, plane[6] = {0, 0, 1, 0, 0, 1};
+    const int near[3] = {0, 1, 2}, below[3] = {0, -1, 2};
+    const batten_triangulation few = {2, plane, near}, many = {INT_MAX, plane, near},
+                               low = {3, plane, below};
+    const struct {
+        batten_triangles_parts parts;
+        batten_status status;
+        const char *words;
+    } bad[] = {{{0, 1, 1, points, NULL, NULL}, BATTEN_BAD_ARGUMENT, "the dimension is 0"},
+               {{4, 1, 1, points, NULL, NULL}, BATTEN_BAD_ARGUMENT, "the dimension is 4"},
+               {{3, 0, 1, points, NULL, NULL}, BATTEN_BAD_DEGREE, "the degree is 0"},
+               {{3, 26, 1, points, NULL, NULL}, BATTEN_BAD_DEGREE, "the degree is 26"},
+               {{3, 1, 0, points, NULL, NULL}, BATTEN_TOO_FEW_POINTS, "there are 0 triangles"},
+               {{1, 1, 1, points, NULL, &few}, BATTEN_BAD_ARGUMENT, "has 2 vertices"},
+               {{1, 1, 1, points, NULL, &many}, BATTEN_BAD_ARGUMENT, "vertices; 3 to"},
+               {{1, 1, 1, points, NULL, &low}, BATTEN_BAD_ARGUMENT, "corner 1 of triangle 0"}};
+    for (int i = 0; i < COUNT(bad); i++) {
+        batten_triangles *triangles = NULL;
+        CHECK_STATUS(batten_triangles_create(&bad[i].parts, &triangles), bad[i].status);
+        CHECK_MESSAGE(bad[i].words);
+        CHECK(!triangles);
+    }
+    batten_triangles_unref(NULL);
+}
+
+TEST(a_set_without_a_domain_says_so)
+{
+    const double points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    batten_triangles *triangles = NULL;
+    batten_triangulation domain = {.vertex_count = 77};
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 1, points, NULL, NULL},
+                                     &triangles));
+    CHECK(!batten_triangles_domain(triangles, &domain));
+    CHECK_INT(domain.vertex_count, 77);
+    batten_triangles_unref(triangles);
+}
+
+TEST(each_coordinate_of_a_place_is_checked)
+{
+    const double points[3] = {1, 2, 4}, huge[3] = {1e308, -1e308, 1e308};
+    batten_triangles *triangles = NULL, *steep = NULL;
+    double table[3] = {7, 7, 7};
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, 1, points, NULL, NULL},
+                                     &triangles));
+    for (int e = 0; e < 3; e++) {
+        double at[3] = {0.6, 0.6, 0.6};
+        at[e] = -0.2;
+        CHECK_STATUS(batten_triangles_evaluate(triangles, 0, at, 0, table),
+                     BATTEN_OUT_OF_DOMAIN);
+        CHECK_MESSAGE("outside the triangle");
+    }
+    const double middle[3] = {0.5, 0.25, 0.25};
+    CHECK_STATUS(batten_triangles_evaluate(triangles, -1, middle, 0, table),
+                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_MESSAGE("triangle -1 does not exist; there are 1");
+    CHECK_STATUS(batten_triangles_normal(triangles, 0, middle, NULL, &(batten_vec3){0}),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("dimension 1 have no normal");
+    CHECK_BITS(table[0], 7.0);
+    CHECK_OK(
+        batten_triangles_create(&(batten_triangles_parts){1, 1, 1, huge, NULL, NULL}, &steep));
+    CHECK_OK(batten_triangles_evaluate(steep, 0, middle, 0, table));
+    CHECK_NEAR(table[0], 5e307, 1e293);
+    CHECK_STATUS(batten_triangles_evaluate(steep, 0, middle, 1, table), BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_triangles_evaluate_many(
+                     steep,
+                     (batten_triangle_places){2, (const int[2]){0, 0},
+                                              (const double[6]){0.5, 0.25, 0.25, 1, 0, 0}},
+                     1, NULL, (double[6]){0}),
+                 BATTEN_OVERFLOW);
+    batten_triangles_unref(triangles);
+    batten_triangles_unref(steep);
+}
+
+TEST(a_net_too_large_for_the_stack_is_evaluated_alike)
+{
+    test_random random = test_random_begin(__func__);
+    batten_triangles *triangles = NULL;
+    double at[3], point[3], defined[3];
+    CHECK_OK(random_triangles(&random, 3, 20, 1, true, NULL, &triangles));
+    for (int i = 0; i < 5; i++) {
+        random_place(&random, at);
+        CHECK_OK(batten_triangles_evaluate(triangles, 0, at, 0, point));
+        define_triangle_point(triangles, 0, at, defined);
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(point[k], defined[k], 1e-13);
+    }
+    batten_triangles_unref(triangles);
+}
+
+TEST(a_collapsed_corner_has_the_normal_of_its_limit_whichever_it_is)
+{
+    /* The plane x, y over a triangle of degree 2 whose both edges at one corner begin with a
+     * double point: the first derivatives vanish there, and the normal is that of the plane. */
+    for (int corner = 0; corner < 3; corner++) {
+        static const double ends[3][2] = {{0, 0}, {3, 0}, {0, 2}};
+        double points[6][3] = {{0}};
+        for (int j = 0; j <= 2; j++)
+            for (int k = 0; j + k <= 2; k++) {
+                int share[3] = {2 - j - k, j, k};
+                if (share[corner] == 1)
+                    for (int e = 0; e < 3; e++)
+                        share[e] = e == corner ? 2 : 0;
+                for (int e = 0; e < 3; e++)
+                    for (int x = 0; x < 2; x++)
+                        points[BATTEN_TRIANGLE_POINT(j, k)][x] += share[e] * ends[e][x] / 2;
+            }
+        batten_triangles *triangles = NULL;
+        batten_vec3 normal = {0, 0, 0};
+        bool is_limit = false;
+        const double at[3] = {corner == 0, corner == 1, corner == 2};
+        CHECK_OK(batten_triangles_create(
+            &(batten_triangles_parts){3, 2, 1, &points[0][0], NULL, NULL}, &triangles));
+        CHECK_OK(batten_triangles_normal(triangles, 0, at, &is_limit, &normal));
+        CHECK(is_limit);
+        CHECK_NEAR(normal.z, 1, 1e-12);
+        batten_triangles_unref(triangles);
+    }
 }

@@ -209,3 +209,28 @@ TEST(walking_finds_every_place_in_the_hull_and_none_outside)
               -1);
     batten_plane_triangles_release(&made);
 }
+
+TEST(options_of_triangulations_are_checked_and_points_lie_in_the_plane)
+{
+    const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    batten_plane_triangles made;
+    batten_triangulate_options options = batten_triangulate_defaults();
+    CHECK_STATUS(batten_triangulate((batten_points){3, 3, points}, NULL, &made),
+                 BATTEN_UNSUPPORTED);
+    CHECK_STATUS(batten_triangulate((batten_points){2, 1, points}, NULL, &made),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("there is 1 point");
+    options.tolerance = INFINITY;
+    CHECK_STATUS(batten_triangulate((batten_points){2, 3, points}, &options, &made),
+                 BATTEN_BAD_ARGUMENT);
+    options = batten_triangulate_defaults();
+    for (int i = 0; i < 3; i++) {
+        options.sliver = i == 0 ? -0.1 : i == 1 ? 0.5 : NAN;
+        CHECK_STATUS(batten_triangulate((batten_points){2, 3, points}, &options, &made),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("it must be in [0, 0.5)");
+    }
+    const double origin[8] = {0};
+    CHECK_STATUS(batten_triangulate((batten_points){2, 4, origin}, NULL, &made),
+                 BATTEN_COINCIDENT);
+}
