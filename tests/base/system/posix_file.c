@@ -406,6 +406,23 @@ TEST(W2_a_save_removes_strays_of_its_own_file_that_nobody_holds)
     CHECK_INT(entry_count(where), COUNT(kept) + 1);
 }
 
+TEST(W2_what_looks_like_a_stray_and_is_no_file_of_ours_stays)
+{
+    const char *where = folder("no_strays"), *path = in(where, "hull.step");
+    const char *sub = in(where, ".hull.step.aaaaaa.batten-tmp"),
+               *link = in(where, ".hull.step.bbbbbb.batten-tmp"),
+               *pipe = in(where, ".hull.step.cccccc.batten-tmp");
+    put(in(where, "target"), "other");
+    CHECK(mkdir(sub, 0700) == 0 && symlink("target", link) == 0 && mkfifo(pipe, 0600) == 0);
+    const batten_status status = save(path, "new hull");
+    if (status == BATTEN_OUT_OF_MEMORY)
+        return;
+    CHECK_INT(status, BATTEN_OK);
+    CHECK(holds(link, "other"));
+    CHECK_INT(entry_count(where), 5);
+    CHECK(rmdir(sub) == 0 && unlink(link) == 0 && unlink(pipe) == 0);
+}
+
 TEST(W2_a_temporary_file_that_was_taken_away_is_not_held)
 {
     const char *path = in(folder("taken_away"), "a");
