@@ -86,6 +86,20 @@ static int release_all(void)
     return count;
 }
 
+void test_fail_allocation(long at)
+{
+    pthread_mutex_lock(&memory_lock);
+    fault = at > 0 ? ONE_FAULT : NO_FAULT;
+    fail_at = at;
+    allocation_count = 0;
+    pthread_mutex_unlock(&memory_lock);
+}
+
+long test_allocations(void)
+{
+    return allocation_count;
+}
+
 /* ---- the running test ---- */
 
 static test_entry *entries;

@@ -79,6 +79,12 @@ _Noreturn void test_skip(const char *format, ...) __attribute__((format(printf, 
 /* Zeroed memory for the test itself; never fails and is given back when the test ends. */
 void *test_array(size_t count, size_t size);
 
+/* Let the `at`-th allocation from here on fail; 0: none. For tests that state what becomes of it,
+ * and that skip themselves in runs whose allocations fail anyway. */
+void test_fail_allocation(long at);
+/* How many there have been since. */
+long test_allocations(void);
+
 /* How many random cases to try where `usual` are usual: BATTEN_CASES multiplies it, and runs
  * with failing allocations take two. */
 int test_cases(int usual);

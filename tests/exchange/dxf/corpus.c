@@ -1,0 +1,23 @@
+/* What holds of the reader over the corpus. */
+#include "exchange/corpus.h"
+
+static const char *const dxf[] = {"dxf/simple.dxf", "dxf/spline.dxf", "dxf/poly.dxf",
+                                  "dxf/old-polylines.dxf", "dxf/blocks.dxf"};
+
+TEST(N1_a_number_that_is_none_is_never_lost_quietly)
+{
+    const corpus c = corpus_named(BATTEN_FORMAT_DXF, dxf, COUNT(dxf));
+    check_no_number_is_lost(&c);
+}
+
+TEST(reading_says_that_memory_is_missing)
+{
+    const corpus c = corpus_of(BATTEN_FORMAT_DXF, "dxf", "");
+    check_reading_without_memory(&c, 200);
+}
+
+TEST(writing_what_is_read_says_that_memory_is_missing)
+{
+    const corpus c = corpus_named(BATTEN_FORMAT_DXF, dxf, COUNT(dxf));
+    check_writing_without_memory(&c, BATTEN_FORMAT_DXF, 200);
+}

@@ -1,0 +1,16 @@
+/* What holds of the reader over the corpus. */
+#include "exchange/corpus.h"
+
+static const char *const ftm[] = {"ftm/net.ftm"};
+
+TEST(N1_a_number_that_is_none_is_never_lost_quietly)
+{
+    const corpus c = corpus_named(BATTEN_FORMAT_FTM, ftm, COUNT(ftm));
+    check_no_number_is_lost(&c);
+}
+
+TEST(reading_says_that_memory_is_missing)
+{
+    const corpus c = corpus_of(BATTEN_FORMAT_FTM, "ftm", "");
+    check_reading_without_memory(&c, 200);
+}

@@ -1,0 +1,23 @@
+/* What holds of the reader over the corpus. */
+#include "exchange/corpus.h"
+
+static const char *const svg[] = {"svg/shapes.svg", "svg/paths.svg", "svg/transforms.svg",
+                                  "svg/lengths.svg"};
+
+TEST(N1_a_number_that_is_none_is_never_lost_quietly)
+{
+    const corpus c = corpus_named(BATTEN_FORMAT_SVG, svg, COUNT(svg));
+    check_no_number_is_lost(&c);
+}
+
+TEST(reading_says_that_memory_is_missing)
+{
+    const corpus c = corpus_of(BATTEN_FORMAT_SVG, "svg", "");
+    check_reading_without_memory(&c, 200);
+}
+
+TEST(writing_what_is_read_says_that_memory_is_missing)
+{
+    const corpus c = corpus_named(BATTEN_FORMAT_SVG, svg, COUNT(svg));
+    check_writing_without_memory(&c, BATTEN_FORMAT_SVG, 200);
+}
