@@ -337,7 +337,7 @@ static double end_angle(const batten_span *arc)
     return arc->angle + arc->curvature[0] * arc->length;
 }
 
-static void tell(const batten_chain *chain, batten_arcs_report *report)
+static void report_arcs(const batten_chain *chain, batten_arcs_report *report)
 {
     const int n = batten_chain_span_count(chain);
     report->arcs = report->lines = 0;
@@ -388,7 +388,7 @@ batten_status bat_arcs_chain(const bat_arcs_list *list, const batten_arcs_option
     if (status == BATTEN_OK)
         status = batten_chain_merge_arcs(chain, 0, &merged);
     if (status == BATTEN_OK) {
-        tell(merged, report);
+        report_arcs(merged, report);
         status = check_number(options, report);
     }
     batten_chain_unref(chain);

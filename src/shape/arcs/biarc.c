@@ -58,7 +58,8 @@ static double equal_legs(double alpha, double beta)
     return place > 0 && place < 1 ? place : 0.5;
 }
 
-double bat_biarc_place(double alpha, double beta, batten_biarc_joint joint)
+/* The place of the joint for a choice other than GIVEN. */
+static double joint_place(double alpha, double beta, batten_biarc_joint joint)
 {
     static const double margin = 1e-6;
     const double D = (alpha - beta) / 2, a = fabs(alpha), b = fabs(beta);
@@ -233,7 +234,7 @@ batten_status batten_biarc_between(batten_ray start, batten_ray end, batten_biar
     bat_direction(2, start.direction, T0);
     bat_direction(2, end.direction, T1);
     const double alpha = bat_turn(chord, T0), beta = bat_turn(chord, T1);
-    return bat_biarc_make(
-        start.point, atan2(chord[1], chord[0]), l, alpha, beta,
-        joint == BATTEN_JOINT_GIVEN ? place : bat_biarc_place(alpha, beta, joint), out);
+    return bat_biarc_make(start.point, atan2(chord[1], chord[0]), l, alpha, beta,
+                          joint == BATTEN_JOINT_GIVEN ? place : joint_place(alpha, beta, joint),
+                          out);
 }

@@ -15,9 +15,6 @@ void bat_arc_span(const double start[2], double chord, double direction, double 
 /* The angle from one direction of the plane to another, (-pi, pi]. */
 double bat_turn(const double from[2], const double to[2]);
 
-/* The place of the joint for a choice other than GIVEN. */
-double bat_biarc_place(double alpha, double beta, batten_biarc_joint joint);
-
 /* The biarc from `start`, whose chord has length l and direction phi. SINGULAR_HERE, OVERFLOW.
  */
 batten_status bat_biarc_make(const double start[2], double phi, double l, double alpha,

@@ -120,14 +120,14 @@ typedef struct {
     int span_count;
     double *at; /* [count], arc length at the points */
     batten_chain_biarcs_report report;
-} work;
+} biarc_fit;
 
 static double jump(const batten_span *a, const batten_span *b)
 {
     return fabs(b->curvature[0] - a->curvature[0]);
 }
 
-static void note_biarc(work *w, const batten_biarc *made)
+static void note_biarc(biarc_fit *w, const batten_biarc *made)
 {
     batten_chain_biarcs_report *r = &w->report;
     for (int i = 0; i < made->count; i++) {
@@ -143,7 +143,7 @@ static void note_biarc(work *w, const batten_biarc *made)
     }
 }
 
-static batten_status add_span(work *w, int i, double *length)
+static batten_status add_span(biarc_fit *w, int i, double *length)
 {
     const int j = (i + 1) % w->count;
     const double *a = w->points + 2 * i, *b = w->points + 2 * j;
@@ -163,7 +163,7 @@ static batten_status add_span(work *w, int i, double *length)
 }
 
 /* Ends of arcs are within rounding of their points: of coordinates, chords and radii. */
-static double rounding(const work *w)
+static double rounding(const biarc_fit *w)
 {
     double largest = bat_largest(2 * w->count, w->points), radius = 0;
     for (int i = 0; i < w->span_count; i++) {
@@ -174,7 +174,7 @@ static double rounding(const work *w)
     return 64 * DBL_EPSILON * (largest + radius);
 }
 
-static batten_status make_spans(work *w)
+static batten_status make_spans(biarc_fit *w)
 {
     const int n = w->count, spans = w->closed ? n : n - 1;
     double length = 0;
@@ -194,7 +194,7 @@ static batten_status make_spans(work *w)
     return BATTEN_OK;
 }
 
-static batten_status reserve(work *w)
+static batten_status reserve(biarc_fit *w)
 {
     const size_t n = (size_t)w->count;
     w->directions = bat_array3(n, 2, sizeof *w->directions);
@@ -208,7 +208,8 @@ static batten_status reserve(work *w)
     return BATTEN_OK;
 }
 
-static void hand_over(const work *w, double *parameters, batten_chain_biarcs_report *report)
+static void copy_biarc_report(const biarc_fit *w, double *parameters,
+                              batten_chain_biarcs_report *report)
 {
     if (parameters)
         memcpy(parameters, w->at, (size_t)w->count * sizeof *parameters);
@@ -228,7 +229,7 @@ batten_status batten_chain_biarcs(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_chain_biarcs_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    work w = {.count = points.count, .points = points.at, .options = chosen};
+    biarc_fit w = {.count = points.count, .points = points.at, .options = chosen};
     w.closed = w.options.closed;
     status = bat_biarcs_check(2, points.count, points.at, &w.options);
     if (status != BATTEN_OK)
@@ -240,7 +241,7 @@ batten_status batten_chain_biarcs(batten_points points,
         status = batten_chain_create(
             &(batten_chain_parts){2, w.span_count, w.spans, NULL, w.closed}, rounding(&w), out);
     if (status == BATTEN_OK)
-        hand_over(&w, parameters, report);
+        copy_biarc_report(&w, parameters, report);
     bat_release(w.directions);
     bat_release(w.spans);
     bat_release(w.at);

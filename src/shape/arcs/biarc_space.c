@@ -11,26 +11,26 @@ typedef struct {
     double *points;  /* [4 n * 2 + 1][d] */
     double *weights; /* [4 n * 2 + 1] */
     double *breaks;  /* [4 n + 1] */
-} pieces;
+} rational_pieces;
 
-static batten_status pieces_make(pieces *p, int d, size_t biarcs)
+static batten_status pieces_make(rational_pieces *p, int d, size_t biarcs)
 {
-    *p = (pieces){.d = d};
+    *p = (rational_pieces){.d = d};
     p->points = bat_array3(8 * biarcs + 1, (size_t)d, sizeof *p->points);
     p->weights = bat_array(8 * biarcs + 1, sizeof *p->weights);
     p->breaks = bat_array(4 * biarcs + 1, sizeof *p->breaks);
     return p->points && p->weights && p->breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void pieces_end(pieces *p)
+static void pieces_end(rational_pieces *p)
 {
     bat_release(p->points);
     bat_release(p->weights);
     bat_release(p->breaks);
 }
 
-static void add_piece(pieces *p, const double *a, const double *corner, const double *b,
-                      double weight, double until)
+static void add_piece(rational_pieces *p, const double *a, const double *corner,
+                      const double *b, double weight, double until)
 {
     const size_t at = 2 * (size_t)p->count, d = (size_t)p->d, row = d * sizeof *a;
     memcpy(p->points + at * d, a, row);
@@ -42,7 +42,7 @@ static void add_piece(pieces *p, const double *a, const double *corner, const do
 }
 
 /* An arc from a to b whose end tangents meet in `corner`; adds its length. */
-static void add_arc(pieces *p, const double *a, const double *corner, const double *b)
+static void add_arc(rational_pieces *p, const double *a, const double *corner, const double *b)
 {
     const int d = p->d;
     const double chord = bat_distance(d, a, b);
@@ -86,7 +86,7 @@ static double second_leg(int d, const double *V, const double *T0, const double 
     return b > 0 ? 1 / (b + root) : (root - b) / (2 * r * c);
 }
 
-static batten_status add_biarc(pieces *p, const double *a, const double *a_direction,
+static batten_status add_biarc(rational_pieces *p, const double *a, const double *a_direction,
                                const double *b, const double *b_direction, double ratio)
 {
     const int d = p->d;
@@ -113,7 +113,7 @@ static batten_status add_biarc(pieces *p, const double *a, const double *a_direc
     return BATTEN_OK;
 }
 
-static batten_status finish(const pieces *p, batten_curve **out)
+static batten_status make_rational_curve(const rational_pieces *p, batten_curve **out)
 {
     return batten_curve_from_bezier(p->d, (batten_pieces){2, p->count, p->breaks}, p->points,
                                     p->weights, out);
@@ -133,19 +133,19 @@ batten_status batten_curve_biarc(int dimension, batten_ray start, batten_ray end
         bat_biarc_check_ends(dimension, start.point, start.direction, end.point, end.direction);
     if (status != BATTEN_OK)
         return status;
-    pieces p;
+    rational_pieces p;
     status = pieces_make(&p, dimension, 1);
     if (status == BATTEN_OK)
         status = add_biarc(&p, start.point, start.direction, end.point, end.direction, ratio);
     if (status == BATTEN_OK)
-        status = finish(&p, out);
+        status = make_rational_curve(&p, out);
     pieces_end(&p);
     return status;
 }
 
 /* ---- through points ---- */
 
-static batten_status add_all(pieces *p, int count, const double *points, bool closed,
+static batten_status add_all(rational_pieces *p, int count, const double *points, bool closed,
                              const double *directions, double *at)
 {
     const int d = p->d, spans = closed ? count : count - 1;
@@ -179,7 +179,7 @@ batten_status batten_curve_biarcs(batten_points points,
     if (status != BATTEN_OK)
         return status;
     const size_t n = (size_t)points.count, d = (size_t)points.dimension;
-    pieces p;
+    rational_pieces p;
     status = pieces_make(&p, points.dimension, n);
     double *directions = bat_array3(n, d, sizeof *directions);
     double *at = bat_array(n, sizeof *at);
@@ -193,7 +193,7 @@ batten_status batten_curve_biarcs(batten_points points,
     if (status == BATTEN_OK)
         status = add_all(&p, points.count, points.at, wanted.closed, directions, at);
     if (status == BATTEN_OK)
-        status = finish(&p, out);
+        status = make_rational_curve(&p, out);
     if (status == BATTEN_OK && parameters)
         memcpy(parameters, at, n * sizeof *parameters);
     bat_release(directions);

@@ -16,13 +16,13 @@ static const double longest_leg = 20, most_weight = 50;
 /* A conic arc: its ends, where the tangents meet, and the weight there. */
 typedef struct {
     double a[2], b[2], c[2], w;
-} piece;
+} conic_piece;
 
 /* Two points with directions of length 1, angles from the chord, and curvatures. */
 typedef struct {
     const double *start, *end, *t0, *t1;
     double l, alpha, beta, k0, k1;
-} span;
+} conic_span;
 
 typedef struct {
     int count;
@@ -31,10 +31,10 @@ typedef struct {
     double *units;      /* [count][2] */
     double *curvatures; /* [count] */
     int piece_count;
-    piece *pieces;
+    conic_piece *pieces;
     int *first; /* [spans + 1] pieces */
     batten_curve_conics_report report;
-} task;
+} conic_fit;
 
 batten_curve_conics_options batten_curve_conics_defaults(void)
 {
@@ -61,7 +61,7 @@ static void between(const double *a, const double *b, double share, double *out)
 /* ---- one conic ---- */
 
 /* The curvature that a weight of 1 would give at the start, or the end. */
-static double curvature_of_parabola(const piece *p, bool at_end)
+static double curvature_of_parabola(const conic_piece *p, bool at_end)
 {
     const double u[2] = {p->b[0] - p->a[0], p->b[1] - p->a[1]};
     const double v[2] = {p->c[0] - p->b[0], p->c[1] - p->b[1]};
@@ -69,32 +69,32 @@ static double curvature_of_parabola(const piece *p, bool at_end)
     return cross(u, v) / leg / leg / leg / 2;
 }
 
-static double curvature_of(const piece *p, bool at_end)
+static double curvature_of(const conic_piece *p, bool at_end)
 {
     const double k = curvature_of_parabola(p, at_end) / p->w / p->w;
     return isfinite(k) ? k : 0; /* a line has legs but no area; its curvature is 0 */
 }
 
 /* The weight with which a conic has a curvature; 0 when none has. */
-static double weight_for(const piece *p, bool at_end, double k)
+static double weight_for(const conic_piece *p, bool at_end, double k)
 {
     const double w = sqrt(curvature_of_parabola(p, at_end) / k);
     return w >= 1 / most_weight && w <= most_weight ? w : 0;
 }
 
 /* That of a circle where the legs are equal; below 1 always. */
-static double usual_weight(const piece *p)
+static double usual_weight(const conic_piece *p)
 {
     return bat_distance(2, p->a, p->c) /
            (bat_distance(2, p->a, p->b) + bat_distance(2, p->b, p->c));
 }
 
-static void add(task *t, const piece *p)
+static void add_conic(conic_fit *t, const conic_piece *p)
 {
     t->pieces[t->piece_count++] = *p;
 }
 
-static void fall_back(task *t, int i)
+static void fall_back(conic_fit *t, int i)
 {
     if (t->report.fallen_back++ == 0)
         t->report.first_fallen_back = i;
@@ -103,7 +103,7 @@ static void fall_back(task *t, int i)
 /* ---- a C ---- */
 
 /* Where the tangents meet, as legs; false when that is too far. */
-static bool find_legs(const span *s, double *start, double *end)
+static bool find_legs(const conic_span *s, double *start, double *end)
 {
     const double turn = fabs(s->alpha) + fabs(s->beta);
     *start = s->l * sin(fabs(s->beta)) / sin(turn);
@@ -113,22 +113,22 @@ static bool find_legs(const span *s, double *start, double *end)
            bat_min(*start, *end) * longest_leg >= bat_max(*start, *end);
 }
 
-static void add_single(task *t, const span *s, double leg)
+static void add_single(conic_fit *t, const conic_span *s, double leg)
 {
-    piece p = {.w = 1};
+    conic_piece p = {.w = 1};
     memcpy(p.a, s->start, sizeof p.a);
     along(s->start, leg, s->t0, p.b);
     memcpy(p.c, s->end, sizeof p.c);
     p.w = t->options->kind == BATTEN_CONICS_SINGLE && t->options->weight > 0
               ? t->options->weight
               : usual_weight(&p);
-    add(t, &p);
+    add_conic(t, &p);
 }
 
 /* Both conics of a pair with their joint at `nu` from A to B; weights of 1. */
-static void make_pair(const span *s, double a, double b, double nu, piece out[2])
+static void make_pair(const conic_span *s, double a, double b, double nu, conic_piece out[2])
 {
-    out[0] = out[1] = (piece){.w = 1};
+    out[0] = out[1] = (conic_piece){.w = 1};
     memcpy(out[0].a, s->start, sizeof out[0].a);
     along(s->start, a, s->t0, out[0].b);
     along(s->end, -b, s->t1, out[1].b);
@@ -140,9 +140,10 @@ static void make_pair(const span *s, double a, double b, double nu, piece out[2]
 /* The pair with both curvatures; false when there is none. A single conic with these tangents
  * has the curvature k0 with one weight, k1 with another. When they are the same, the conic
  * meets its own subdivision in the middle at w / (1 + w) of both legs. */
-static bool find_pair(const task *t, const span *s, double leg0, double leg1, piece out[2])
+static bool find_pair(const conic_fit *t, const conic_span *s, double leg0, double leg1,
+                      conic_piece out[2])
 {
-    piece whole = {.w = 1};
+    conic_piece whole = {.w = 1};
     memcpy(whole.a, s->start, sizeof whole.a);
     along(s->start, leg0, s->t0, whole.b);
     memcpy(whole.c, s->end, sizeof whole.c);
@@ -161,10 +162,10 @@ static bool find_pair(const task *t, const span *s, double leg0, double leg1, pi
     return out[0].w > 0 && out[1].w > 0;
 }
 
-static void add_c(task *t, int i, const span *s, double leg0, double leg1)
+static void add_c(conic_fit *t, int i, const conic_span *s, double leg0, double leg1)
 {
     const batten_curve_conics_options *o = t->options;
-    piece pair[2];
+    conic_piece pair[2];
     if (o->kind == BATTEN_CONICS_SINGLE) {
         add_single(t, s, leg0);
         return;
@@ -177,8 +178,8 @@ static void add_c(task *t, int i, const span *s, double leg0, double leg1)
         add_single(t, s, leg0);
         return;
     }
-    add(t, &pair[0]);
-    add(t, &pair[1]);
+    add_conic(t, &pair[0]);
+    add_conic(t, &pair[1]);
 }
 
 /* ---- an S ---- */
@@ -186,7 +187,7 @@ static void add_c(task *t, int i, const span *s, double leg0, double leg1)
 /* The joint on the chord and the direction there are those of the cubic function over the chord
  * with the same angles: it crosses at alpha / (alpha + beta), at the angle -alpha beta / (alpha
  * + beta). So each half is a C, and has a curvature at its point, but not at the joint. */
-static void add_s(task *t, int i, const span *s)
+static void add_s(conic_fit *t, int i, const conic_span *s)
 {
     const double share = s->alpha / (s->alpha + s->beta), gamma = -share * s->beta;
     const double chord[2] = {(s->end[0] - s->start[0]) / s->l,
@@ -195,8 +196,9 @@ static void add_s(task *t, int i, const span *s)
     const double T[2] = {c * chord[0] - d * chord[1], c * chord[1] + d * chord[0]};
     double joint[2], leg = 0, other = 0;
     between(s->start, s->end, share, joint);
-    const span first = {s->start, joint, s->t0, T, share * s->l, s->alpha, gamma, 0, 0};
-    const span second = {joint, s->end, T, s->t1, (1 - share) * s->l, gamma, s->beta, 0, 0};
+    const conic_span first = {s->start, joint, s->t0, T, share * s->l, s->alpha, gamma, 0, 0};
+    const conic_span second = {joint, s->end,  T, s->t1, (1 - share) * s->l,
+                               gamma, s->beta, 0, 0};
     bool kept = true;
     t->report.inflections++;
     find_legs(&first, &leg, &other);
@@ -206,7 +208,7 @@ static void add_s(task *t, int i, const span *s)
     if (t->options->kind != BATTEN_CONICS_PAIRS)
         return;
     for (int k = 0; k < 2; k++) {
-        piece *p = &t->pieces[t->piece_count - 2 + k];
+        conic_piece *p = &t->pieces[t->piece_count - 2 + k];
         const double w = weight_for(p, k == 1, k == 0 ? s->k0 : s->k1);
         p->w = w > 0 ? w : p->w;
         kept = kept && w > 0;
@@ -217,17 +219,17 @@ static void add_s(task *t, int i, const span *s)
 
 /* ---- lines and arcs ---- */
 
-static void add_line(task *t, const span *s)
+static void add_line(conic_fit *t, const conic_span *s)
 {
-    piece p = {.w = 1};
+    conic_piece p = {.w = 1};
     memcpy(p.a, s->start, sizeof p.a);
     between(s->start, s->end, 0.5, p.b);
     memcpy(p.c, s->end, sizeof p.c);
-    add(t, &p);
+    add_conic(t, &p);
 }
 
 /* An arc in parts of no more than a third of a turn. */
-static void add_arc(task *t, const batten_span *arc, const double end[2])
+static void add_arc(conic_fit *t, const batten_span *arc, const double end[2])
 {
     const double turn = arc->curvature[0] * arc->length;
     const int parts = bat_max_int(1, (int)ceil(fabs(turn) / (2 * BAT_PI / 3)));
@@ -235,17 +237,17 @@ static void add_arc(task *t, const batten_span *arc, const double end[2])
     const double leg = half == 0 ? step / 2 : step / 2 * (tan(half) / half);
     for (int i = 0; i < parts; i++) {
         const double angle = arc->angle + 2 * half * i;
-        piece p = {.w = cos(half)};
+        conic_piece p = {.w = cos(half)};
         bat_arc_at(arc, i * step, p.a);
         along(p.a, leg, (const double[]){cos(angle), sin(angle)}, p.b);
         bat_arc_at(arc, (i + 1) * step, p.c);
         if (i + 1 == parts)
             memcpy(p.c, end, sizeof p.c);
-        add(t, &p);
+        add_conic(t, &p);
     }
 }
 
-static batten_status add_biarc(task *t, int i, const span *s)
+static batten_status add_biarc(conic_fit *t, int i, const conic_span *s)
 {
     batten_biarc biarc;
     const batten_status status =
@@ -262,15 +264,15 @@ static batten_status add_biarc(task *t, int i, const span *s)
 
 /* ---- the spans ---- */
 
-static span span_at(const task *t, int i)
+static conic_span span_at(const conic_fit *t, int i)
 {
     const int j = (i + 1) % t->count;
-    span s = {.start = t->points + 2 * i,
-              .end = t->points + 2 * j,
-              .t0 = t->units + 2 * i,
-              .t1 = t->units + 2 * j,
-              .k0 = t->curvatures[i],
-              .k1 = t->curvatures[j]};
+    conic_span s = {.start = t->points + 2 * i,
+                    .end = t->points + 2 * j,
+                    .t0 = t->units + 2 * i,
+                    .t1 = t->units + 2 * j,
+                    .k0 = t->curvatures[i],
+                    .k1 = t->curvatures[j]};
     const double chord[2] = {s.end[0] - s.start[0], s.end[1] - s.start[1]};
     s.l = bat_norm(2, chord);
     s.alpha = bat_turn(chord, s.t0);
@@ -278,9 +280,9 @@ static span span_at(const task *t, int i)
     return s;
 }
 
-static batten_status make_span(task *t, int i)
+static batten_status make_span(conic_fit *t, int i)
 {
-    const span s = span_at(t, i);
+    const conic_span s = span_at(t, i);
     const double a = fabs(s.alpha), b = fabs(s.beta);
     double leg0 = 0, leg1 = 0;
     /* Directions are known to a few roundings of the coordinates. */
@@ -297,7 +299,7 @@ static batten_status make_span(task *t, int i)
     return BATTEN_OK;
 }
 
-static void measure(task *t, int spans)
+static void measure_conics(conic_fit *t, int spans)
 {
     batten_curve_conics_report *r = &t->report;
     r->least_weight = HUGE_VAL;
@@ -317,14 +319,14 @@ static void measure(task *t, int spans)
 /* ---- the curve ---- */
 
 /* About the length of a piece, by its polygon. */
-static double step_of(const piece *p)
+static double step_of(const conic_piece *p)
 {
     return (bat_distance(2, p->a, p->b) + bat_distance(2, p->b, p->c) +
             bat_distance(2, p->a, p->c)) /
            2;
 }
 
-static batten_status make_curve(const task *t, double *steps, batten_curve **out)
+static batten_status make_curve(const conic_fit *t, double *steps, batten_curve **out)
 {
     const int m = t->piece_count;
     const size_t n = 2 * (size_t)m + 1;
@@ -353,7 +355,7 @@ static batten_status make_curve(const task *t, double *steps, batten_curve **out
     return status;
 }
 
-static batten_status emit(const task *t, int spans, double *parameters, batten_curve **out)
+static batten_status emit(const conic_fit *t, int spans, double *parameters, batten_curve **out)
 {
     double *steps = bat_array((size_t)t->piece_count + 1, sizeof *steps);
     if (!steps)
@@ -370,8 +372,8 @@ static batten_status emit(const task *t, int spans, double *parameters, batten_c
 
 /* ---- the data ---- */
 
-static batten_status check(int count, const double *points,
-                           const batten_curve_conics_options *o)
+static batten_status check_conic_data(int count, const double *points,
+                                      const batten_curve_conics_options *o)
 {
     batten_status status = bat_points_check(2, count, points, o->closed ? 3 : 2);
     if (status != BATTEN_OK)
@@ -390,7 +392,7 @@ static batten_status check(int count, const double *points,
     return BATTEN_OK;
 }
 
-static batten_status find_tangents(task *t)
+static batten_status find_tangents(conic_fit *t)
 {
     const batten_curve_conics_options *o = t->options;
     const size_t n = (size_t)t->count;
@@ -416,7 +418,7 @@ static batten_status find_tangents(task *t)
     return status;
 }
 
-static batten_status find_curvatures(task *t)
+static batten_status find_curvatures(conic_fit *t)
 {
     const batten_curve_conics_options *o = t->options;
     if (o->kind != BATTEN_CONICS_PAIRS)
@@ -432,7 +434,7 @@ static batten_status find_curvatures(task *t)
                : BATTEN_OK;
 }
 
-static batten_status allocate(task *t, int spans)
+static batten_status allocate(conic_fit *t, int spans)
 {
     const size_t n = (size_t)t->count;
     t->units = bat_array(2 * n, sizeof *t->units);
@@ -455,9 +457,9 @@ batten_status batten_curve_conics(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_conics_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.count = points.count, .points = points.at, .options = &chosen};
+    conic_fit t = {.count = points.count, .points = points.at, .options = &chosen};
     t.report.first_arcs = t.report.first_fallen_back = -1;
-    status = check(points.count, points.at, t.options);
+    status = check_conic_data(points.count, points.at, t.options);
     const int spans = t.options->closed ? points.count : points.count - 1;
     if (status == BATTEN_OK)
         status = allocate(&t, spans);
@@ -473,7 +475,7 @@ batten_status batten_curve_conics(batten_points points,
     if (status == BATTEN_OK)
         status = emit(&t, spans, parameters, out);
     if (status == BATTEN_OK && report) {
-        measure(&t, spans);
+        measure_conics(&t, spans);
         *report = t.report;
     }
     bat_release(t.units);

@@ -21,13 +21,13 @@ typedef struct {
     bat_arcs_list list, guide;
     int enough; /* arcs */
     bat_samples samples;
-} task;
+} arc_fit;
 
 /* ---- one arc or biarc ---- */
 
 /* The node at u of the piece: at its ends on the curve, unless it closes smoothly; else in the
  * middle of the band. */
-static batten_status node_at(const task *t, double u, bat_node *node)
+static batten_status node_at(const arc_fit *t, double u, bat_node *node)
 {
     double row[4];
     const batten_status status =
@@ -44,7 +44,7 @@ static batten_status node_at(const task *t, double u, bat_node *node)
 }
 
 /* The part from a to u: how much of the band it takes, BAT_ARCS_REFUSED when there is none. */
-static batten_status try_part(task *t, const bat_node *a, double from, double to,
+static batten_status try_part(arc_fit *t, const bat_node *a, double from, double to,
                               bat_arcs_part *part, bat_node *b, double *share)
 {
     batten_status status = bat_arcs_take(t->path, from, to, 4, 16, &t->samples);
@@ -71,7 +71,7 @@ static batten_status try_part(task *t, const bat_node *a, double from, double to
 }
 
 /* Where plain arcs are nearly straight, lines. */
-static batten_status prefer_line(task *t, const bat_node *a, const bat_node *b,
+static batten_status prefer_line(arc_fit *t, const bat_node *a, const bat_node *b,
                                  bat_arcs_part *part)
 {
     batten_biarc line;
@@ -87,7 +87,7 @@ static batten_status prefer_line(task *t, const bat_node *a, const bat_node *b,
     return status;
 }
 
-static batten_status nothing_fits(const task *t, double u)
+static batten_status nothing_fits(const arc_fit *t, double u)
 {
     batten_curve_local local = {.curvature = 0};
     const batten_status status =
@@ -103,7 +103,7 @@ static batten_status nothing_fits(const task *t, double u)
 
 /* The longest part from a: between a step that is good and one that is not, guided by the third
  * power by which errors grow. */
-static batten_status longest(task *t, const bat_node *a, double from, bat_arcs_part *best,
+static batten_status longest(arc_fit *t, const bat_node *a, double from, bat_arcs_part *best,
                              bat_node *end, double *reach)
 {
     double good = from, bad = HUGE_VAL, good_share = 0;
@@ -148,7 +148,7 @@ static batten_status longest(task *t, const bat_node *a, double from, bat_arcs_p
 
 static batten_status greedy(void *context, double tolerance, int *count, double *last)
 {
-    task *t = context;
+    arc_fit *t = context;
     double u = t->from, reach = 0;
     bat_node a, b;
     t->band = bat_band_of(t->side, tolerance);
@@ -176,7 +176,7 @@ static batten_status greedy(void *context, double tolerance, int *count, double 
 /* ---- arcs that are tangent to one another ---- */
 
 /* Plain arcs tell how long arcs are; they stand in the list for a while. */
-static batten_status make_guide(task *t, double tolerance)
+static batten_status make_guide(arc_fit *t, double tolerance)
 {
     int count = 0;
     double last = 1;
@@ -190,7 +190,7 @@ static batten_status make_guide(task *t, double tolerance)
     return status;
 }
 
-static int arcs_of(const task *t)
+static int arcs_of(const arc_fit *t)
 {
     int arcs = 0;
     for (int i = t->first; i < t->list.count; i++)
@@ -201,7 +201,7 @@ static int arcs_of(const task *t)
 /* No arcs at all when the search finds none. */
 static batten_status fewest(void *context, double tolerance, int *count, double *last)
 {
-    task *t = context;
+    arc_fit *t = context;
     batten_status status = make_guide(t, tolerance);
     const bat_arcs_smooth smooth = {.path = t->path,
                                     .from = t->from,
@@ -220,7 +220,7 @@ static batten_status fewest(void *context, double tolerance, int *count, double 
 }
 
 /* The fewest, unless biarcs with the directions of the curve are no more. */
-static batten_status run_smooth(task *t)
+static batten_status run_smooth(arc_fit *t)
 {
     const double tolerance = t->options.tolerance;
     int count = 0, arcs = INT_MAX;
@@ -242,7 +242,7 @@ static batten_status run_smooth(task *t)
 /* ---- pieces that are one arc or circle ---- */
 
 /* A whole circle as its halves; else one arc through its middle. */
-static batten_status try_whole(task *t, bool *done)
+static batten_status try_whole(arc_fit *t, bool *done)
 {
     const bat_arcs_path *p = t->path;
     bat_node a, b;
@@ -268,7 +268,7 @@ static batten_status try_whole(task *t, bool *done)
     return status == BATTEN_OK ? bat_arcs_list_add(&t->list, &part) : status;
 }
 
-static batten_status run_piece(task *t)
+static batten_status run_piece(arc_fit *t)
 {
     bool done = false;
     t->first = t->list.count;
@@ -297,7 +297,7 @@ static void widen(batten_arcs_report *report, const bat_beside *beside)
     }
 }
 
-static batten_status measure_range(task *t, const batten_biarc *biarc, const double range[2],
+static batten_status measure_range(arc_fit *t, const batten_biarc *biarc, const double range[2],
                                    batten_arcs_report *report)
 {
     bat_arcs_probe probe;
@@ -315,7 +315,7 @@ static batten_status measure_range(task *t, const batten_biarc *biarc, const dou
     return BATTEN_OK;
 }
 
-static batten_status measure_all(task *t, batten_arcs_report *report)
+static batten_status measure_all(arc_fit *t, batten_arcs_report *report)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i < t->list.count; i++) {
@@ -350,7 +350,7 @@ static batten_status side_of(const bat_arcs_path *p, const batten_arcs_options *
     return status;
 }
 
-static batten_status run_all(task *t, batten_arcs_report *report, batten_chain **out)
+static batten_status run_all(arc_fit *t, batten_arcs_report *report, batten_chain **out)
 {
     const bat_arcs_path *p = t->path;
     t->joined = t->options.joined;
@@ -391,7 +391,7 @@ batten_status batten_arcs_from_curve(const batten_curve *curve,
     bat_arcs_path p;
     batten_arcs_report found = {0};
     status = bat_arcs_path_make(curve, options->corner, &p);
-    task t = {.path = &p, .options = *options, .slack = 32 * DBL_EPSILON * p.scale};
+    arc_fit t = {.path = &p, .options = *options, .slack = 32 * DBL_EPSILON * p.scale};
     if (status == BATTEN_OK)
         status = run_all(&t, &found, out);
     if (status == BATTEN_OK && report)

@@ -155,9 +155,9 @@ typedef struct {
     int count;
     batten_span *spans;
     double *breaks;
-} spans;
+} arc_spans;
 
-static void add(spans *s, const batten_span *span, double b, double tolerance)
+static void add_span(arc_spans *s, const batten_span *span, double b, double tolerance)
 {
     if (s->count == 0 || !bat_exact_merge(&s->spans[s->count - 1], span, tolerance))
         s->spans[s->count++] = *span;
@@ -165,7 +165,7 @@ static void add(spans *s, const batten_span *span, double b, double tolerance)
 }
 
 /* All pieces; false at the first that is no line or arc. */
-static bool find(const batten_curve *curve, double tolerance, spans *s)
+static bool find(const batten_curve *curve, double tolerance, arc_spans *s)
 {
     const double *U = curve->knots;
     double rows[BAT_MAX_ROWS];
@@ -181,7 +181,7 @@ static bool find(const batten_curve *curve, double tolerance, spans *s)
         if (found.count == 2 && !(middle > piece.a && middle < piece.b))
             return false;
         for (int i = 0; i < found.count; i++)
-            add(s, &found.arcs[i], i + 1 < found.count ? middle : piece.b, tolerance);
+            add_span(s, &found.arcs[i], i + 1 < found.count ? middle : piece.b, tolerance);
     }
     return true;
 }
@@ -190,8 +190,8 @@ static batten_status of_plane_curve(const batten_curve *curve, batten_chain **ou
 {
     const size_t room = 2 * (size_t)(batten_curve_spans(curve, NULL) - 1);
     const double tolerance = bat_exact_tolerance(curve);
-    spans s = {.spans = bat_array(room, sizeof *s.spans),
-               .breaks = bat_array(room + 1, sizeof *s.breaks)};
+    arc_spans s = {.spans = bat_array(room, sizeof *s.spans),
+                   .breaks = bat_array(room + 1, sizeof *s.breaks)};
     batten_chain *chain = NULL;
     batten_status status = s.spans && s.breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && isfinite(tolerance) && find(curve, tolerance, &s))

@@ -22,10 +22,11 @@ typedef struct {
     double from, to, tolerance, least_radius;
     int first; /* of the run in the list */
     bat_arcs_list *list;
-} run;
+} point_run;
 
 /* One more, or a longer last one, up to `to`; false when it cannot stay. */
-static batten_status add(run *r, const batten_span *arc, double to, bool *kept)
+static batten_status extend_or_add_span(point_run *r, const batten_span *arc, double to,
+                                        bool *kept)
 {
     bat_arcs_list *list = r->list;
     bat_arcs_part part = {.from = r->from, .to = to, .biarc = {.count = 1, .place = 0.5}};
@@ -43,7 +44,7 @@ static batten_status add(run *r, const batten_span *arc, double to, bool *kept)
     return *kept ? bat_arcs_list_add(list, &part) : BATTEN_OK;
 }
 
-static batten_status add_piece(run *r, int knot, bool *kept)
+static batten_status add_piece(point_run *r, int knot, bool *kept)
 {
     double rows[BAT_MAX_ROWS];
     bat_exact found;
@@ -52,8 +53,9 @@ static batten_status add_piece(run *r, int knot, bool *kept)
             bat_exact_piece(r->path->curve, &piece, r->tolerance, &found);
     batten_status status = BATTEN_OK;
     for (int i = 0; *kept && i < found.count && status == BATTEN_OK; i++)
-        status = add(r, &found.arcs[i],
-                     i + 1 < found.count ? piece.a + (piece.b - piece.a) / 2 : piece.b, kept);
+        status = extend_or_add_span(
+            r, &found.arcs[i],
+            i + 1 < found.count ? piece.a + (piece.b - piece.a) / 2 : piece.b, kept);
     return status;
 }
 
@@ -62,7 +64,7 @@ batten_status bat_arcs_keep(const bat_arcs_path *path, double from, double to,
 {
     const batten_curve *curve = path->curve;
     const double *U = curve->knots;
-    run r = {path, from, to, bat_exact_tolerance(curve), least_radius, list->count, list};
+    point_run r = {path, from, to, bat_exact_tolerance(curve), least_radius, list->count, list};
     batten_status status = BATTEN_OK;
     bool keep = true;
     for (int k = curve->degree; k < curve->count && keep && status == BATTEN_OK; k++)

@@ -16,9 +16,9 @@ typedef struct {
     bat_band band;
     bat_arcs_list list;
     bat_samples samples;
-} task;
+} point_fit;
 
-static bat_node node_at(const task *t, int i)
+static bat_node node_at(const point_fit *t, int i)
 {
     const double *p = t->points + 2 * i, *d = t->directions + 2 * i;
     const bool held = (i == 0 || i == t->count - 1) && !t->options.closed;
@@ -28,7 +28,7 @@ static bat_node node_at(const task *t, int i)
 
 /* The points between two of them, and by how much the row turns from one direction to the
  * other. */
-static batten_status take_samples(task *t, int from, int to, double *turn)
+static batten_status take_samples(point_fit *t, int from, int to, double *turn)
 {
     const int count = to - from - 1;
     const batten_status status = bat_samples_reserve(&t->samples, bat_max_int(count, 1));
@@ -54,7 +54,7 @@ static batten_status take_samples(task *t, int from, int to, double *turn)
     return BATTEN_OK;
 }
 
-static double share_of(const task *t, const batten_biarc *biarc)
+static double share_of(const point_fit *t, const batten_biarc *biarc)
 {
     bat_arcs_probe probe;
     if (t->samples.count == 0)
@@ -64,7 +64,8 @@ static double share_of(const task *t, const batten_biarc *biarc)
     return bat_band_share(&t->band, &beside, t->slack);
 }
 
-static batten_status try_part(task *t, int from, int to, bat_arcs_part *part, double *share)
+static batten_status try_part(point_fit *t, int from, int to, bat_arcs_part *part,
+                              double *share)
 {
     const bat_node a = node_at(t, from), b = node_at(t, to);
     const double least = t->options.least_radius;
@@ -92,7 +93,7 @@ static batten_status try_part(task *t, int from, int to, bat_arcs_part *part, do
 }
 
 /* Twice as far each time, then back by halves. */
-static batten_status longest(task *t, int from, bat_arcs_part *best, double *last)
+static batten_status longest(point_fit *t, int from, bat_arcs_part *best, double *last)
 {
     int good = from, bad = t->count, step = 1;
     double good_share = 0;
@@ -125,7 +126,7 @@ static batten_status longest(task *t, int from, bat_arcs_part *best, double *las
 
 static batten_status greedy(void *context, double tolerance, int *count, double *last)
 {
-    task *t = context;
+    point_fit *t = context;
     t->band = bat_band_of(t->side, tolerance);
     t->list.count = 0;
     for (int i = 0; i < t->count - 1;) {
@@ -166,7 +167,7 @@ static double place_of(const batten_biarc *biarc, const double *point)
     return along(&biarc->arcs[0], point);
 }
 
-static void measure_all(const task *t, double *parameters, batten_arcs_report *report)
+static void measure_all(const point_fit *t, double *parameters, batten_arcs_report *report)
 {
     double length = 0;
     for (int i = 0; i < t->list.count; i++) {
@@ -192,7 +193,7 @@ static void measure_all(const task *t, double *parameters, batten_arcs_report *r
 
 /* ---- the whole ---- */
 
-static batten_status prepare(task *t, int count, const double *points)
+static batten_status prepare(point_fit *t, int count, const double *points)
 {
     const size_t n = (size_t)count;
     const bool closed = t->options.closed;
@@ -213,7 +214,7 @@ static batten_status prepare(task *t, int count, const double *points)
     return status;
 }
 
-static batten_status find_side(task *t)
+static batten_status find_side(point_fit *t)
 {
     double area = 0;
     t->side = t->options.side;
@@ -230,8 +231,8 @@ static batten_status find_side(task *t)
     return BATTEN_OK;
 }
 
-static batten_status run_all(task *t, int count, double *parameters, batten_arcs_report *report,
-                             batten_chain **out)
+static batten_status run_all(point_fit *t, int count, double *parameters,
+                             batten_arcs_report *report, batten_chain **out)
 {
     double *at = bat_array((size_t)t->count, sizeof *at);
     if (!at)
@@ -269,7 +270,7 @@ batten_status batten_arcs_from_points(batten_points points, const batten_arcs_op
         status = bat_biarcs_check(2, points.count, points.at, &row);
     if (status != BATTEN_OK)
         return status;
-    task t = {.options = *options};
+    point_fit t = {.options = *options};
     batten_arcs_report found = {0};
     t.slack = 32 * DBL_EPSILON * bat_largest(2 * points.count, points.at);
     status = prepare(&t, points.count, points.at);

@@ -130,9 +130,10 @@ static batten_status make_spans(const chords *c, const double *points, double x,
     return BATTEN_OK;
 }
 
-static batten_status make(const chords *c, const double *points, double start_angle,
-                          batten_span *spans, double *angles, double *breaks,
-                          batten_chain_sequential_arcs_report *report, batten_chain **out)
+static batten_status make_arc_spans(const chords *c, const double *points, double start_angle,
+                                    batten_span *spans, double *angles, double *breaks,
+                                    batten_chain_sequential_arcs_report *report,
+                                    batten_chain **out)
 {
     batten_status status = find_chords(points, c);
     if (status != BATTEN_OK)
@@ -172,7 +173,7 @@ batten_status batten_chain_sequential_arcs(batten_points points, double start_an
     double *made = bat_array(n, sizeof *made), *breaks = bat_array(n, sizeof *breaks);
     status = BATTEN_OUT_OF_MEMORY;
     if (c.length && c.direction && c.base && spans && made && breaks)
-        status = make(&c, points.at, start_angle, spans, made, breaks, &found, out);
+        status = make_arc_spans(&c, points.at, start_angle, spans, made, breaks, &found, out);
     if (status == BATTEN_OK && angles)
         memcpy(angles, made, n * sizeof *made);
     if (status == BATTEN_OK && parameters)

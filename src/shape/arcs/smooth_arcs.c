@@ -40,7 +40,7 @@ typedef struct {
 typedef struct {
     int place, parent;
     double lean;
-} state;
+} arc_state;
 
 typedef struct {
     const bat_arcs_smooth *task;
@@ -52,16 +52,16 @@ typedef struct {
     int count; /* of steps between the rows */
     row *rows; /* [count + 1] */
     int state_count, capacity;
-    state *states;
-    state start; /* that was best, around, and the arcs from there; 0: none yet */
+    arc_state *states;
+    arc_state start; /* that was best, around, and the arcs from there; 0: none yet */
     int start_arcs;
     int best[LEANS], now[LEANS], next[LEANS]; /* place; states, or -1 */
-} search;
+} arc_search;
 
 /* ---- the curve ---- */
 
 /* The row at a place; a closed curve goes on. */
-static row row_at(const search *s, int place)
+static row row_at(const arc_search *s, int place)
 {
     const bool again = place > s->count;
     row r = s->rows[again ? place - s->count : place];
@@ -72,7 +72,7 @@ static row row_at(const search *s, int place)
     return r;
 }
 
-static batten_status make_row(search *s, int i, double u, double reach)
+static batten_status make_row(arc_search *s, int i, double u, double reach)
 {
     row *r = &s->rows[i];
     double at[4];
@@ -94,7 +94,7 @@ static batten_status make_row(search *s, int i, double u, double reach)
 
 /* No arc bends much more sharply than the curve does anywhere, and none to a side to which the
  * curve never turns. */
-static void find_bends(search *s)
+static void find_bends(arc_search *s)
 {
     static const double more = 1.4;
     double left = 0, right = 0, turned[2] = {0, 0};
@@ -113,7 +113,7 @@ static void find_bends(search *s)
 }
 
 /* As fine along each plain arc: so the rows are dense where arcs will be short. */
-static batten_status make_rows(search *s)
+static batten_status make_rows(arc_search *s)
 {
     const bat_arcs_list *guide = s->task->guide;
     s->count = FINE * guide->count;
@@ -135,16 +135,16 @@ static batten_status make_rows(search *s)
 
 /* ---- arcs ---- */
 
-static bool may_bend(const search *s, double curvature)
+static bool may_bend(const arc_search *s, double curvature)
 {
     return curvature >= s->least_bend && curvature <= s->most_bend;
 }
 
-static batten_status add_state(search *s, const state *from, int *index)
+static batten_status add_state(arc_search *s, const arc_state *from, int *index)
 {
     if (s->state_count == s->capacity) {
         const int capacity = bat_max_int(1024, 2 * s->capacity);
-        state *states = bat_resize(s->states, (size_t)capacity, sizeof *states);
+        arc_state *states = bat_resize(s->states, (size_t)capacity, sizeof *states);
         if (!states)
             return BATTEN_OUT_OF_MEMORY;
         s->states = states;
@@ -156,7 +156,7 @@ static batten_status add_state(search *s, const state *from, int *index)
 }
 
 /* The range of a lean; -1 beyond the last. */
-static int range_of(const search *s, double lean, double reach)
+static int range_of(const arc_search *s, double lean, double reach)
 {
     const double at = lean * reach / (step_of_leans * s->half) + LEANS / 2.0;
     return at >= 0 && at < LEANS && fabs(lean) < most_lean ? (int)at : -1;
@@ -165,7 +165,8 @@ static int range_of(const search *s, double lean, double reach)
 /* By how much an arc bends otherwise than the curve on average: a steady arc not at all, one at
  * an extreme of curvature by less than 20 half bands by the square of its length. Short arcs
  * that bend wildly fit into the band as well, but nobody wants them. */
-static bool bends_alike(const search *s, double lean, const row *to, double to_lean, double l)
+static bool bends_alike(const arc_search *s, double lean, const row *to, double to_lean,
+                        double l)
 {
     return fabs(to_lean - lean) * to->reach * to->reach <= s->excess * s->half * l;
 }
@@ -186,7 +187,7 @@ static leg leg_of(const row *from, double lean)
 
 /* On to the node of a row, and the lean with which the arc arrives; false when it turns by more
  * than a half circle, leans too much or bends too much. */
-static bool aim(const search *s, leg *l, const row *to, double *lean, int *range)
+static bool aim(const arc_search *s, leg *l, const row *to, double *lean, int *range)
 {
     const double chord[2] = {to->node[0] - l->from->node[0], to->node[1] - l->from->node[1]};
     l->half = bat_turn(l->direction, chord);
@@ -197,7 +198,7 @@ static bool aim(const search *s, leg *l, const row *to, double *lean, int *range
            bends_alike(s, l->lean, to, *lean, l->length);
 }
 
-static bool make_arc(const search *s, const leg *l, batten_biarc *out)
+static bool make_arc(const arc_search *s, const leg *l, batten_biarc *out)
 {
     const double least = s->task->least_radius;
     *out = (batten_biarc){.count = 1, .place = 0.5, .turn = {2 * l->half}};
@@ -206,7 +207,7 @@ static bool make_arc(const search *s, const leg *l, batten_biarc *out)
     return may_bend(s, k) && !(least > 0 && fabs(k) * least > 1 + 1e-12);
 }
 
-static double beside_middle(const search *s, const bat_arcs_probe *probe, int place)
+static double beside_middle(const arc_search *s, const bat_arcs_probe *probe, int place)
 {
     const row *r = &s->rows[place > s->count ? place - s->count : place];
     return bat_arcs_beside(probe, r->point) - s->middle;
@@ -214,14 +215,14 @@ static double beside_middle(const search *s, const bat_arcs_probe *probe, int pl
 
 /* Rows miss the extremes by a little, so they are held to less, but for those next to an end
  * that lies beside the middle. */
-static bool passes(const search *s, double off, int place)
+static bool passes(const arc_search *s, double off, int place)
 {
     const bool at_end = s->held && (place <= FINE / 4 || place >= s->count - FINE / 4);
     return fabs(off) <= s->half * (at_end ? 1 : s->shrink) + s->task->slack;
 }
 
 /* A few looks at the curve along the arc; then all between those next to the extremes. */
-static bool fits(const search *s, const batten_biarc *arc, int from, int to)
+static bool fits(const arc_search *s, const batten_biarc *arc, int from, int to)
 {
     bat_arcs_probe probe;
     bat_arcs_probe_make(arc, &probe);
@@ -246,7 +247,7 @@ static bool fits(const search *s, const batten_biarc *arc, int from, int to)
 }
 
 /* At an end that lies on one side of its band the arcs must lead into it. */
-static bool leads_in(const search *s, double lean, bool arriving)
+static bool leads_in(const arc_search *s, double lean, bool arriving)
 {
     return !s->held || (arriving ? -lean : lean) * s->middle >= 0;
 }
@@ -254,7 +255,7 @@ static bool leads_in(const search *s, double lean, bool arriving)
 /* ---- the search ---- */
 
 /* The place that each range of leans has reached at least. */
-static int passed(const search *s)
+static int passed(const arc_search *s)
 {
     int least = s->best[0];
     for (int i = 1; i < LEANS; i++)
@@ -263,14 +264,14 @@ static int passed(const search *s)
 }
 
 /* All that one arc reaches from a state. */
-static batten_status go_on(search *s, int index, int end, int *found)
+static batten_status go_on(arc_search *s, int index, int end, int *found)
 {
-    const state a = s->states[index];
+    const arc_state a = s->states[index];
     const row from = row_at(s, a.place);
     leg l = leg_of(&from, a.lean);
     const int least = bat_max_int(a.place, passed(s));
     batten_biarc arc;
-    state b = {.parent = index};
+    arc_state b = {.parent = index};
     int range = 0;
     for (int i = bat_min_int(end, a.place + AHEAD); i > least && *found < 0; i--) {
         const row to = row_at(s, i);
@@ -288,7 +289,7 @@ static batten_status go_on(search *s, int index, int end, int *found)
     return BATTEN_OK;
 }
 
-static batten_status take_rows(const search *s, int from, int to, int step)
+static batten_status take_rows(const arc_search *s, int from, int to, int step)
 {
     bat_samples *samples = s->task->samples;
     const batten_status status = bat_samples_reserve(samples, (to - from) / step + 1);
@@ -303,8 +304,8 @@ static batten_status take_rows(const search *s, int from, int to, int step)
 }
 
 /* Do both arcs of a biarc bend as the curve? The joint is about where their lengths say. */
-static bool both_bend_alike(const search *s, const batten_biarc *biarc, const state *a, int end,
-                            double lean)
+static bool both_bend_alike(const arc_search *s, const batten_biarc *biarc, const arc_state *a,
+                            int end, double lean)
 {
     const batten_span *arc = biarc->arcs;
     const row to = row_at(s, end);
@@ -321,10 +322,10 @@ static bool both_bend_alike(const search *s, const batten_biarc *biarc, const st
 }
 
 /* From a state around to the given lean at the end by two arcs: at first with a few looks. */
-static batten_status close_by_two(search *s, int index, int end, double lean,
+static batten_status close_by_two(arc_search *s, int index, int end, double lean,
                                   bat_arcs_part *part, bool *closed)
 {
-    const state *a = &s->states[index];
+    const arc_state *a = &s->states[index];
     const row from = row_at(s, a->place), to = row_at(s, end);
     const double before = from.angle + a->lean, after = to.angle + lean;
     const bat_node start = {{from.node[0], from.node[1]}, {cos(before), sin(before)}};
@@ -351,7 +352,8 @@ static batten_status close_by_two(search *s, int index, int end, double lean,
 }
 
 /* The first of the states that can be closed by two arcs. */
-static batten_status close_one(search *s, int end, double lean, bat_arcs_part *part, int *found)
+static batten_status close_one(arc_search *s, int end, double lean, bat_arcs_part *part,
+                               int *found)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i < LEANS && *found < 0 && status == BATTEN_OK; i++) {
@@ -365,30 +367,30 @@ static batten_status close_one(search *s, int end, double lean, bat_arcs_part *p
 }
 
 /* States that all begin at one place: one with a given lean, or one in each range. */
-static batten_status begin(search *s, int place, const double *lean)
+static batten_status begin_states(arc_search *s, int place, const double *lean)
 {
     s->state_count = 0;
     const double reach = s->rows[place].reach;
     for (int i = 0; i < LEANS; i++) {
         s->best[i] = s->now[i] = -1;
-        const state a = {place, -1, (i - LEANS / 2) * step_of_leans * s->half / reach};
+        const arc_state a = {place, -1, (i - LEANS / 2) * step_of_leans * s->half / reach};
         if (lean || !leads_in(s, a.lean, false) || fabs(a.lean) >= most_lean)
             continue;
         const batten_status status = add_state(s, &a, &s->now[i]);
         if (status != BATTEN_OK)
             return status;
     }
-    const state given = {place, -1, lean ? *lean : 0};
+    const arc_state given = {place, -1, lean ? *lean : 0};
     return lean ? add_state(s, &given, &s->now[LEANS / 2]) : BATTEN_OK;
 }
 
 /* The last state of the fewest arcs from `start` to `end`; around, `closing` are two more.
  * *found is -1 when there are none, or no fewer than `most` arcs. */
-static batten_status run(search *s, int start, int end, const double *lean, int most,
-                         bat_arcs_part *closing, int *arcs, int *found)
+static batten_status find_fewest_arcs(arc_search *s, int start, int end, const double *lean,
+                                      int most, bat_arcs_part *closing, int *arcs, int *found)
 {
     *found = -1;
-    batten_status status = begin(s, start, lean);
+    batten_status status = begin_states(s, start, lean);
     for (int n = 0; status == BATTEN_OK; n++) {
         bool alive = false;
         if (lean)
@@ -413,8 +415,8 @@ static batten_status run(search *s, int start, int end, const double *lean, int 
 
 /* ---- what was found ---- */
 
-static batten_status put(const search *s, int found, const bat_arcs_part *closing,
-                         bat_arcs_list *list)
+static batten_status put_smooth_arcs(const arc_search *s, int found,
+                                     const bat_arcs_part *closing, bat_arcs_list *list)
 {
     int count = 0;
     for (int i = found; s->states[i].parent >= 0; i = s->states[i].parent)
@@ -424,7 +426,7 @@ static batten_status put(const search *s, int found, const bat_arcs_part *closin
     for (int i = 0; i < count && status == BATTEN_OK; i++)
         status = bat_arcs_list_add(list, closing);
     for (int i = found; count-- > 0 && status == BATTEN_OK; i = s->states[i].parent) {
-        const state *b = &s->states[i], *a = &s->states[b->parent];
+        const arc_state *b = &s->states[i], *a = &s->states[b->parent];
         const row from = row_at(s, a->place), to = row_at(s, b->place);
         bat_arcs_part *part = &list->parts[first + count];
         leg l = leg_of(&from, a->lean);
@@ -440,7 +442,8 @@ static batten_status put(const search *s, int found, const bat_arcs_part *closin
 }
 
 /* The share of the band that the arcs truly take. */
-static batten_status check(const search *s, const bat_arcs_list *list, int first, double *share)
+static batten_status measure_band_share(const arc_search *s, const bat_arcs_list *list,
+                                        int first, double *share)
 {
     const bat_arcs_smooth *t = s->task;
     const bat_band band = {s->middle - s->half, s->middle + s->half, s->middle};
@@ -465,7 +468,7 @@ static batten_status check(const search *s, const bat_arcs_list *list, int first
 /* Places and leans to begin with, from the states of a run that could begin with any lean:
  * those on the way of its fewest arcs, and others of any lean along a few arcs. The number of
  * its arcs, which none that closes goes below. */
-static int find_starts(const search *s, int room, state *starts, int *arcs)
+static int find_starts(const arc_search *s, int room, arc_state *starts, int *arcs)
 {
     int farthest = 0, count = 0, others = 0;
     const int from = s->count / 4, to = from + 2 * FINE;
@@ -486,7 +489,7 @@ static int find_starts(const search *s, int room, state *starts, int *arcs)
 }
 
 /* Around from each of some starts, until the number of arcs is no more than `least`. */
-static batten_status try_starts(search *s, int count, const state *starts, int least,
+static batten_status try_starts(arc_search *s, int count, const arc_state *starts, int least,
                                 bat_arcs_list *list)
 {
     const int first = list->count;
@@ -496,26 +499,26 @@ static batten_status try_starts(search *s, int count, const state *starts, int l
     for (int i = 0; i < count && status == BATTEN_OK && s->start_arcs > least; i++) {
         const int place = starts[i].place;
         int found = -1, arcs = 0;
-        status = run(s, place, place + s->count, &starts[i].lean, s->start_arcs, &closing,
-                     &arcs, &found);
+        status = find_fewest_arcs(s, place, place + s->count, &starts[i].lean, s->start_arcs,
+                                  &closing, &arcs, &found);
         if (status != BATTEN_OK || found < 0)
             continue;
         s->start = starts[i];
         s->start_arcs = arcs;
         list->count = first;
-        status = put(s, found, &closing, list);
+        status = put_smooth_arcs(s, found, &closing, list);
     }
     return status;
 }
 
 /* Around a closed curve: where the first arc begins matters. What was best in a wider band is
  * tried at first. */
-static batten_status run_around(search *s, bat_arcs_list *list)
+static batten_status run_around(arc_search *s, bat_arcs_list *list)
 {
     enum { TRIES = 24, WORK = 1200 };
     /* With many arcs one more does not matter, and each try takes long. */
     const int room = bat_max_int(1, bat_min_int(TRIES, WORK / s->task->guide->count));
-    state starts[TRIES] = {s->start};
+    arc_state starts[TRIES] = {s->start};
     const int before = s->start_arcs, first = list->count;
     int found = -1, arcs = 0, least = 0;
     batten_status status = BATTEN_OK;
@@ -524,25 +527,26 @@ static batten_status run_around(search *s, bat_arcs_list *list)
     if (status != BATTEN_OK || (before > 0 && s->start_arcs <= before))
         return status;
     list->count = first;
-    status = run(s, 0, s->count, NULL, INT_MAX, NULL, &arcs, &found);
+    status = find_fewest_arcs(s, 0, s->count, NULL, INT_MAX, NULL, &arcs, &found);
     if (status != BATTEN_OK)
         return status;
     const int tries = find_starts(s, room, starts, &least);
     return try_starts(s, tries, starts, bat_max_int(least, s->task->enough), list);
 }
 
-static batten_status find(search *s, bat_arcs_list *list)
+static batten_status find(arc_search *s, bat_arcs_list *list)
 {
     if (s->around)
         return run_around(s, list);
     int arcs = 0, found = -1;
     const bat_arcs_part none = {0};
-    const batten_status status = run(s, 0, s->count, NULL, INT_MAX, NULL, &arcs, &found);
-    return status == BATTEN_OK && found >= 0 ? put(s, found, &none, list) : status;
+    const batten_status status =
+        find_fewest_arcs(s, 0, s->count, NULL, INT_MAX, NULL, &arcs, &found);
+    return status == BATTEN_OK && found >= 0 ? put_smooth_arcs(s, found, &none, list) : status;
 }
 
 /* Round by round in a slightly narrower band, until the arcs are within the whole one. */
-static batten_status search_with(search *s, double excess, bat_arcs_list *list)
+static batten_status search_with(arc_search *s, double excess, bat_arcs_list *list)
 {
     enum { ROUNDS = 8 };
     const int first = list->count;
@@ -556,7 +560,7 @@ static batten_status search_with(search *s, double excess, bat_arcs_list *list)
         status = find(s, list);
         if (status != BATTEN_OK || list->count == first)
             return status;
-        status = check(s, list, first, &share);
+        status = measure_band_share(s, list, first, &share);
         s->shrink *= 0.9998 - 2 * bat_max(0, share - 1);
     }
     if (share > 1)
@@ -567,11 +571,11 @@ static batten_status search_with(search *s, double excess, bat_arcs_list *list)
 batten_status bat_arcs_smooth_run(const bat_arcs_smooth *task, bat_arcs_list *list)
 {
     const bat_band *band = &task->band;
-    search s = {.task = task,
-                .half = (band->high - band->low) / 2,
-                .middle = band->middle,
-                .held = band->middle != 0 && !task->path->smooth_seam,
-                .around = task->path->smooth_seam};
+    arc_search s = {.task = task,
+                    .half = (band->high - band->low) / 2,
+                    .middle = band->middle,
+                    .held = band->middle != 0 && !task->path->smooth_seam,
+                    .around = task->path->smooth_seam};
     const int first = list->count;
     if (task->guide->count > MOST_ARCS)
         return BATTEN_OK;

@@ -38,8 +38,8 @@ static batten_status check_end(const char *name, int d, const double *tangent,
     return BATTEN_OK;
 }
 
-static batten_status check(int d, int count, const double *points,
-                           const batten_curve_minimum_energy_options *options)
+static batten_status check_energy_options(int d, int count, const double *points,
+                                          const batten_curve_minimum_energy_options *options)
 {
     if (d < 2 || d > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve of least energy in %d dimension%s", d,
@@ -77,9 +77,9 @@ typedef struct {
     double *points;     /* [count][d] */
     double *parameters; /* [count + 1] */
     bat_energy_curve nodes;
-} task;
+} energy_spline;
 
-static void task_end(task *t)
+static void task_end(energy_spline *t)
 {
     bat_release(t->points);
     bat_release(t->parameters);
@@ -89,7 +89,7 @@ static void task_end(task *t)
     bat_release(t->nodes.frame);
 }
 
-static batten_status normalise(task *t)
+static batten_status normalise(energy_spline *t)
 {
     const int d = t->d, n = t->count;
     double *u = t->parameters;
@@ -107,7 +107,7 @@ static batten_status normalise(task *t)
     return BATTEN_OK;
 }
 
-static batten_status task_begin(task *t)
+static batten_status task_begin(energy_spline *t)
 {
     bat_energy_curve *nodes = &t->nodes;
     const size_t n = (size_t)t->count, d = (size_t)t->d, pieces = (size_t)t->options->pieces;
@@ -135,7 +135,7 @@ static batten_status task_begin(task *t)
 
 /* A plane spline whose parameter is the arc length, near the curve that is sought: for bending
  * the elastica, which is it, for variation Spiro, which is near it; else Euler spirals. */
-static batten_status find_chain(const task *t, double *parameters, batten_chain **out)
+static batten_status find_chain(const energy_spline *t, double *parameters, batten_chain **out)
 {
     const batten_curve_minimum_energy_options *o = t->options;
     const bool bending = o->energy == BATTEN_ENERGY_BENDING;
@@ -169,7 +169,8 @@ static batten_status find_chain(const task *t, double *parameters, batten_chain 
 }
 
 /* All nodes from the chain or, when it is NULL, the curve; the steps from the parameters. */
-static batten_status sample(task *t, const batten_chain *chain, const batten_curve *curve)
+static batten_status sample(energy_spline *t, const batten_chain *chain,
+                            const batten_curve *curve)
 {
     const int pieces = t->options->pieces, d = t->d;
     batten_status status = BATTEN_OK;
@@ -189,7 +190,7 @@ static batten_status sample(task *t, const batten_chain *chain, const batten_cur
 }
 
 /* *found: false when there is no such chain. */
-static batten_status start_of_chain(task *t, bool *found)
+static batten_status start_of_chain(energy_spline *t, bool *found)
 {
     batten_chain *chain = NULL;
     double *at = bat_array((size_t)t->count + 1, sizeof *at);
@@ -210,7 +211,7 @@ static batten_status start_of_chain(task *t, bool *found)
 }
 
 /* A cubic spline by chord lengths. */
-static batten_status start_of_cubic(task *t)
+static batten_status start_of_cubic(energy_spline *t)
 {
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     const bool natural = t->options->energy == BATTEN_ENERGY_BENDING;
@@ -233,7 +234,7 @@ static batten_status start_of_cubic(task *t)
 
 /* What is given at one end: P' along the tangent, with speed 1 when there is a curvature, which
  * P'' then is across it. */
-static void fix_end(task *t, int end, const double *tangent, const double *curvature)
+static void fix_end(energy_spline *t, int end, const double *tangent, const double *curvature)
 {
     if (!tangent)
         return;
@@ -261,7 +262,7 @@ static void fix_end(task *t, int end, const double *tangent, const double *curva
  * curve. The nodes of a closed curve are taken from both sides of the first in turn, so that
  * neighbours, the last and the first too, keep their numbers near.
  */
-static void number_unknowns(task *t)
+static void number_unknowns(energy_spline *t)
 {
     bat_energy_curve *nodes = &t->nodes;
     const int d = t->d, n = nodes->count;
@@ -290,7 +291,7 @@ static void number_unknowns(task *t)
 
 /* ---- the result ---- */
 
-static batten_status make_curve(const task *t, batten_curve **out)
+static batten_status make_curve(const energy_spline *t, batten_curve **out)
 {
     const bat_energy_curve *nodes = &t->nodes;
     const size_t d = (size_t)t->d, spans = (size_t)nodes->spans;
@@ -321,7 +322,7 @@ static batten_status make_curve(const task *t, batten_curve **out)
 }
 
 /* From units of the mean chord to those of the model. */
-static void scale_report(const task *t, batten_curve_minimum_energy_report *report)
+static void scale_report(const energy_spline *t, batten_curve_minimum_energy_report *report)
 {
     const double unit = t->unit;
     const double power = t->options->scale_invariant                   ? 1
@@ -335,7 +336,8 @@ static void scale_report(const task *t, batten_curve_minimum_energy_report *repo
 
 /* Make the parameter the arc length, unless so few quintics then have much more energy than
  * `energy`; false when it stays as it was. */
-static batten_status go_by_length(task *t, bat_energy_task what, double energy, bool *changed)
+static batten_status go_by_length(energy_spline *t, bat_energy_task what, double energy,
+                                  bool *changed)
 {
     const bat_energy_curve *nodes = &t->nodes;
     const size_t count = (size_t)nodes->count * 3 * (size_t)nodes->d;
@@ -363,7 +365,7 @@ static batten_status go_by_length(task *t, bat_energy_task what, double energy, 
 
 /* Search, make the parameter the arc length, and search again, until that lowers the energy no
  * more. */
-static batten_status search(task *t, bat_energy_task *what,
+static batten_status search(energy_spline *t, bat_energy_task *what,
                             batten_curve_minimum_energy_report *report)
 {
     enum { ROUNDS = 10 };
@@ -397,7 +399,8 @@ static batten_status search(task *t, bat_energy_task *what,
 }
 
 /* From the curve that stands at the nodes. */
-static batten_status search_from_here(task *t, batten_curve_minimum_energy_report *report)
+static batten_status search_from_here(energy_spline *t,
+                                      batten_curve_minimum_energy_report *report)
 {
     const batten_curve_minimum_energy_options *o = t->options;
     /* A tension is a force; energies are by the unit or its cube. */
@@ -420,7 +423,7 @@ static batten_status search_from_here(task *t, batten_curve_minimum_energy_repor
 
 /* From a plane spline of its kind where there is one, and where that leads nowhere from the
  * cubic spline. */
-static batten_status find(task *t, batten_curve_minimum_energy_report *report,
+static batten_status find(energy_spline *t, batten_curve_minimum_energy_report *report,
                           batten_curve **out)
 {
     bool found = false;
@@ -457,11 +460,11 @@ batten_status batten_curve_minimum_energy(batten_points points,
         BAT_TAKE_OPTIONS(batten_curve_minimum_energy_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {
+    energy_spline t = {
         .options = &chosen, .d = points.dimension, .count = points.count, .given = points.at};
     batten_curve_minimum_energy_report found = {0};
     batten_curve *curve = NULL;
-    status = check(points.dimension, points.count, points.at, t.options);
+    status = check_energy_options(points.dimension, points.count, points.at, t.options);
     if (status == BATTEN_OK)
         status = find(&t, &found, &curve);
     if (status == BATTEN_OK) {

@@ -43,7 +43,7 @@ static void fill_basis(basis *b)
 /* Gradient and matrix of one span by the numbers of its two nodes. */
 typedef struct {
     double gradient[MOST], hessian[MOST * MOST];
-} local;
+} local_change;
 
 /* What is minimised, and what Newton needs of it. */
 typedef struct {
@@ -58,10 +58,10 @@ typedef struct {
     double *right;               /* [unknown_count][3] */
     double *step;                /* [unknown_count] */
     double *kept;                /* x before the step */
-    local *span;                 /* [1] */
-} search;
+    local_change *span;          /* [1] */
+} energy_search;
 
-static void search_end(search *s)
+static void search_end(energy_search *s)
 {
     double *const arrays[] = {
         s->gradient, s->length_gradient, s->matrix, s->factor, s->right, s->step, s->kept};
@@ -71,7 +71,7 @@ static void search_end(search *s)
 }
 
 static batten_status search_begin(const bat_energy_task *task, bat_energy_curve *curve,
-                                  search *s)
+                                  energy_search *s)
 {
     const size_t n = (size_t)curve->unknown_count, w = (size_t)curve->band + 1;
     s->task = task;
@@ -121,7 +121,8 @@ void bat_energy_bezier(const bat_energy_curve *curve, int j, double *points)
 }
 
 /* The three derivatives at a node of Gauss by the parameter of length h. */
-static void derivatives_at(const search *s, int q, const double *corners, double h, double *P)
+static void derivatives_at(const energy_search *s, int q, const double *corners, double h,
+                           double *P)
 {
     const int d = s->curve->d;
     double scale = 1;
@@ -137,7 +138,7 @@ static void derivatives_at(const search *s, int q, const double *corners, double
 }
 
 /* How the derivatives follow the numbers of the nodes: row k of the basis, scaled. */
-static void scaled_basis(const search *s, int q, double h, double out[3][CORNERS])
+static void scaled_basis(const energy_search *s, int q, double h, double out[3][CORNERS])
 {
     const double scale[3] = {1, h, h * h};
     double by = 1;
@@ -150,7 +151,7 @@ static void scaled_basis(const search *s, int q, double h, double out[3][CORNERS
 
 /* One pair of coordinates, c >= e: Bt H B of the three derivatives. */
 static void add_block(int d, int c, int e, double weight, double B[3][CORNERS],
-                      const double *hessian, local *sum)
+                      const double *hessian, local_change *sum)
 {
     const int n = 3 * d, m = CORNERS * d;
     double half[3][CORNERS];
@@ -168,7 +169,7 @@ static void add_block(int d, int c, int e, double weight, double B[3][CORNERS],
 
 /* The hessian only where the coordinate of the row is not below that of the column. */
 static void add_density(int d, double weight, double B[3][CORNERS],
-                        const bat_energy_density *density, local *sum)
+                        const bat_energy_density *density, local_change *sum)
 {
     for (int c = 0; c < d; c++) {
         const double *g = density->gradient + c;
@@ -181,7 +182,7 @@ static void add_density(int d, double weight, double B[3][CORNERS],
 }
 
 /* The rest of the hessian, which is symmetric. */
-static void mirror(int d, local *sum)
+static void mirror(int d, local_change *sum)
 {
     const int m = CORNERS * d;
     for (int row = 0; row < m; row++)
@@ -239,7 +240,7 @@ static void into_frame(int d, const double *frame, int stride, double *v)
         v[k * stride] = turned[k];
 }
 
-static void turn_local(const bat_energy_curve *curve, int j, local *l)
+static void turn_local(const bat_energy_curve *curve, int j, local_change *l)
 {
     const int d = curve->d, m = CORNERS * d;
     for (int i = 0; i < CORNERS; i++) {
@@ -254,7 +255,8 @@ static void turn_local(const bat_energy_curve *curve, int j, local *l)
 
 /* ---- the sum over all spans ---- */
 
-static void scatter(search *s, int j, const local *l, double *gradient, double *matrix)
+static void scatter(energy_search *s, int j, const local_change *l, double *gradient,
+                    double *matrix)
 {
     const bat_energy_curve *curve = s->curve;
     const int d = curve->d, m = CORNERS * d, w = curve->band + 1;
@@ -276,7 +278,7 @@ static void scatter(search *s, int j, const local *l, double *gradient, double *
 }
 
 /* Energy and length at x. */
-static void measure(search *s, double *energy, double *length, double *size)
+static void measure_energy(energy_search *s, double *energy, double *length, double *size)
 {
     const bat_energy_weights weights = {s->task->kind, 1, 0};
     const int d = s->curve->d;
@@ -297,7 +299,7 @@ static void measure(search *s, double *energy, double *length, double *size)
 }
 
 /* Gradient and matrix of a weighted sum; `matrix` may be NULL. */
-static void assemble(search *s, const bat_energy_weights *weights, double *gradient,
+static void assemble(energy_search *s, const bat_energy_weights *weights, double *gradient,
                      double *matrix)
 {
     const int d = s->curve->d;
@@ -324,23 +326,23 @@ static void assemble(search *s, const bat_energy_weights *weights, double *gradi
 }
 
 /* What is minimised: E + tension L, or E L^p. */
-static double power(const search *s)
+static double power(const energy_search *s)
 {
     return s->task->kind == BATTEN_ENERGY_BENDING ? 1 : 3;
 }
 
-static double factor_of_length(const search *s, double length)
+static double factor_of_length(const energy_search *s, double length)
 {
     return power(s) == 1 ? length : length * length * length;
 }
 
-static double objective(const search *s, double energy, double length)
+static double objective(const energy_search *s, double energy, double length)
 {
     return s->task->scale_invariant ? energy * factor_of_length(s, length)
                                     : energy + s->task->tension * length;
 }
 
-static void differentiate(search *s)
+static void differentiate(energy_search *s)
 {
     bat_energy_weights weights = {s->task->kind, 1, s->task->tension};
     find_axes(s->curve);
@@ -355,7 +357,7 @@ static void differentiate(search *s)
 
 /* ---- steps ---- */
 
-static batten_status factor(search *s, double damping)
+static batten_status factor(energy_search *s, double damping)
 {
     const size_t n = (size_t)s->curve->unknown_count, w = (size_t)s->curve->band + 1;
     memcpy(s->factor, s->matrix, n * w * sizeof *s->factor);
@@ -375,7 +377,7 @@ static batten_status factor(search *s, double damping)
  * L^p a + p E L^(p-1) b and b. Woodbury puts it into the solution. False when the result does
  * not point downhill.
  */
-static bool correct(search *s)
+static bool correct(energy_search *s)
 {
     const int n = s->curve->unknown_count;
     const double p = power(s), L = s->length, m12 = p / L;
@@ -398,7 +400,7 @@ static bool correct(search *s)
     return isfinite(det) && downhill > 0 && downhill < 1e3 * gg;
 }
 
-static void solve(search *s)
+static void solve(energy_search *s)
 {
     const int n = s->curve->unknown_count, band = s->curve->band;
     if (s->task->scale_invariant) {
@@ -415,7 +417,7 @@ static void solve(search *s)
     bat_symmetric_solve(n, band, s->factor, 1, s->step);
 }
 
-static void go(search *s)
+static void minimize_energy(energy_search *s)
 {
     const bat_energy_curve *curve = s->curve;
     const int d = curve->d;
@@ -434,13 +436,13 @@ static void go(search *s)
 }
 
 /* The energy at x + step if it is less: then x moves there. */
-static bool try_step(search *s)
+static bool try_step(energy_search *s)
 {
     const size_t count = (size_t)s->curve->count * 3 * (size_t)s->curve->d;
     double energy, length, size;
     memcpy(s->kept, s->curve->x, count * sizeof *s->kept);
-    go(s);
-    measure(s, &energy, &length, &size);
+    minimize_energy(s);
+    measure_energy(s, &energy, &length, &size);
     if (objective(s, energy, length) < objective(s, s->energy, s->length)) {
         s->energy = energy;
         s->length = length;
@@ -452,7 +454,7 @@ static bool try_step(search *s)
 }
 
 /* How much the energy falls in the step, by its first derivative. */
-static double promise(const search *s)
+static double promise(const energy_search *s)
 {
     return -bat_dot(s->curve->unknown_count, s->gradient, s->step) / 2;
 }
@@ -462,13 +464,14 @@ static double promise(const search *s)
 #define STRAIGHT 1e-28
 
 /* What rounding leaves of the energy: the densities are sums that cancel. */
-static double rounding(const search *s)
+static double rounding(const energy_search *s)
 {
     return 64 * DBL_EPSILON * objective(s, s->size, s->length);
 }
 
 /* One step down from x. LEAST when it promises no more than 1e-12 of the first energy. */
-static batten_status descend(search *s, double *damping, double *remaining, bat_energy_end *end)
+static batten_status descend(energy_search *s, double *damping, double *remaining,
+                             bat_energy_end *end)
 {
     differentiate(s);
     for (int tries = 0; tries < 60; tries++) {
@@ -496,10 +499,10 @@ static batten_status descend(search *s, double *damping, double *remaining, bat_
     return BATTEN_OK;
 }
 
-static batten_status minimise(search *s, batten_curve_minimum_energy_report *report,
+static batten_status minimise(energy_search *s, batten_curve_minimum_energy_report *report,
                               bat_energy_end *end)
 {
-    measure(s, &s->energy, &s->length, &s->size);
+    measure_energy(s, &s->energy, &s->length, &s->size);
     double damping = 1e-4;
     *end = s->curve->unknown_count == 0 ? BAT_ENERGY_LEAST : BAT_ENERGY_UNDERWAY;
     report->before = s->first = objective(s, s->energy, s->length);
@@ -523,7 +526,7 @@ batten_status bat_energy_minimise(const bat_energy_task *task, bat_energy_curve 
                                   batten_curve_minimum_energy_report *report,
                                   bat_energy_end *end)
 {
-    search s = {.task = NULL};
+    energy_search s = {.task = NULL};
     batten_status status = search_begin(task, curve, &s);
     if (status == BATTEN_OK)
         status = minimise(&s, report, end);

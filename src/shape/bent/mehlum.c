@@ -38,7 +38,7 @@ typedef struct {
     batten_span *made;
     int *first; /* [spans + 1] arcs */
     batten_chain_mehlum_report report;
-} task;
+} mehlum_fit;
 
 batten_chain_mehlum_options batten_chain_mehlum_defaults(void)
 {
@@ -155,7 +155,7 @@ static double distance(const batten_span *e, const double point[2], double s)
     return bat_distance(2, q, at.point);
 }
 
-static void measure(mehlum *m, const batten_span *arcs)
+static void measure_chain(mehlum *m, const batten_span *arcs)
 {
     enum { LOOKS = 8 };
     const double h = m->elastica->length / m->count;
@@ -175,7 +175,7 @@ static void measure(mehlum *m, const batten_span *arcs)
 
 /* ---- all spans ---- */
 
-static batten_status reserve(task *t, int arcs)
+static batten_status reserve(mehlum_fit *t, int arcs)
 {
     if (t->arcs + arcs <= t->capacity)
         return BATTEN_OK;
@@ -192,7 +192,7 @@ static batten_status reserve(task *t, int arcs)
     return BATTEN_OK;
 }
 
-static batten_status make_span(task *t, mehlum *m, int index)
+static batten_status make_span(mehlum_fit *t, mehlum *m, int index)
 {
     const batten_status status = reserve(t, m->count);
     if (status != BATTEN_OK)
@@ -205,13 +205,13 @@ static batten_status make_span(task *t, mehlum *m, int index)
                         "%d arc%s cannot follow the elastica after point %d: take more",
                         m->count, bat_plural(m->count), index);
     put_arcs(m, t->made + t->arcs);
-    measure(m, t->made + t->arcs);
+    measure_chain(m, t->made + t->arcs);
     return BATTEN_OK;
 }
 
 /* As many arcs as are asked for, or as the tolerance takes. Where rounding keeps the deviation
  * from falling, single arcs would be added for ever: after some rounds, more and more. */
-static batten_status find_span(task *t, mehlum *m, int index)
+static batten_status find_span(mehlum_fit *t, mehlum *m, int index)
 {
     const double tolerance = t->options->tolerance;
     m->count = t->options->arcs;
@@ -232,7 +232,7 @@ static batten_status find_span(task *t, mehlum *m, int index)
     return status;
 }
 
-static void count_in(task *t, const mehlum *m, int index)
+static void count_in(mehlum_fit *t, const mehlum *m, int index)
 {
     batten_chain_mehlum_report *r = &t->report;
     for (int i = bat_max_int(1, t->arcs); i < t->arcs + m->count; i++)
@@ -244,7 +244,7 @@ static void count_in(task *t, const mehlum *m, int index)
     t->arcs += m->count;
 }
 
-static batten_status make_all(task *t)
+static batten_status make_all(mehlum_fit *t)
 {
     for (int i = 0; i < t->spans; i++) {
         mehlum m = {.elastica = batten_chain_span(t->elastica, i),
@@ -260,7 +260,7 @@ static batten_status make_all(task *t)
     return BATTEN_OK;
 }
 
-static batten_status check(const batten_chain_mehlum_options *o)
+static batten_status check_mehlum_options(const batten_chain_mehlum_options *o)
 {
     if (o->arcs < 2 || o->arcs > MOST_ARCS)
         return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -272,7 +272,7 @@ static batten_status check(const batten_chain_mehlum_options *o)
     return BATTEN_OK;
 }
 
-static batten_status make_chain(const task *t, double *parameters, batten_chain **out)
+static batten_status make_chain(const mehlum_fit *t, double *parameters, batten_chain **out)
 {
     double *breaks = bat_array((size_t)t->arcs + 1, sizeof *breaks), longest = 0;
     if (!breaks)
@@ -292,7 +292,7 @@ static batten_status make_chain(const task *t, double *parameters, batten_chain 
     return status;
 }
 
-static batten_status make(task *t, double *parameters, batten_chain **out)
+static batten_status make_mehlum_chain(mehlum_fit *t, double *parameters, batten_chain **out)
 {
     t->first = bat_array((size_t)t->spans + 1, sizeof *t->first);
     if (!t->first)
@@ -314,7 +314,7 @@ batten_status batten_chain_mehlum(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_chain_mehlum_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.count = points.count, .points = points.at, .options = &chosen};
+    mehlum_fit t = {.count = points.count, .points = points.at, .options = &chosen};
     const batten_chain_mehlum_options *o = t.options;
     batten_chain_nonlinear_options elastica = batten_chain_nonlinear_defaults();
     batten_chain *beam = NULL;
@@ -324,14 +324,14 @@ batten_status batten_chain_mehlum(batten_points points,
     elastica.start_value = o->start_value;
     elastica.end_value = o->end_value;
     elastica.closed = o->closed;
-    status = check(o);
+    status = check_mehlum_options(o);
     if (status == BATTEN_OK)
         status = batten_chain_nonlinear((batten_points){2, points.count, points.at}, &elastica,
                                         angles, NULL, NULL, &beam);
     if (status == BATTEN_OK) {
         t.elastica = beam;
         t.spans = batten_chain_span_count(beam);
-        status = make(&t, parameters, out);
+        status = make_mehlum_chain(&t, parameters, out);
     }
     if (status == BATTEN_OK && report)
         *report = t.report;

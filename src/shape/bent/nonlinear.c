@@ -58,8 +58,8 @@ static batten_status check_tensions(const batten_chain_nonlinear_options *option
     return BATTEN_OK;
 }
 
-static batten_status check(int count, const double *points,
-                           const batten_chain_nonlinear_options *options)
+static batten_status check_nonlinear_data(int count, const double *points,
+                                          const batten_chain_nonlinear_options *options)
 {
     if (!family_of(options->family))
         return bat_fail(BATTEN_BAD_ARGUMENT, "span family %d is none", (int)options->family);
@@ -295,9 +295,11 @@ static batten_status solve(polygon *p, const batten_chain_nonlinear_options *opt
 
 /* ---- the whole ---- */
 
-static batten_status make(int count, const double *points,
-                          const batten_chain_nonlinear_options *options, double *parameters,
-                          polygon *p, batten_chain_nonlinear_report *report, batten_chain **out)
+static batten_status make_nonlinear_spline(int count, const double *points,
+                                           const batten_chain_nonlinear_options *options,
+                                           double *parameters, polygon *p,
+                                           batten_chain_nonlinear_report *report,
+                                           batten_chain **out)
 {
     batten_status status = polygon_make(count, points, options, p);
     if (status == BATTEN_OK) {
@@ -326,9 +328,10 @@ batten_status batten_chain_nonlinear(batten_points points,
     options = &chosen;
     batten_chain_nonlinear_report reached = {0};
     polygon p = {0};
-    status = check(points.count, points.at, options);
+    status = check_nonlinear_data(points.count, points.at, options);
     if (status == BATTEN_OK)
-        status = make(points.count, points.at, options, parameters, &p, &reached, out);
+        status = make_nonlinear_spline(points.count, points.at, options, parameters, &p,
+                                       &reached, out);
     if (status == BATTEN_OK && angles)
         bat_chord_polygon_directions(&p.chords, p.angles, angles);
     if (status == BATTEN_OK && report) {

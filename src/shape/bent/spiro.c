@@ -26,8 +26,8 @@ static batten_status check_end(const char *name, const batten_spiro_end *end)
     return BATTEN_OK;
 }
 
-static batten_status check(int count, const double *points,
-                           const batten_chain_spiro_options *options)
+static batten_status check_spiro_data(int count, const double *points,
+                                      const batten_chain_spiro_options *options)
 {
     if (options->max_steps < 1)
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d step%s; at least 1 is needed",
@@ -170,7 +170,7 @@ static void start_at_ends(spline *s)
     }
 }
 
-static void start(spline *s)
+static void find_start_angles(spline *s)
 {
     const bat_chord_polygon *p = &s->chords;
     start_at_points(s);
@@ -240,15 +240,16 @@ static batten_status emit(const spline *s, const double *points, double *paramet
 
 /* ---- the whole ---- */
 
-static batten_status make(int count, const double *points,
-                          const batten_chain_spiro_options *options, double *parameters,
-                          spline *s, batten_chain_spiro_report *report, batten_chain **out)
+static batten_status make_spiro(int count, const double *points,
+                                const batten_chain_spiro_options *options, double *parameters,
+                                spline *s, batten_chain_spiro_report *report,
+                                batten_chain **out)
 {
     batten_status status = spline_make(count, points, options, s);
     if (status == BATTEN_OK)
         status = prepare(options, s);
     if (status == BATTEN_OK) {
-        start(s);
+        find_start_angles(s);
         status = bat_spiro_solve(&s->task, options->max_steps, s->c, report);
     }
     if (status == BATTEN_OK)
@@ -270,9 +271,9 @@ batten_status batten_chain_spiro(batten_points points,
     options = &chosen;
     batten_chain_spiro_report reached = {0};
     spline s = {.kinds = NULL};
-    status = check(points.count, points.at, options);
+    status = check_spiro_data(points.count, points.at, options);
     if (status == BATTEN_OK)
-        status = make(points.count, points.at, options, parameters, &s, &reached, out);
+        status = make_spiro(points.count, points.at, options, parameters, &s, &reached, out);
     if (status == BATTEN_OK && report) {
         reached.curvature /= s.chords.unit;
         reached.turn = bat_chord_polygon_sharpest(&s.chords, &reached.turn_at);

@@ -30,7 +30,7 @@ typedef struct {
     double *step, *rest; /* [spans][4]: Newton's, and what it would be at the next iterate */
     iterate now, next;
     int steps, max_steps;
-} search;
+} spiro_search;
 
 /* ---- equations ---- */
 
@@ -51,7 +51,7 @@ static void add_term(const iterate *it, int span, int side, int order, double fa
 }
 
 /* The two conditions of a side that ends freely; a straight span has them of its unknowns. */
-static void add_free(const search *s, const iterate *it, int span, int side, int which,
+static void add_free(const spiro_search *s, const iterate *it, int span, int side, int which,
                      equation *out)
 {
     if (s->task->straight[span]) {
@@ -88,8 +88,8 @@ static void add_smooth(const iterate *it, int before, int after, double part, do
 }
 
 /* Equation `which` of 0..3 at point i between the two spans. */
-static equation equation_at(const search *s, const iterate *it, int i, int before, int after,
-                            int which)
+static equation equation_at(const spiro_search *s, const iterate *it, int i, int before,
+                            int after, int which)
 {
     const bat_chord_polygon *p = s->task->chords;
     const batten_spiro_kind kind = s->task->kinds[i];
@@ -112,7 +112,7 @@ static equation equation_at(const search *s, const iterate *it, int i, int befor
 }
 
 /* Equation 0 or 1 at the start (end 0) or the end of an open curve. */
-static equation equation_of_end(const search *s, const iterate *it, int end, int which)
+static equation equation_of_end(const spiro_search *s, const iterate *it, int end, int which)
 {
     const bat_chord_polygon *p = s->task->chords;
     const batten_spiro_end *given = &s->task->ends[end];
@@ -134,9 +134,10 @@ static equation equation_of_end(const search *s, const iterate *it, int end, int
 
 /* Every equation at an iterate, in the order in which the matrix wants its rows, given to
  * `take`: it stands at 4 i + 0..3 of point i, and touches unknowns from `first` on. */
-typedef void (*take_equation)(search *s, int at, int first, int length, const equation *e);
+typedef void (*take_equation)(spiro_search *s, int at, int first, int length,
+                              const equation *e);
 
-static void visit(search *s, iterate *it, take_equation take)
+static void visit(spiro_search *s, iterate *it, take_equation take)
 {
     const bat_chord_polygon *p = s->task->chords;
     for (int i = 0; i < p->count; i++) {
@@ -153,7 +154,7 @@ static void visit(search *s, iterate *it, take_equation take)
     }
 }
 
-static void take_value(search *s, int at, int first, int length, const equation *e)
+static void take_value(spiro_search *s, int at, int first, int length, const equation *e)
 {
     (void)first;
     (void)length;
@@ -165,7 +166,7 @@ static void take_value(search *s, int at, int first, int length, const equation 
     }
 }
 
-static void take_row(search *s, int at, int first, int length, const equation *e)
+static void take_row(spiro_search *s, int at, int first, int length, const equation *e)
 {
     const double right = -e->value;
     (void)at;
@@ -173,7 +174,7 @@ static void take_row(search *s, int at, int first, int length, const equation *e
 }
 
 /* The values of the next iterate times the matrix of this one, transposed. */
-static void take_product(search *s, int at, int first, int length, const equation *e)
+static void take_product(spiro_search *s, int at, int first, int length, const equation *e)
 {
     const int n = s->qr.count;
     for (int k = 0; k < length; k++)
@@ -181,7 +182,7 @@ static void take_product(search *s, int at, int first, int length, const equatio
 }
 
 /* Measure s->next at its c. */
-static void evaluate(search *s)
+static void evaluate(spiro_search *s)
 {
     iterate *it = &s->next;
     const bat_chord_polygon *p = s->task->chords;
@@ -201,14 +202,14 @@ static bool settled(const iterate *it)
 
 /* ---- steps ---- */
 
-static void swap(search *s)
+static void swap(spiro_search *s)
 {
     const iterate kept = s->now;
     s->now = s->next;
     s->next = kept;
 }
 
-static batten_status find_step(search *s)
+static batten_status find_step(spiro_search *s)
 {
     int unknown = 0;
     bat_givens_clear(&s->qr);
@@ -220,7 +221,7 @@ static batten_status find_step(search *s)
 }
 
 /* The part of the step, at most 1, that turns no span by more than a radian. */
-static double longest(const search *s)
+static double longest(const spiro_search *s)
 {
     double most = 1;
     for (int j = 0; j < s->task->chords->spans; j++) {
@@ -233,7 +234,7 @@ static double longest(const search *s)
 }
 
 /* How long Newton's step would be at the next iterate, by the matrix of this one. */
-static double length_left(search *s)
+static double length_left(spiro_search *s)
 {
     const int n = s->qr.count;
     memset(s->rest, 0, (size_t)n * sizeof *s->rest);
@@ -245,7 +246,7 @@ static double length_left(search *s)
 
 /* Shorten the step until what is left is shorter; false when no part of it does. The measure
  * does not depend on how the equations are scaled. */
-static bool advance(search *s)
+static bool advance(spiro_search *s)
 {
     enum { HALVINGS = 12 };
     const size_t n = (size_t)s->qr.count;
@@ -265,7 +266,7 @@ static bool advance(search *s)
 }
 
 /* Newton for s->part from s->now; SINGULAR_SYSTEM when it does not get there. */
-static batten_status improve(search *s)
+static batten_status improve(spiro_search *s)
 {
     enum { MOST = 40 };
     const size_t bytes = (size_t)s->task->chords->spans * N * sizeof *s->now.c;
@@ -318,7 +319,7 @@ static const char *remedy_for(const bat_spiro_task *task, int j, bool spirals)
                    : "make one of these points a corner";
 }
 
-static batten_status fail_span(const search *s, bool spirals)
+static batten_status fail_span(const spiro_search *s, bool spirals)
 {
     const bat_chord_polygon *p = s->task->chords;
     const int j = widest(&s->now, p->spans);
@@ -333,7 +334,7 @@ static batten_status fail_span(const search *s, bool spirals)
 /* ---- from Euler spirals to the spline ---- */
 
 /* In parts, which shrink where one fails. `kept`: room for the last that was reached. */
-static batten_status walk(search *s, double *kept)
+static batten_status walk(spiro_search *s, double *kept)
 {
     const size_t bytes = (size_t)s->task->chords->spans * N * sizeof *kept;
     double at = 0, part = 1;
@@ -363,7 +364,7 @@ static bool wants_more(const bat_spiro_task *task)
     return false;
 }
 
-static batten_status search_to_end(search *s, double *kept)
+static batten_status search_to_end(spiro_search *s, double *kept)
 {
     batten_status status = improve(s);
     if (status == BATTEN_SINGULAR_SYSTEM)
@@ -388,7 +389,7 @@ static void iterate_free(iterate *it)
     bat_release(it->spans);
 }
 
-static void fill_report(const search *s, batten_chain_spiro_report *report)
+static void fill_report(const spiro_search *s, batten_chain_spiro_report *report)
 {
     report->steps = s->steps;
     report->error = s->now.worst;
@@ -402,7 +403,7 @@ batten_status bat_spiro_solve(const bat_spiro_task *task, int max_steps, double 
 {
     const bat_chord_polygon *p = task->chords;
     const size_t bytes = (size_t)p->spans * N * sizeof *c;
-    search s = {.task = task, .max_steps = max_steps};
+    spiro_search s = {.task = task, .max_steps = max_steps};
     s.step = bat_array3((size_t)p->spans, N, sizeof *s.step);
     s.rest = bat_array3((size_t)p->spans, N, sizeof *s.rest);
     double *kept = bat_array3((size_t)p->spans, N, sizeof *kept);

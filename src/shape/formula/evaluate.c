@@ -11,8 +11,8 @@
 enum { CHUNK = 64 }; /* points of one piece of work */
 
 /* Bring a parameter into the domain, and say from which side it is approached. */
-static batten_status place(const bat_formula_surface *made, batten_direction direction,
-                           double *at, batten_side *side)
+static batten_status place_parameter(const bat_formula_surface *made,
+                                     batten_direction direction, double *at, batten_side *side)
 {
     const batten_interval domain = bat_formula_domain(&made->base, direction);
     const batten_status status = bat_knots_clip(domain.a, domain.b, at);
@@ -67,9 +67,9 @@ batten_status bat_formula_evaluate(const batten_surface *surface, double u, doub
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "derivatives of order %d are wanted; a %s surface has them up to %d",
                         order, shared->formula.kind, BAT_FORMULA_HIGHEST_ORDER);
-    batten_status status = place(made, BATTEN_U, &u, &side_u);
+    batten_status status = place_parameter(made, BATTEN_U, &u, &side_u);
     if (status == BATTEN_OK)
-        status = place(made, BATTEN_V, &v, &side_v);
+        status = place_parameter(made, BATTEN_V, &v, &side_v);
     if (status != BATTEN_OK)
         return status;
     if (made->turned)

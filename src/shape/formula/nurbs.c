@@ -49,7 +49,7 @@ typedef struct {
     line lines[2];
     double *points; /* [count u][count v][dimension]: data, then control points */
     double error;   /* of the spline that was checked last */
-} task;
+} surface_fit;
 
 static void release_line(line *l)
 {
@@ -61,7 +61,7 @@ static void release_line(line *l)
     bat_release(l->errors);
 }
 
-static void release(task *t)
+static void release(surface_fit *t)
 {
     release_line(&t->lines[0]);
     release_line(&t->lines[1]);
@@ -188,7 +188,7 @@ static batten_status refine(line *l, double tolerance, bool *changed)
 
 /* ---- interpolation ---- */
 
-static batten_status interpolate(task *t)
+static batten_status interpolate(surface_fit *t)
 {
     const line *u = &t->lines[0], *v = &t->lines[1];
     const int d = t->dimension;
@@ -216,7 +216,7 @@ static batten_status interpolate(task *t)
     return status;
 }
 
-static batten_status make_surface(const task *t, batten_surface **out)
+static batten_status make_surface(const surface_fit *t, batten_surface **out)
 {
     const line *u = &t->lines[0], *v = &t->lines[1];
     const batten_axis axes[2] = {{DEGREE, u->count, u->knots, false},
@@ -224,7 +224,7 @@ static batten_status make_surface(const task *t, batten_surface **out)
     return batten_surface_create(t->dimension, &axes[0], &axes[1], t->points, NULL, out);
 }
 
-static batten_status make_curve(const task *t, const line *l, batten_curve **out)
+static batten_status make_curve(const surface_fit *t, const line *l, batten_curve **out)
 {
     return batten_curve_create((batten_points){t->dimension, l->count, t->points}, DEGREE, NULL,
                                l->knots, out);
@@ -244,7 +244,7 @@ static double *places_of(const line *l)
 }
 
 /* The values of the spline that is made on a grid. */
-static batten_status evaluate_made(const task *t, size_t count_u, const double *u,
+static batten_status evaluate_made(const surface_fit *t, size_t count_u, const double *u,
                                    size_t count_v, const double *v, double *out)
 {
     batten_surface *surface = NULL;
@@ -268,7 +268,7 @@ static batten_status evaluate_made(const task *t, size_t count_u, const double *
 }
 
 /* Compare on the grid of places; errors go to the spans of those directions that are probed. */
-static batten_status compare(task *t, size_t count_u, const double *u, bool probe_u,
+static batten_status compare(surface_fit *t, size_t count_u, const double *u, bool probe_u,
                              size_t count_v, const double *v, bool probe_v)
 {
     const size_t d = (size_t)t->dimension;
@@ -305,7 +305,7 @@ static batten_status clear_errors(line *l)
 }
 
 /* Along each direction where the other is exact; or, at last, between everything. */
-static batten_status measure(task *t, bool between)
+static batten_status measure_errors(surface_fit *t, bool between)
 {
     line *u = &t->lines[0], *v = &t->lines[1];
     batten_status status = clear_errors(u);
@@ -331,7 +331,7 @@ static batten_status measure(task *t, bool between)
 
 /* ---- the search ---- */
 
-static batten_status refine_both(task *t, bool *changed)
+static batten_status refine_both(surface_fit *t, bool *changed)
 {
     *changed = false;
     batten_status status = refine(&t->lines[0], t->tolerance, changed);
@@ -341,7 +341,7 @@ static batten_status refine_both(task *t, bool *changed)
 }
 
 /* One spline, and whether it must be refined. */
-static batten_status try_once(task *t, bool *changed)
+static batten_status try_once(surface_fit *t, bool *changed)
 {
     batten_status status = prepare(&t->lines[0]);
     if (status == BATTEN_OK)
@@ -349,14 +349,14 @@ static batten_status try_once(task *t, bool *changed)
     if (status == BATTEN_OK)
         status = interpolate(t);
     if (status == BATTEN_OK)
-        status = measure(t, false);
+        status = measure_errors(t, false);
     if (status == BATTEN_OK)
         status = refine_both(t, changed);
     const bool both = t->lines[0].span_count > 0 && t->lines[1].span_count > 0;
     if (status != BATTEN_OK || *changed || !both)
         return status;
     const double along = t->error;
-    status = measure(t, true);
+    status = measure_errors(t, true);
     t->error = bat_max(t->error, along);
     return status == BATTEN_OK ? refine_both(t, changed) : status;
 }
@@ -369,7 +369,7 @@ typedef struct {
 /* Would the points that are needed be far too many, when errors go on falling as slowly as they
  * did since there were a sixteenth of them? Where the surface jumps they do not fall at all;
  * where it is smooth and its features are found, to a four-thousandth. */
-static bool is_hopeless(const task *t, const attempt *attempts, int round)
+static bool is_hopeless(const surface_fit *t, const attempt *attempts, int round)
 {
     const attempt *now = &attempts[round];
     int before = round;
@@ -384,7 +384,7 @@ static bool is_hopeless(const task *t, const attempt *attempts, int round)
     return now->points * times > GROWTH * (double)t->most;
 }
 
-static batten_status search(task *t)
+static batten_status search(surface_fit *t)
 {
     attempt attempts[ROUNDS];
     bool changed = true;
@@ -411,7 +411,7 @@ static double box_size(const batten_surface *surface)
     return bat_largest(6, corners);
 }
 
-static batten_status begin(task *t, double tolerance)
+static batten_status begin_fit(surface_fit *t, double tolerance)
 {
     batten_status status = bat_tolerance_check(tolerance);
     const double least = 64 * DBL_EPSILON * box_size(t->surface);
@@ -426,8 +426,8 @@ static batten_status begin(task *t, double tolerance)
 batten_status bat_surface_approximate(const batten_surface *surface, double tolerance, int most,
                                       batten_surface **out, double *error)
 {
-    task t = {.surface = surface, .dimension = surface->dimension, .most = most};
-    batten_status status = begin(&t, tolerance);
+    surface_fit t = {.surface = surface, .dimension = surface->dimension, .most = most};
+    batten_status status = begin_fit(&t, tolerance);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         status = begin_line(surface, (batten_direction)k,
                             bat_formula_smoothness(surface, (batten_direction)k), &t.lines[k]);
@@ -445,9 +445,9 @@ batten_status bat_formula_isocurve(const batten_surface *surface, batten_directi
                                    double at, batten_curve **out)
 {
     const batten_direction along = bat_other(direction);
-    task t = {
+    surface_fit t = {
         .surface = surface, .dimension = surface->dimension, .most = BAT_APPROXIMATE_MOST};
-    batten_status status = begin(&t, 1e-9 * box_size(surface));
+    batten_status status = begin_fit(&t, 1e-9 * box_size(surface));
     if (status == BATTEN_OK)
         status =
             begin_line(surface, along, bat_formula_smoothness(surface, along), &t.lines[along]);

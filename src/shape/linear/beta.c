@@ -153,25 +153,35 @@ static batten_status make_curve(int d, int pieces, bool closed, const arrays *a,
                                              a->bezier, NULL, out);
 }
 
-static batten_status make(int d, int count, const double *points, batten_beta_use use,
-                          double b1, double b2, bool closed, arrays *a, batten_curve **out)
+/* What is asked for. */
+typedef struct {
+    batten_points points;
+    batten_beta_use use;
+    double beta1, beta2;
+    bool closed;
+} beta_request;
+
+static batten_status make_beta_curve(const beta_request *r, arrays *a, batten_curve **out)
 {
+    const int d = r->points.dimension, count = r->points.count;
+    const double *points = r->points.at;
+    const bool closed = r->closed;
     const int pieces = closed ? count : count - 1;
-    const shape s = shape_of(b1, b2);
+    const shape s = shape_of(r->beta1, r->beta2);
     double *cage = a->cage + d;
     memcpy(cage, points, (size_t)count * (size_t)d * sizeof *points);
     batten_status status = BATTEN_OK;
-    if (use == BATTEN_BETA_THROUGH)
+    if (r->use == BATTEN_BETA_THROUGH)
         status =
             find_cage(&s, &(joints){.d = d, .count = count, .closed = closed}, points, cage);
     if (status != BATTEN_OK)
         return status;
-    extend(d, count, closed, b1, a->cage);
+    extend(d, count, closed, r->beta1, a->cage);
     const size_t numbers = (size_t)(count + 2) * (size_t)d;
     if (bat_first_not_finite(a->cage, numbers) < numbers)
         return bat_fail(BATTEN_OVERFLOW, "a control point is too large for a number");
     draw(d, pieces, &s, a->cage, a->bezier);
-    if (use == BATTEN_BETA_THROUGH)
+    if (r->use == BATTEN_BETA_THROUGH)
         status = set_joints(d, pieces, count, points, a->cage, a->bezier);
     if (!closed) {
         memcpy(a->bezier, points, (size_t)d * sizeof *points);
@@ -189,10 +199,10 @@ batten_status batten_curve_beta(batten_points points, batten_beta_use use, doubl
     if (status != BATTEN_OK)
         return status;
     if (!(beta1 > 0 && beta1 * beta1 * beta1 > 0 && isfinite(4 * beta1 * beta1 * beta1)))
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "beta1 is %g; it must be above 0, and its cube a "
-                        "number",
-                        beta1);
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "beta1 is %g; it must be above 0 and its cube must not overflow or underflow",
+            beta1);
     if (!(beta2 >= 0 && isfinite(beta2)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "beta2 is %g, not 0 or more", beta2);
     const size_t n = (size_t)points.count, d = (size_t)points.dimension;
@@ -200,8 +210,7 @@ batten_status batten_curve_beta(batten_points points, batten_beta_use use, doubl
                 bat_array(3 * n + 1, sizeof(double))};
     status = BATTEN_OUT_OF_MEMORY;
     if (a.cage && a.bezier && a.breaks)
-        status =
-            make(points.dimension, points.count, points.at, use, beta1, beta2, closed, &a, out);
+        status = make_beta_curve(&(beta_request){points, use, beta1, beta2, closed}, &a, out);
     bat_release(a.cage);
     bat_release(a.bezier);
     bat_release(a.breaks);

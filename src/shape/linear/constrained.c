@@ -77,8 +77,8 @@ static batten_status check_weights(const double *weights, int count)
     return BATTEN_OK;
 }
 
-static batten_status check(int d, int count, const double *points,
-                           const batten_curve_constrained_options *o)
+static batten_status check_constraints(int d, int count, const double *points,
+                                       const batten_curve_constrained_options *o)
 {
     if (o->degree < 1 || o->degree > BATTEN_MAX_DEGREE)
         return bat_fail(BATTEN_BAD_ARGUMENT, "degree %d; 1 to %d are possible", o->degree,
@@ -113,9 +113,9 @@ typedef struct {
     double *equal, *equal_values, *least, *least_values;
     int *equal_of, *least_of;
     int equal_count, least_count;
-} task;
+} constrained_fit;
 
-static void task_end(task *t)
+static void task_end(constrained_fit *t)
 {
     double *const arrays[] = {t->u,     t->knots,        t->hessian, t->linear,      t->x,
                               t->equal, t->equal_values, t->least,   t->least_values};
@@ -125,7 +125,7 @@ static void task_end(task *t)
     bat_release(t->least_of);
 }
 
-static batten_status make_knots(task *t)
+static batten_status make_knots(constrained_fit *t)
 {
     const int pieces = t->options->pieces, n = t->count;
     const int spans = pieces == 0 ? 1 : (n - 1) * pieces;
@@ -149,7 +149,7 @@ static batten_status make_knots(task *t)
 }
 
 /* The most rows that the constraints need. */
-static void count_rows(const task *t, size_t *equal, size_t *least)
+static void count_rows(const constrained_fit *t, size_t *equal, size_t *least)
 {
     const batten_curve_constrained_options *o = t->options;
     const size_t d = (size_t)t->d;
@@ -167,7 +167,7 @@ static void count_rows(const task *t, size_t *equal, size_t *least)
     }
 }
 
-static batten_status make_room(task *t)
+static batten_status make_room(constrained_fit *t)
 {
     size_t equal, least;
     const size_t n = (size_t)t->unknowns;
@@ -195,7 +195,7 @@ static batten_status make_room(task *t)
 /* ---- what is least ---- */
 
 /* Add factor N Nt of basis functions `first`.. to the form of every coordinate. */
-static void add_square(task *t, int first, const double *basis, double factor)
+static void add_square(constrained_fit *t, int first, const double *basis, double factor)
 {
     const size_t n = (size_t)t->unknowns;
     for (int a = 0; a <= t->degree; a++)
@@ -206,7 +206,7 @@ static void add_square(task *t, int first, const double *basis, double factor)
 }
 
 /* Gauss is exact for the squares of the derivatives. */
-static void add_energy(task *t)
+static void add_energy(constrained_fit *t)
 {
     const int p = t->degree, r = t->options->order, nodes = p - r + 1;
     double x[ROWS], w[ROWS], basis[(MOST_ORDER + 1) * ROWS];
@@ -223,7 +223,7 @@ static void add_energy(task *t)
 /* ---- rows ---- */
 
 /* Basis functions of the derivative of an order at u; their first index. */
-static int basis_at(const task *t, double u, int order, double *out)
+static int basis_at(const constrained_fit *t, double u, int order, double *out)
 {
     const int p = t->degree;
     double basis[2 * ROWS];
@@ -234,31 +234,31 @@ static int basis_at(const task *t, double u, int order, double *out)
 }
 
 /* normal . sum basis[a] P[first + a], as a row. */
-static void fill_row(const task *t, int first, const double *basis, const double *normal,
-                     double *row)
+static void fill_row(const constrained_fit *t, int first, const double *basis,
+                     const double *normal, double *row)
 {
     for (int a = 0; a <= t->degree; a++)
         for (int c = 0; c < t->d; c++)
             row[(first + a) * t->d + c] = normal[c] * basis[a];
 }
 
-static void add_equal(task *t, int of, int first, const double *basis, const double *normal,
-                      double value)
+static void add_equal(constrained_fit *t, int of, int first, const double *basis,
+                      const double *normal, double value)
 {
     fill_row(t, first, basis, normal, t->equal + (size_t)t->equal_count * (size_t)t->unknowns);
     t->equal_of[t->equal_count] = of;
     t->equal_values[t->equal_count++] = value;
 }
 
-static void add_least(task *t, int of, int first, const double *basis, const double *normal,
-                      double value)
+static void add_least(constrained_fit *t, int of, int first, const double *basis,
+                      const double *normal, double value)
 {
     fill_row(t, first, basis, normal, t->least + (size_t)t->least_count * (size_t)t->unknowns);
     t->least_of[t->least_count] = of;
     t->least_values[t->least_count++] = value;
 }
 
-static void add_points(task *t)
+static void add_points(constrained_fit *t)
 {
     for (int i = 0; i < t->count; i++) {
         double basis[ROWS];
@@ -279,7 +279,7 @@ static void add_points(task *t)
 }
 
 /* The length of the polygon by the parameter. */
-static double mean_speed(const task *t)
+static double mean_speed(const constrained_fit *t)
 {
     double length = 0;
     for (int i = 0; i + 1 < t->count; i++)
@@ -288,7 +288,7 @@ static double mean_speed(const task *t)
 }
 
 /* P' is along the vector, and not too slow. */
-static void add_direction(task *t, int i)
+static void add_direction(constrained_fit *t, int i)
 {
     const batten_constraint *c = &t->options->constraints[i];
     double basis[ROWS], across[3] = {0};
@@ -317,7 +317,7 @@ static void add_direction(task *t, int i)
 }
 
 /* The integral of basis function j is its support by degree + 1. */
-static void add_mean(task *t, int i)
+static void add_mean(constrained_fit *t, int i)
 {
     const batten_constraint *c = &t->options->constraints[i];
     const int p = t->degree;
@@ -350,7 +350,7 @@ static void restrict_rows(int degree, size_t width, double a, double b, double *
 
 /* The Bernstein coefficients of the derivative of an order on [a, b], which lies in one span,
  * as rows [degree - order + 1][degree + 1] of control points `first`... */
-static int coefficients(const task *t, int order, double a, double b, double *rows)
+static int coefficients(const constrained_fit *t, int order, double a, double b, double *rows)
 {
     const int p = t->degree;
     const size_t w = (size_t)p + 1;
@@ -367,7 +367,7 @@ static int coefficients(const task *t, int order, double a, double b, double *ro
     return k - p;
 }
 
-static void add_part(task *t, int i, double a, double b, double *rows)
+static void add_part(constrained_fit *t, int i, double a, double b, double *rows)
 {
     const batten_constraint *c = &t->options->constraints[i];
     const int order = (int)c->kind, m = t->degree - order;
@@ -379,7 +379,7 @@ static void add_part(task *t, int i, double a, double b, double *rows)
     }
 }
 
-static void add_inequality(task *t, int i, double *rows)
+static void add_inequality(constrained_fit *t, int i, double *rows)
 {
     const batten_constraint *c = &t->options->constraints[i];
     const int to = c->to == 0 ? t->count - 1 : c->to;
@@ -391,7 +391,7 @@ static void add_inequality(task *t, int i, double *rows)
     }
 }
 
-static batten_status add_constraints(task *t)
+static batten_status add_constraints(constrained_fit *t)
 {
     double *rows = bat_array3(ROWS, ROWS, sizeof *rows);
     if (!rows)
@@ -412,7 +412,7 @@ static batten_status add_constraints(task *t)
 /* ---- the solution ---- */
 
 /* Say whose equation or inequality it was. */
-static batten_status name_culprit(const task *t, const bat_quadratic_report *report)
+static batten_status name_culprit(const constrained_fit *t, const bat_quadratic_report *report)
 {
     const int of = report->refused_inequality >= 0 ? t->least_of[report->refused_inequality]
                                                    : t->equal_of[report->refused_equation];
@@ -432,7 +432,7 @@ static batten_status name_culprit(const task *t, const bat_quadratic_report *rep
                                             : c->to);
 }
 
-static void measure(task *t, batten_curve_constrained_report *report)
+static void measure_constraints(constrained_fit *t, batten_curve_constrained_report *report)
 {
     const size_t n = (size_t)t->unknowns;
     for (int i = 0; i < t->count; i++) {
@@ -451,7 +451,7 @@ static void measure(task *t, batten_curve_constrained_report *report)
         report->energy += t->x[i] * bat_dot((int)n, t->hessian + i * n, t->x);
 }
 
-static batten_status solve(task *t, batten_curve_constrained_report *report)
+static batten_status solve(constrained_fit *t, batten_curve_constrained_report *report)
 {
     const bat_quadratic_program program = {
         .count = t->unknowns,
@@ -472,11 +472,12 @@ static batten_status solve(task *t, batten_curve_constrained_report *report)
         return status;
     report->active = reached.active_count;
     report->redundant = reached.redundant_count;
-    measure(t, report);
+    measure_constraints(t, report);
     return BATTEN_OK;
 }
 
-static batten_status find(task *t, batten_curve_constrained_report *report, batten_curve **out)
+static batten_status find(constrained_fit *t, batten_curve_constrained_report *report,
+                          batten_curve **out)
 {
     const batten_curve_constrained_options *o = t->options;
     batten_status status =
@@ -509,10 +510,10 @@ batten_status batten_curve_constrained(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_constrained_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {
+    constrained_fit t = {
         .options = &chosen, .d = points.dimension, .count = points.count, .points = points.at};
     batten_curve_constrained_report reached = {0};
-    status = check(points.dimension, points.count, points.at, t.options);
+    status = check_constraints(points.dimension, points.count, points.at, t.options);
     if (status == BATTEN_OK)
         status = find(&t, &reached, out);
     if (status == BATTEN_OK && parameters)

@@ -18,7 +18,7 @@ typedef struct {
     int first, last;
     bool straight;
     bool meets[2]; /* a straight run at its start, at its end */
-} run;
+} smooth_run;
 
 typedef struct {
     const batten_curve_cornered_options *options;
@@ -27,12 +27,12 @@ typedef struct {
     bool *corner; /* [count] */
     bool *line;   /* [count] straight from here to the next point */
     int run_count;
-    run *runs;           /* [count] */
+    smooth_run *runs;    /* [count] */
     double *parameters;  /* [count] */
     batten_curve **made; /* [run_count] */
-} work;
+} cornered_fit;
 
-static const double *point(const work *w, int i)
+static const double *point(const cornered_fit *w, int i)
 {
     return w->points + (size_t)i * (size_t)w->dimension;
 }
@@ -53,7 +53,7 @@ static batten_status mark(int count, int index_count, const int *indices, int la
     return BATTEN_OK;
 }
 
-static void find_runs(work *w)
+static void find_runs(cornered_fit *w)
 {
     int from = 0;
     for (int i = 1; i < w->count; i++) {
@@ -61,8 +61,8 @@ static void find_runs(work *w)
         if (!ends)
             continue;
         const bool straight = w->line[i - 1];
-        run *r = &w->runs[w->run_count++];
-        *r = (run){.first = from, .last = i, .straight = straight};
+        smooth_run *r = &w->runs[w->run_count++];
+        *r = (smooth_run){.first = from, .last = i, .straight = straight};
         if (!straight) {
             r->meets[0] = from > 0 && !w->corner[from] && w->line[from - 1];
             r->meets[1] = !w->corner[i] && w->line[i];
@@ -74,7 +74,7 @@ static void find_runs(work *w)
 /* ---- one run ---- */
 
 /* The direction of the straight run at an end of a smooth one. */
-static void direction_of_line(const work *w, const run *r, int end, double *out)
+static void direction_of_line(const cornered_fit *w, const smooth_run *r, int end, double *out)
 {
     const int a = end ? r->last : r->first - 1;
     const double length = bat_distance(w->dimension, point(w, a), point(w, a + 1));
@@ -83,7 +83,8 @@ static void direction_of_line(const work *w, const run *r, int end, double *out)
 }
 
 /* Direction and second derivative 0 where straight runs are met; NATURAL at the other end. */
-static batten_status make_flat(const work *w, const run *r, const double *t, batten_curve **out)
+static batten_status make_flat(const cornered_fit *w, const smooth_run *r, const double *t,
+                               batten_curve **out)
 {
     const int count = r->last - r->first + 1;
     batten_derivative conditions[4];
@@ -107,7 +108,7 @@ static batten_status make_flat(const work *w, const run *r, const double *t, bat
                                     &o, NULL, out);
 }
 
-static batten_status make_smooth(const work *w, const run *r, const double *t,
+static batten_status make_smooth(const cornered_fit *w, const smooth_run *r, const double *t,
                                  batten_curve **out)
 {
     batten_curve_interpolate_options o = batten_curve_interpolate_defaults();
@@ -127,7 +128,8 @@ static batten_status make_smooth(const work *w, const run *r, const double *t,
         out);
 }
 
-static batten_status make_line(const work *w, const run *r, const double *t, batten_curve **out)
+static batten_status make_line(const cornered_fit *w, const smooth_run *r, const double *t,
+                               batten_curve **out)
 {
     const int d = w->dimension;
     double values[12];
@@ -140,7 +142,7 @@ static batten_status make_line(const work *w, const run *r, const double *t, bat
     return batten_curve_from_hermite(d, 2, 2, t, values, out);
 }
 
-static batten_status make_run(const work *w, const run *r, batten_curve **out)
+static batten_status make_run(const cornered_fit *w, const smooth_run *r, batten_curve **out)
 {
     const double *t = w->parameters + r->first;
     batten_curve *made = NULL;
@@ -164,7 +166,7 @@ static batten_status make_run(const work *w, const run *r, batten_curve **out)
 
 /* All runs are clamped cubics that share their ends: knots three times at the joins, the last
  * point of each replaced by the first of the next. */
-static batten_status join(const work *w, batten_curve **out)
+static batten_status join(const cornered_fit *w, batten_curve **out)
 {
     const int d = w->dimension;
     int total = 1;
@@ -191,7 +193,7 @@ static batten_status join(const work *w, batten_curve **out)
     return status;
 }
 
-static batten_status prepare(work *w)
+static batten_status prepare(cornered_fit *w)
 {
     const size_t n = (size_t)w->count;
     const batten_curve_cornered_options *o = w->options;
@@ -212,7 +214,8 @@ static batten_status prepare(work *w)
     return status;
 }
 
-static batten_status check(int dimension, int count, const batten_curve_cornered_options *o)
+static batten_status check_cornered_options(int dimension, int count,
+                                            const batten_curve_cornered_options *o)
 {
     if (dimension != 2 && dimension != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -238,11 +241,11 @@ batten_status batten_curve_cornered(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_cornered_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    work w = {.options = &chosen,
-              .dimension = points.dimension,
-              .count = points.count,
-              .points = points.at};
-    status = check(points.dimension, points.count, w.options);
+    cornered_fit w = {.options = &chosen,
+                      .dimension = points.dimension,
+                      .count = points.count,
+                      .points = points.at};
+    status = check_cornered_options(points.dimension, points.count, w.options);
     if (status == BATTEN_OK)
         status = prepare(&w);
     if (status == BATTEN_OK)

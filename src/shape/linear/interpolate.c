@@ -32,16 +32,16 @@ typedef struct {
     double start[3], end[3];
     double *conditions; /* [condition_count][dimension] */
     double *control;    /* [op.count][dimension] */
-} task;
+} spline_problem;
 
-static batten_status find_parameters(task *t)
+static batten_status find_parameters(spline_problem *t)
 {
     const batten_curve_interpolate_options *o = t->options;
     return bat_parameters_of(t->dimension, t->count, t->points, o->parameters, o->given,
                              o->closed, &t->parameters);
 }
 
-static batten_status find_ends(task *t)
+static batten_status find_ends(spline_problem *t)
 {
     const batten_end ends[2] = {t->options->start, t->options->end};
     batten_end_kind kinds[2];
@@ -55,7 +55,7 @@ static batten_status find_ends(task *t)
     return status;
 }
 
-static batten_status find_conditions(task *t)
+static batten_status find_conditions(spline_problem *t)
 {
     const batten_curve_interpolate_options *o = t->options;
     const size_t d = (size_t)t->dimension;
@@ -73,7 +73,7 @@ static batten_status find_conditions(task *t)
     return BATTEN_OK;
 }
 
-static batten_status apply(task *t)
+static batten_status solve_with_slopes(spline_problem *t)
 {
     return bat_operator_apply(&t->op, (size_t)t->dimension, t->points, t->start, t->end,
                               t->conditions, t->control);
@@ -100,13 +100,13 @@ static void end_tangents(const bat_operator *op, int d, const double *control, d
     }
 }
 
-static batten_status find_model(task *t, end_model *model)
+static batten_status find_model(spline_problem *t, end_model *model)
 {
     const double one = 1, zero = 0;
     double *zeros = bat_array((size_t)t->op.count, sizeof *zeros);
     if (!zeros)
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status = apply(t);
+    batten_status status = solve_with_slopes(t);
     end_tangents(&t->op, t->dimension, t->control, model->base[0], model->base[1]);
     for (int f = 0; status == BATTEN_OK && f < 2; f++) {
         status = bat_operator_apply(&t->op, 1, zeros, f == 0 ? &one : &zero,
@@ -156,7 +156,7 @@ static double step_both(int d, const end_model *m, double second[2][3])
 
 /* Curvature is not linear: it divides by the square of the speed, which changes with it. The
  * second derivative stands at right angles to the tangent, so damped steps come to rest. */
-static batten_status apply_curvatures(task *t)
+static batten_status apply_curvatures(spline_problem *t)
 {
     const batten_end *ends[2] = {&t->options->start, &t->options->end};
     double *values[2] = {t->start, t->end}, second[2][3] = {{0}}, off = 1;
@@ -182,12 +182,12 @@ static batten_status apply_curvatures(task *t)
     for (int e = 0; e < 2; e++)
         if (model.wanted[e])
             memcpy(values[e], second[e], sizeof second[e]);
-    return apply(t);
+    return solve_with_slopes(t);
 }
 
 /* ---- the whole ---- */
 
-static batten_status prepare(task *t)
+static batten_status prepare(spline_problem *t)
 {
     const batten_curve_interpolate_options *o = t->options;
     batten_status status = find_parameters(t);
@@ -207,7 +207,7 @@ static batten_status prepare(task *t)
     return status;
 }
 
-static batten_status interpolate(task *t, batten_curve **curve)
+static batten_status interpolate(spline_problem *t, batten_curve **curve)
 {
     batten_status status = prepare(t);
     if (status != BATTEN_OK)
@@ -221,7 +221,7 @@ static batten_status interpolate(task *t, batten_curve **curve)
                  t->options->end.kind == BATTEN_END_CURVATURE))
         status = apply_curvatures(t);
     else
-        status = apply(t);
+        status = solve_with_slopes(t);
     if (status != BATTEN_OK)
         return status;
     return op->periodic
@@ -243,10 +243,10 @@ batten_status batten_curve_interpolate(batten_points points,
     status = bat_points_check(points.dimension, points.count, points.at, 2);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = points.dimension,
-              .count = points.count,
-              .points = points.at,
-              .options = &chosen};
+    spline_problem t = {.dimension = points.dimension,
+                        .count = points.count,
+                        .points = points.at,
+                        .options = &chosen};
     batten_curve *curve = NULL;
     status = interpolate(&t, &curve);
     if (status == BATTEN_OK) {

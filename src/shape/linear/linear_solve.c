@@ -202,7 +202,7 @@ static batten_status refine(const right_side *b, double *x)
     return status;
 }
 
-static batten_status check(const right_side *b, double *x, double *residual)
+static batten_status check_residual(const right_side *b, double *x, double *residual)
 {
     const size_t n = (size_t)b->op->count * b->width;
     for (int attempt = 0;; attempt++) {
@@ -241,7 +241,7 @@ batten_status bat_operator_apply(const bat_operator *op, size_t width, const dou
     if (status == BATTEN_OK && op->fair_count > 0)
         make_fair(&b, control);
     if (status == BATTEN_OK)
-        status = check(&b, control, scratch + 3 * width);
+        status = check_residual(&b, control, scratch + 3 * width);
     bat_release(scratch);
     return status;
 }

@@ -399,7 +399,7 @@ static void find_fair(const bat_request *r, bat_operator *op)
 
 /* ---- making ---- */
 
-static batten_status make(const bat_request *r, bat_operator *op)
+static batten_status factor_operator(const bat_request *r, bat_operator *op)
 {
     const double *t = r->parameters;
     const int n = r->count;
@@ -430,7 +430,7 @@ batten_status bat_operator_make(const bat_request *request, bat_operator *out)
     if (status != BATTEN_OK)
         return status;
     bat_operator op = {0};
-    status = make(&r, &op);
+    status = factor_operator(&r, &op);
     if (status == BATTEN_OK)
         *out = op;
     else

@@ -31,23 +31,23 @@ typedef struct {
     double *slopes;   /* [count][dimension + closed]: the solution, and the border */
     batten_end_kind kinds[2];
     double values[2][3];
-} task;
+} nu_spline;
 
 /* ---- the data ---- */
 
-static int next_point(const task *t, int span)
+static int next_point(const nu_spline *t, int span)
 {
     return span + 1 == t->count ? 0 : span + 1;
 }
 
-static double chord_slope(const task *t, int span, int k)
+static double chord_slope(const nu_spline *t, int span, int k)
 {
     const int d = t->dimension;
     return (t->points[next_point(t, span) * d + k] - t->points[span * d + k]) /
            (t->u[span + 1] - t->u[span]);
 }
 
-static double weight_of(const task *t, const batten_curve_weighted_options *o, int span)
+static double weight_of(const nu_spline *t, const batten_curve_weighted_options *o, int span)
 {
     if (o->rule == BATTEN_WEIGHTS_GIVEN)
         return o->weights ? o->weights[span] : 1;
@@ -58,7 +58,7 @@ static double weight_of(const task *t, const batten_curve_weighted_options *o, i
     return 1 / (s * s * s);
 }
 
-static batten_status find_data(task *t, const batten_curve_weighted_options *o)
+static batten_status find_data(nu_spline *t, const batten_curve_weighted_options *o)
 {
     const double mean = (t->u[t->spans] - t->u[0]) / t->spans;
     for (int i = 0; i < t->spans; i++) {
@@ -84,7 +84,7 @@ static batten_status find_data(task *t, const batten_curve_weighted_options *o)
 
 /* ---- the system ---- */
 
-static void add_span(task *t, int i)
+static void add_span(nu_spline *t, int i)
 {
     const int d = t->dimension, next = next_point(t, i);
     const double c = t->c[i];
@@ -100,7 +100,7 @@ static void add_span(task *t, int i)
 
 /* The end says: P'' as given (its row so far says that it is 0), or equal to that at the other
  * end of the span, or P' as given. */
-static void set_end(task *t, int end)
+static void set_end(nu_spline *t, int end)
 {
     const int d = t->dimension, i = end ? t->count - 1 : 0, beside = end ? i - 1 : 1;
     const int span = end ? t->spans - 1 : 0;
@@ -127,7 +127,7 @@ static void set_end(task *t, int end)
     t->off[span] = 0;
 }
 
-static void assemble(task *t)
+static void assemble(nu_spline *t)
 {
     for (int i = 0; i < t->spans; i++)
         add_span(t, i);
@@ -141,7 +141,7 @@ static void assemble(task *t)
     }
 }
 
-static batten_status factor(task *t, int n)
+static batten_status factor(nu_spline *t, int n)
 {
     for (int i = 0; i < n; i++) {
         t->matrix[2 * i] = i ? t->off[i - 1] : 0;
@@ -154,7 +154,7 @@ static batten_status factor(task *t, int n)
     return status;
 }
 
-static batten_status solve_open(task *t)
+static batten_status solve_open(nu_spline *t)
 {
     const batten_status status = factor(t, t->count);
     if (status != BATTEN_OK)
@@ -166,7 +166,7 @@ static batten_status solve_open(task *t)
 
 /* The last point is a border around the others: definite when what is left of its diagonal is
  * above 0. */
-static batten_status solve_closed(task *t)
+static batten_status solve_closed(nu_spline *t)
 {
     const int d = t->dimension, w = d + 1, n = t->count - 1;
     batten_status status = factor(t, n);
@@ -194,7 +194,7 @@ static batten_status solve_closed(task *t)
 }
 
 /* Do the slopes satisfy their equations? */
-static batten_status check(const task *t)
+static batten_status check_slope_equations(const nu_spline *t)
 {
     const int d = t->dimension, n = t->count;
     for (int i = 0; i < n; i++) {
@@ -220,7 +220,7 @@ static batten_status check(const task *t)
 
 /* ---- the whole ---- */
 
-static batten_status allocate(task *t)
+static batten_status allocate(nu_spline *t)
 {
     const size_t d = (size_t)t->dimension, n = (size_t)t->count, m = (size_t)t->spans;
     t->c = bat_array(m, sizeof *t->c);
@@ -235,7 +235,7 @@ static batten_status allocate(task *t)
                : BATTEN_OUT_OF_MEMORY;
 }
 
-static void release(task *t)
+static void release(nu_spline *t)
 {
     bat_release(t->u);
     bat_release(t->c);
@@ -247,7 +247,7 @@ static void release(task *t)
     bat_release(t->slopes);
 }
 
-static batten_status solve(task *t, const batten_curve_weighted_options *o)
+static batten_status solve(nu_spline *t, const batten_curve_weighted_options *o)
 {
     const batten_end ends[2] = {o->start, o->end};
     batten_status status = bat_parameters_of(t->dimension, t->count, t->points, o->parameters,
@@ -263,10 +263,10 @@ static batten_status solve(task *t, const batten_curve_weighted_options *o)
         return status;
     assemble(t);
     status = t->closed ? solve_closed(t) : solve_open(t);
-    return status == BATTEN_OK ? check(t) : status;
+    return status == BATTEN_OK ? check_slope_equations(t) : status;
 }
 
-static batten_status make_curve(const task *t, batten_curve **out)
+static batten_status make_curve(const nu_spline *t, batten_curve **out)
 {
     const int d = t->dimension, count = t->spans + 1;
     if (t->closed)
@@ -299,11 +299,11 @@ batten_status batten_curve_weighted(batten_points points,
     status = bat_points_check(points.dimension, points.count, points.at, o->closed ? 3 : 2);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = points.dimension,
-              .count = points.count,
-              .spans = o->closed ? points.count : points.count - 1,
-              .closed = o->closed,
-              .points = points.at};
+    nu_spline t = {.dimension = points.dimension,
+                   .count = points.count,
+                   .spans = o->closed ? points.count : points.count - 1,
+                   .closed = o->closed,
+                   .points = points.at};
     status = solve(&t, o);
     if (status == BATTEN_OK)
         status = make_curve(&t, out);

@@ -23,7 +23,7 @@ typedef struct {
     double *t;            /* [count] parameters */
     double *k;            /* [spans + 1] knots */
     double *middle;       /* [spans + 2][dimension], with the ends before and behind */
-} task;
+} quadratic_spline;
 
 /* ---- knots at the data ---- */
 
@@ -31,7 +31,7 @@ typedef struct {
  * and -1. `sum` and `weight` of the least squares for it: the jump of P'' at point i, between
  * spans g and h long, changes by (-1)^(i+1) 2 (1/g + 1/h) times the change of the first slope.
  */
-static void best_slope(const task *q, const double *chords, int c, double *slopes)
+static void best_slope(const quadratic_spline *q, const double *chords, int c, double *slopes)
 {
     const int d = q->dimension, n = q->spans;
     double sum = 0, weight = 0, sign = -1;
@@ -49,8 +49,8 @@ static void best_slope(const task *q, const double *chords, int c, double *slope
         slopes[i * d + c] += change;
 }
 
-static void find_slopes(const task *q, const batten_curve_quadratic_options *o, double *chords,
-                        double *slopes)
+static void find_slopes(const quadratic_spline *q, const batten_curve_quadratic_options *o,
+                        double *chords, double *slopes)
 {
     const int d = q->dimension, n = q->spans;
     for (int i = 0; i < n; i++)
@@ -71,7 +71,7 @@ static void find_slopes(const task *q, const batten_curve_quadratic_options *o, 
     }
 }
 
-static batten_status sequential(task *q, const batten_curve_quadratic_options *o)
+static batten_status sequential(quadratic_spline *q, const batten_curve_quadratic_options *o)
 {
     const int d = q->dimension, n = q->spans;
     if (o->slope != BATTEN_QUADRATIC_BEST &&
@@ -96,7 +96,7 @@ static batten_status sequential(task *q, const batten_curve_quadratic_options *o
 
 /* ---- data midway between knots ---- */
 
-static batten_status find_mesh(task *q)
+static batten_status find_mesh(quadratic_spline *q)
 {
     const int n = q->spans;
     q->k[0] = q->t[0];
@@ -120,7 +120,7 @@ static batten_status find_mesh(task *q)
 }
 
 /* The values at the knots: slopes there agree. */
-static batten_status solve_knots(const task *q, double *matrix, double *values)
+static batten_status solve_knots(const quadratic_spline *q, double *matrix, double *values)
 {
     const int d = q->dimension, n = q->spans;
     const double *f = q->points; /* f[i + 1] midway on span i, the ends before and behind */
@@ -142,7 +142,7 @@ static batten_status solve_knots(const task *q, double *matrix, double *values)
     return status;
 }
 
-static batten_status midpoints(task *q)
+static batten_status midpoints(quadratic_spline *q)
 {
     const int d = q->dimension, n = q->spans;
     batten_status status = find_mesh(q);
@@ -162,7 +162,8 @@ static batten_status midpoints(task *q)
 
 /* ---- the whole ---- */
 
-static batten_status find_parameters(task *q, const batten_curve_quadratic_options *o)
+static batten_status find_parameters(quadratic_spline *q,
+                                     const batten_curve_quadratic_options *o)
 {
     if (o->kind != BATTEN_QUADRATIC_MIDPOINTS || o->parameters == BATTEN_GIVEN)
         return bat_parameters_of(q->dimension, q->count, q->points, o->parameters, o->given,
@@ -174,7 +175,7 @@ static batten_status find_parameters(task *q, const batten_curve_quadratic_optio
 }
 
 /* Knots at the ends three times, else once. */
-static batten_status make_curve(task *q, batten_curve **out)
+static batten_status make_curve(quadratic_spline *q, batten_curve **out)
 {
     const int d = q->dimension, n = q->spans;
     const size_t row = (size_t)d * sizeof *q->middle;
@@ -199,7 +200,7 @@ static batten_status make_curve(task *q, batten_curve **out)
 }
 
 /* The parameters' rounding moves the points, too: by the size of the control points. */
-static batten_status check(const task *q, const batten_curve *curve)
+static batten_status check_interpolation(const quadratic_spline *q, const batten_curve *curve)
 {
     const int d = q->dimension;
     const double size = bat_largest((q->spans + 2) * d, q->middle);
@@ -216,8 +217,9 @@ static batten_status check(const task *q, const batten_curve *curve)
     return BATTEN_OK;
 }
 
-static batten_status make(task *q, const batten_curve_quadratic_options *o,
-                          batten_curve **curve)
+static batten_status make_quadratic(quadratic_spline *q,
+                                    const batten_curve_quadratic_options *o,
+                                    batten_curve **curve)
 {
     const size_t n = (size_t)q->spans, d = (size_t)q->dimension;
     batten_status status = find_parameters(q, o);
@@ -230,7 +232,7 @@ static batten_status make(task *q, const batten_curve_quadratic_options *o,
     status = o->kind == BATTEN_QUADRATIC_MIDPOINTS ? midpoints(q) : sequential(q, o);
     if (status == BATTEN_OK)
         status = make_curve(q, curve);
-    return status == BATTEN_OK ? check(q, *curve) : status;
+    return status == BATTEN_OK ? check_interpolation(q, *curve) : status;
 }
 
 /* Averaged knots of degree 2 are those midway between the data. */
@@ -269,11 +271,11 @@ batten_status batten_curve_quadratic(batten_points points,
     if (status != BATTEN_OK)
         return status;
     batten_curve *curve = NULL;
-    task q = {.dimension = points.dimension,
-              .count = points.count,
-              .spans = has_midpoints ? points.count - 2 : points.count - 1,
-              .points = points.at};
-    status = make(&q, o, &curve);
+    quadratic_spline q = {.dimension = points.dimension,
+                          .count = points.count,
+                          .spans = has_midpoints ? points.count - 2 : points.count - 1,
+                          .points = points.at};
+    status = make_quadratic(&q, o, &curve);
     if (status == BATTEN_OK) {
         if (parameters)
             memcpy(parameters, q.t, (size_t)points.count * sizeof *parameters);

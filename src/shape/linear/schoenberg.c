@@ -28,7 +28,7 @@ typedef struct {
     int values;      /* control points; periodic: of one period */
     double *U;       /* all knots, those of a period wrapped */
     double *control; /* [values][dimension] */
-} task;
+} refinement;
 
 /* ---- blossoms ---- */
 
@@ -64,7 +64,7 @@ static double blossom(int p, const double *x, int j, const double *s)
 /* ---- data ---- */
 
 /* Datum j of a ring goes on in both directions. */
-static double place_at(const task *t, int j, const double **point)
+static double place_at(const refinement *t, int j, const double **point)
 {
     const int n = t->count, turn = j >= 0 ? j / n : -((n - 1 - j) / n), i = j - turn * n;
     *point = t->points + (size_t)i * (size_t)t->dimension;
@@ -72,7 +72,7 @@ static double place_at(const task *t, int j, const double **point)
 }
 
 /* The last datum at or before u. */
-static int datum_before(const task *t, double u)
+static int datum_before(const refinement *t, double u)
 {
     int low = 0, high = t->count - !t->periodic;
     while (high - low > 1) {
@@ -86,7 +86,7 @@ static int datum_before(const task *t, double u)
 }
 
 /* Add half of what the data from `first` on say of the control point at knots s. */
-static void add_window(const task *t, int first, const double *s, double *out)
+static void add_window(const refinement *t, int first, const double *s, double *out)
 {
     const int p = t->degree, last = t->count - 1 - p;
     double x[MOST_LOCAL_DEGREE + 1];
@@ -103,7 +103,7 @@ static void add_window(const task *t, int first, const double *s, double *out)
 }
 
 /* Knots i + 1 .. i + p are data from the j-th on, some of them repeated at an end. */
-static void make_quasi(task *t)
+static void make_quasi(refinement *t)
 {
     const int p = t->degree;
     for (int i = 0; i < t->values; i++) {
@@ -116,7 +116,7 @@ static void make_quasi(task *t)
     }
 }
 
-static void make_schoenberg(task *t)
+static void make_schoenberg(refinement *t)
 {
     const int p = t->degree;
     for (int i = 0; i < t->values; i++) {
@@ -140,7 +140,7 @@ static void make_schoenberg(task *t)
 
 /* ---- what they share ---- */
 
-static batten_status make_knots(task *t, bool bernstein)
+static batten_status make_knots(refinement *t, bool bernstein)
 {
     const int p = t->degree, spans = t->periodic ? t->count : bernstein ? 1 : t->count - 1;
     t->values = t->periodic ? spans : spans + p;
@@ -159,8 +159,8 @@ static batten_status make_knots(task *t, bool bernstein)
     return BATTEN_OK;
 }
 
-static batten_status measure(const task *t, const batten_curve *curve,
-                             batten_curve_schoenberg_report *report)
+static batten_status measure_error(const refinement *t, const batten_curve *curve,
+                                   batten_curve_schoenberg_report *report)
 {
     const size_t n = (size_t)t->count, d = (size_t)t->dimension;
     double *at = bat_array3(n, d, sizeof *at), squares = 0;
@@ -182,7 +182,7 @@ static batten_status measure(const task *t, const batten_curve *curve,
     return status;
 }
 
-static batten_status make_curve(const task *t, batten_curve **out)
+static batten_status make_curve(const refinement *t, batten_curve **out)
 {
     return t->periodic
                ? batten_curve_create_periodic(
@@ -192,7 +192,8 @@ static batten_status make_curve(const task *t, batten_curve **out)
                                      t->degree, NULL, t->U, out);
 }
 
-static batten_status begin(task *t, const batten_curve_schoenberg_options *o, int most_degree)
+static batten_status begin_refining(refinement *t, const batten_curve_schoenberg_options *o,
+                                    int most_degree)
 {
     batten_status status = bat_points_check(t->dimension, t->count, t->points, 2);
     if (status != BATTEN_OK)
@@ -214,13 +215,15 @@ static batten_status begin(task *t, const batten_curve_schoenberg_options *o, in
                              o->closed, &t->t);
 }
 
-static batten_status run(task *t, const batten_curve_schoenberg_options *o, int most_degree,
-                         void (*make)(task *t), double *parameters,
-                         batten_curve_schoenberg_report *report, batten_curve **out)
+static batten_status refine_until_near(refinement *t, const batten_curve_schoenberg_options *o,
+                                       int most_degree, void (*make)(refinement *t),
+                                       double *parameters,
+                                       batten_curve_schoenberg_report *report,
+                                       batten_curve **out)
 {
     batten_curve_schoenberg_report reached;
     batten_curve *curve = NULL;
-    batten_status status = begin(t, o, most_degree);
+    batten_status status = begin_refining(t, o, most_degree);
     if (status == BATTEN_OK)
         status = make_knots(t, o->bernstein);
     if (status == BATTEN_OK) {
@@ -228,7 +231,7 @@ static batten_status run(task *t, const batten_curve_schoenberg_options *o, int 
         status = make_curve(t, &curve);
     }
     if (status == BATTEN_OK)
-        status = measure(t, curve, &reached);
+        status = measure_error(t, curve, &reached);
     if (status == BATTEN_OK) {
         if (parameters)
             memcpy(parameters, t->t, (size_t)t->count * sizeof *parameters);
@@ -254,8 +257,9 @@ batten_status batten_curve_schoenberg(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_schoenberg_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = points.dimension, .count = points.count, .points = points.at};
-    return run(&t, &chosen, BATTEN_MAX_DEGREE, make_schoenberg, parameters, report, out);
+    refinement t = {.dimension = points.dimension, .count = points.count, .points = points.at};
+    return refine_until_near(&t, &chosen, BATTEN_MAX_DEGREE, make_schoenberg, parameters,
+                             report, out);
 }
 
 batten_status batten_curve_quasi_interpolate(batten_points points,
@@ -268,10 +272,11 @@ batten_status batten_curve_quasi_interpolate(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_schoenberg_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = points.dimension, .count = points.count, .points = points.at};
+    refinement t = {.dimension = points.dimension, .count = points.count, .points = points.at};
     if (chosen.bernstein)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a quasi-interpolant has its knots at the data");
-    return run(&t, &chosen, MOST_LOCAL_DEGREE, make_quasi, parameters, report, out);
+    return refine_until_near(&t, &chosen, MOST_LOCAL_DEGREE, make_quasi, parameters, report,
+                             out);
 }
 
 /* ---- functions that are known everywhere ---- */

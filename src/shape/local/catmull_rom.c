@@ -22,14 +22,14 @@ typedef struct {
     double *pieces;  /* [spans][degree + 1][d], Bezier points */
     double *pyramid; /* [m + k][degree + 1][d] */
     double largest;  /* coordinate met on the way: what rounding is measured by */
-} task;
+} blended_curve;
 
-static double parameter(const task *t, int i)
+static double parameter(const blended_curve *t, int i)
 {
     return bat_parameter_beyond(&t->row, i);
 }
 
-static double *row_of(task *t, int a)
+static double *row_of(blended_curve *t, int a)
 {
     return t->pyramid + (size_t)a * (size_t)(t->degree + 1) * (size_t)t->row.d;
 }
@@ -55,7 +55,7 @@ static double between(double a, double b, double w)
 }
 
 /* In place: A of degree q becomes (1 - w) A + w B, of degree q + 1. */
-static void blend(task *t, int q, linear w, double *A, const double *B)
+static void blend(blended_curve *t, int q, linear w, double *A, const double *B)
 {
     const int d = t->row.d;
     for (int j = q + 1; j >= 0; j--) {
@@ -74,7 +74,7 @@ static void blend(task *t, int q, linear w, double *A, const double *B)
 
 /* The pyramid of Barry and Goldman: m levels of Neville's make the local polynomials, k - 1 of
  * de Boor's blend them. */
-static void make_span(task *t, int i)
+static void make_span(blended_curve *t, int i)
 {
     const int k = t->k, m = t->m, first = i - k + 2 - t->before;
     const double a = parameter(t, i), b = parameter(t, i + 1);
@@ -101,7 +101,7 @@ static void make_span(task *t, int i)
 
 /* Which parameter stands at a knot. A closed curve is given by its knots from the first
  * parameter on; an open one has that degree + 1 times. */
-static int node_of_knot(const task *t, int knot)
+static int node_of_knot(const blended_curve *t, int knot)
 {
     const int s = t->multiple;
     if (t->row.closed)
@@ -111,7 +111,7 @@ static int node_of_knot(const task *t, int knot)
 
 /* A span between the nodes, the longest: so knots lie at most as many spans outside it as there
  * are. */
-static int longest_span(const task *t, int first, int last)
+static int longest_span(const blended_curve *t, int first, int last)
 {
     int best = first == t->spans && !t->row.closed ? first - 1 : first;
     for (int i = first; i < last; i++)
@@ -121,7 +121,7 @@ static int longest_span(const task *t, int first, int last)
 }
 
 /* The blossom of a span at the `degree` knots from `knot` on. */
-static void control_point(task *t, int knot, double *out)
+static void control_point(blended_curve *t, int knot, double *out)
 {
     const int p = t->degree, d = t->row.d;
     const int span = longest_span(t, node_of_knot(t, knot), node_of_knot(t, knot + p - 1));
@@ -140,7 +140,8 @@ static void control_point(task *t, int knot, double *out)
     memcpy(out, P, (size_t)d * sizeof *out);
 }
 
-static batten_status make_curve(task *t, double *points, double *knots, batten_curve **out)
+static batten_status make_curve(blended_curve *t, double *points, double *knots,
+                                batten_curve **out)
 {
     const int p = t->degree, d = t->row.d;
     if (t->row.closed) {
@@ -161,7 +162,7 @@ static batten_status make_curve(task *t, double *points, double *knots, batten_c
 
 /* ---- the whole ---- */
 
-static batten_status check(const batten_curve_catmull_rom_options *o)
+static batten_status check_blending(const batten_curve_catmull_rom_options *o)
 {
     if (o->blend < 1)
         return bat_fail(BATTEN_BAD_DEGREE, "the blending degree is %d; it must be 1 or more",
@@ -175,7 +176,7 @@ static batten_status check(const batten_curve_catmull_rom_options *o)
     return BATTEN_OK;
 }
 
-static batten_status prepare(task *t)
+static batten_status prepare(blended_curve *t)
 {
     const int c = t->m - t->k + 2;
     const size_t d = (size_t)t->row.d, rows = (size_t)t->degree + 1;
@@ -190,7 +191,7 @@ static batten_status prepare(task *t)
     return t->pieces && t->pyramid ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static batten_status make(task *t, batten_curve **out)
+static batten_status blend_pieces(blended_curve *t, batten_curve **out)
 {
     const size_t size = (size_t)(t->degree + 1) * (size_t)t->row.d;
     for (int i = 0; i < t->spans; i++) {
@@ -210,7 +211,7 @@ static batten_status make(task *t, batten_curve **out)
 }
 
 /* The largest distance of a point from the curve; what rounding allows is refused beyond. */
-static batten_status verify(const task *t, const batten_curve *curve, double *off)
+static batten_status verify(const blended_curve *t, const batten_curve *curve, double *off)
 {
     const bool through = t->m >= t->k - 2;
     /* Each level of the pyramid and of the blossom rounds four times. */
@@ -229,14 +230,14 @@ static batten_status verify(const task *t, const batten_curve *curve, double *of
     return BATTEN_OK;
 }
 
-static batten_status find(task *t, double *parameters, batten_curve_catmull_rom_report *report,
-                          batten_curve **out)
+static batten_status find(blended_curve *t, double *parameters,
+                          batten_curve_catmull_rom_report *report, batten_curve **out)
 {
     batten_curve *curve = NULL;
     double off = 0;
     batten_status status = prepare(t);
     if (status == BATTEN_OK)
-        status = make(t, &curve);
+        status = blend_pieces(t, &curve);
     if (status == BATTEN_OK)
         status = verify(t, curve, &off);
     if (status != BATTEN_OK) {
@@ -265,10 +266,10 @@ batten_status batten_curve_catmull_rom(batten_points points,
     if (status != BATTEN_OK)
         return status;
     const batten_curve_catmull_rom_options *o = &chosen;
-    status = check(o);
+    status = check_blending(o);
     if (status != BATTEN_OK)
         return status;
-    task t = {.k = o->blend + 1, .m = o->local, .degree = o->blend + o->local};
+    blended_curve t = {.k = o->blend + 1, .m = o->local, .degree = o->blend + o->local};
     const bat_beyond_rule rule = {.alpha = o->alpha,
                                   .given = o->given,
                                   .closed = o->closed,

@@ -41,7 +41,7 @@ typedef struct {
     double *best;      /* [count + 1][CHOICES] the cheapest way to each choice */
     signed char *from; /* [count + 1][CHOICES] the choice before */
     signed char *path; /* [count + 1] */
-} task;
+} joining;
 
 /* ---- choices ---- */
 
@@ -138,12 +138,12 @@ static option solve(const bat_correction *w, int i, const shape *s, double start
     return best;
 }
 
-static option *option_of(const task *t, int i, int x, int y)
+static option *option_of(const joining *t, int i, int x, int y)
 {
     return t->options + t->first[i] + (size_t)(x * (t->joins[i + 1].count + 1) + y);
 }
 
-static void fill_options(task *t, int i)
+static void fill_options(joining *t, int i)
 {
     const join *a = &t->joins[i], *b = &t->joins[i + 1];
     const shape s = shape_of(t->w, i);
@@ -162,7 +162,7 @@ static double price(const join *j, int choice)
 
 /* The cheapest ways from choice `begin` of the first join (any: -1); of a closed curve back to
  * it. Returns the cost, and fills the path. */
-static double find_path(task *t, int begin)
+static double find_path(joining *t, int begin)
 {
     const int n = t->w->count;
     for (int y = 0; y <= t->joins[0].count; y++)
@@ -192,7 +192,7 @@ static double find_path(task *t, int begin)
     return t->best[n * CHOICES + last];
 }
 
-static void find_best_path(task *t)
+static void find_best_path(joining *t)
 {
     if (!t->w->closed) {
         find_path(t, -1);
@@ -210,7 +210,7 @@ static void find_best_path(task *t)
     find_path(t, best);
 }
 
-static void set_legs(task *t, int i)
+static void set_legs(joining *t, int i)
 {
     bat_correction *w = t->w;
     const shape s = shape_of(w, i);
@@ -226,7 +226,7 @@ static void set_legs(task *t, int i)
         w->changed[i] = 2;
 }
 
-static batten_status make_room(task *t)
+static batten_status make_room(joining *t)
 {
     const size_t n = (size_t)t->w->count;
     t->joins = bat_array(n + 1, sizeof *t->joins);
@@ -249,7 +249,7 @@ static batten_status make_room(task *t)
 
 batten_status bat_correction_join(bat_correction *w)
 {
-    task t = {.w = w};
+    joining t = {.w = w};
     const batten_status status = make_room(&t);
     if (status == BATTEN_OK) {
         for (int i = 0; i < w->count; i++)

@@ -83,7 +83,7 @@ static void correct_spans(bat_correction *w)
 /* ---- curvatures at the joins, in the plane ---- */
 
 /* How much two curvatures differ, of the larger one. */
-static double part(double left, double right)
+static double relative_difference(double left, double right)
 {
     const double larger = bat_max(fabs(left), fabs(right));
     return larger > 0 ? fabs(left - right) / larger : isnan(left + right) ? (double)NAN : 0;
@@ -94,8 +94,8 @@ static double jump(const bat_correction *w, int j)
 {
     if (j == 0 && !w->closed)
         return 0;
-    return part(bat_correction_bend(w, bat_correction_before(w, j), 1),
-                bat_correction_bend(w, j, 0));
+    return relative_difference(bat_correction_bend(w, bat_correction_before(w, j), 1),
+                               bat_correction_bend(w, j, 0));
 }
 
 /* The same as it was given. */
@@ -103,7 +103,7 @@ static double given_jump(const bat_correction *w, int j)
 {
     if (j == 0 && !w->closed)
         return 0;
-    return part(w->bends[2 * bat_correction_before(w, j) + 1], w->bends[2 * j]);
+    return relative_difference(w->bends[2 * bat_correction_before(w, j) + 1], w->bends[2 * j]);
 }
 
 /* ---- the whole ---- */
@@ -149,8 +149,8 @@ static batten_status correct(bat_correction *w)
     return status;
 }
 
-static batten_status check(const batten_curve *curve,
-                           const batten_curve_correct_tangents_options *o)
+static batten_status check_correction(const batten_curve *curve,
+                                      const batten_curve_correct_tangents_options *o)
 {
     const int d = batten_curve_dimension(curve);
     if (d < 2)
@@ -166,7 +166,7 @@ static batten_status check(const batten_curve *curve,
     return BATTEN_OK;
 }
 
-static batten_status begin(bat_correction *w, const batten_curve *curve)
+static batten_status copy_pieces(bat_correction *w, const batten_curve *curve)
 {
     batten_curve *cubic = NULL, *bezier = NULL;
     batten_cubics spans = {0, NULL};
@@ -197,8 +197,10 @@ static batten_status begin(bat_correction *w, const batten_curve *curve)
     return status;
 }
 
-static batten_status hand_over(const bat_correction *w, const batten_curve *curve, int *changed,
-                               batten_curve_correct_tangents_report *report, batten_curve **out)
+static batten_status make_corrected_curve(const bat_correction *w, const batten_curve *curve,
+                                          int *changed,
+                                          batten_curve_correct_tangents_report *report,
+                                          batten_curve **out)
 {
     batten_status status = BATTEN_OK;
     if (w->report.corrected == 0)
@@ -228,14 +230,14 @@ batten_status batten_curve_correct_tangents(
                         .dimension = batten_curve_dimension(curve),
                         .closed = batten_curve_is_periodic(curve),
                         .report = {.first_incurable = -1}};
-    status = check(curve, &w.options);
+    status = check_correction(curve, &w.options);
     if (status == BATTEN_OK)
-        status = begin(&w, curve);
+        status = copy_pieces(&w, curve);
     w.report.span_count = w.count;
     if (status == BATTEN_OK)
         status = correct(&w);
     if (status == BATTEN_OK)
-        status = hand_over(&w, curve, changed, report, out);
+        status = make_corrected_curve(&w, curve, changed, report, out);
     bat_release(w.points);
     bat_release(w.breaks);
     bat_release(w.changed);

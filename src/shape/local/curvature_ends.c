@@ -41,7 +41,7 @@ static double off(const solutions *s, int i)
 }
 
 /* A new one, kept in the order of their distance from a third. */
-static void keep(solutions *s, double x, double y)
+static void insert_solution(solutions *s, double x, double y)
 {
     for (int i = 0; i < s->count; i++)
         if (fabs(s->at[i].start - x) <= 1e-7 * x && fabs(s->at[i].end - y) <= 1e-7 * y)
@@ -73,7 +73,7 @@ static void refine(const pair *e, double x, double y, solutions *s)
             break;
     }
     if (x > 0 && y > 0 && solves(e, x, y))
-        keep(s, x, y);
+        insert_solution(s, x, y);
 }
 
 /* Tangents are parallel: each leg by itself, and a third where it is free. */
@@ -82,7 +82,7 @@ static void solve_apart(const pair *e, solutions *s)
     const double x = e->p != 0 ? e->a / e->p : e->a == 0 ? 1.0 / 9 : 0;
     const double y = e->q != 0 ? e->b / e->q : e->b == 0 ? 1.0 / 9 : 0;
     if (x > 0 && y > 0)
-        keep(s, sqrt(x), sqrt(y));
+        insert_solution(s, sqrt(x), sqrt(y));
 }
 
 /* y eliminated: c^3 x - c^2 b + q (a - p x^2)^2 = 0. Near-parallel tangents make its roots

@@ -16,14 +16,14 @@ typedef struct {
     double *leaving, *arriving; /* [count][2] */
     int *solutions;             /* of each span */
     batten_curve_from_curvatures_report report;
-} task;
+} curvature_fit;
 
 static double cross(const double *u, const double *v)
 {
     return u[0] * v[1] - u[1] * v[0];
 }
 
-static batten_status make_units(task *t, const double *tangents)
+static batten_status make_units(curvature_fit *t, const double *tangents)
 {
     for (int i = 0; i < t->count; i++) {
         const double size = bat_norm(2, tangents + 2 * i);
@@ -46,7 +46,7 @@ static double curvature_off(const double *t0, const double *t1, const double *q,
     return fabs((cross(t0, d) - cross(t0, t1) * y) / (1.5 * x * x) - k0 * l);
 }
 
-static void make_span(task *t, int i)
+static void make_span(curvature_fit *t, int i)
 {
     const int j = bat_around(t->count, i + 1);
     const double *a = t->points + 2 * i, *b = t->points + 2 * j;
@@ -75,7 +75,8 @@ static void make_span(task *t, int i)
     }
 }
 
-static batten_status make(task *t, const double *tangents, batten_curve **curve)
+static batten_status make_quintic(curvature_fit *t, const double *tangents,
+                                  batten_curve **curve)
 {
     batten_status status =
         bat_parametrize(2, t->count, t->points, BATTEN_CHORD, t->closed, t->t);
@@ -91,8 +92,8 @@ static batten_status make(task *t, const double *tangents, batten_curve **curve)
                                       t->arriving, t->closed, curve);
 }
 
-static void hand_over(const task *t, double *parameters, int *solutions,
-                      batten_curve_from_curvatures_report *report)
+static void copy_curvature_results(const curvature_fit *t, double *parameters, int *solutions,
+                                   batten_curve_from_curvatures_report *report)
 {
     const size_t spans = (size_t)(t->closed ? t->count : t->count - 1);
     if (parameters)
@@ -119,10 +120,10 @@ batten_status batten_curve_from_curvatures(const batten_curved_points *data, dou
         status = bat_local_check_rows(1, data->points.count, data->curvatures, "curvature");
     if (status != BATTEN_OK)
         return status;
-    task t = {.count = data->points.count,
-              .closed = data->closed,
-              .points = data->points.at,
-              .curvatures = data->curvatures};
+    curvature_fit t = {.count = data->points.count,
+                       .closed = data->closed,
+                       .points = data->points.at,
+                       .curvatures = data->curvatures};
     const size_t n = (size_t)data->points.count;
     batten_curve *curve = NULL;
     t.t = bat_array(n + 1, sizeof *t.t);
@@ -132,9 +133,9 @@ batten_status batten_curve_from_curvatures(const batten_curved_points *data, dou
     t.solutions = bat_array(n, sizeof *t.solutions);
     status = BATTEN_OUT_OF_MEMORY;
     if (t.t && t.unit && t.leaving && t.arriving && t.solutions)
-        status = make(&t, data->tangents, &curve);
+        status = make_quintic(&t, data->tangents, &curve);
     if (status == BATTEN_OK) {
-        hand_over(&t, parameters, solutions, report);
+        copy_curvature_results(&t, parameters, solutions, report);
         *out = curve;
     }
     bat_release(t.t);

@@ -9,7 +9,8 @@ batten_tangents_kochanek_bartels_options batten_tangents_kochanek_bartels_defaul
         .size = sizeof(batten_tangents_kochanek_bartels_options)};
 }
 
-static batten_status check(int count, const batten_tangents_kochanek_bartels_options *o)
+static batten_status check_tensions(int count,
+                                    const batten_tangents_kochanek_bartels_options *o)
 {
     const double *lists[] = {o->tension, o->continuity, o->bias};
     static const char *const names[] = {"tension", "continuity", "bias"};
@@ -96,7 +97,7 @@ batten_tangents_kochanek_bartels(batten_points points,
                                   .degree = PARABOLA};
     status = bat_row_beyond_make(points, &rule, &row);
     if (status == BATTEN_OK)
-        status = check(points.count, o);
+        status = check_tensions(points.count, o);
     if (status == BATTEN_OK)
         status = find(&row, o, leaving, arriving);
     if (status == BATTEN_OK)

@@ -20,8 +20,9 @@ batten_status bat_local_check_rows(int dimension, int count, const double *rows,
     return BATTEN_OK;
 }
 
-batten_status bat_local_check(int dimension, int count, const double *points,
-                              const double *parameters, bool closed)
+/* Points and parameters of batten_curve_from_tangents and its like are good. */
+static batten_status check_hermite_data(int dimension, int count, const double *points,
+                                        const double *parameters, bool closed)
 {
     batten_status status = bat_points_check(dimension, count, points, closed ? 1 : 2);
     if (status == BATTEN_OK)
@@ -132,7 +133,8 @@ static void rotate(size_t row, int n, double *control)
     memcpy(control, last, row * sizeof *last);
 }
 
-static batten_status make(const hermite *h, double *control, double *knots, batten_curve **out)
+static batten_status make_hermite_curve(const hermite *h, double *control, double *knots,
+                                        batten_curve **out)
 {
     int n = 0;
     const batten_status status = fill(h, control, knots, &n);
@@ -153,7 +155,7 @@ batten_status batten_curve_from_tangents(batten_points points, const double *par
 {
     assert(points.at && parameters && leaving && out);
     batten_status status =
-        bat_local_check(points.dimension, points.count, points.at, parameters, closed);
+        check_hermite_data(points.dimension, points.count, points.at, parameters, closed);
     if (status == BATTEN_OK)
         status = bat_local_check_rows(points.dimension, points.count, leaving, "tangent");
     if (status == BATTEN_OK && arriving)
@@ -173,7 +175,7 @@ batten_status batten_curve_from_tangents(batten_points points, const double *par
     double *knots = bat_array3((size_t)points.count + 2, 3, sizeof *knots);
     status = BATTEN_OUT_OF_MEMORY;
     if (control && knots)
-        status = make(&h, control, knots, out);
+        status = make_hermite_curve(&h, control, knots, out);
     bat_release(control);
     bat_release(knots);
     return status;
@@ -209,7 +211,7 @@ batten_status batten_second_derivatives(batten_points points, const double *para
 {
     assert(points.at && parameters && tangents && second);
     batten_status status =
-        bat_local_check(points.dimension, points.count, points.at, parameters, closed);
+        check_hermite_data(points.dimension, points.count, points.at, parameters, closed);
     if (status == BATTEN_OK)
         status = bat_local_check_rows(points.dimension, points.count, tangents, "tangent");
     if (status != BATTEN_OK)

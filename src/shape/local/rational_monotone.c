@@ -39,8 +39,8 @@ static batten_status check_slopes(const bat_chords *c, const double *slopes)
     return status;
 }
 
-static batten_status make(const bat_chords *c, const double *slopes, double *points,
-                          double *weights, batten_curve **out)
+static batten_status make_rational_pieces(const bat_chords *c, const double *slopes,
+                                          double *points, double *weights, batten_curve **out)
 {
     const batten_status status = check_slopes(c, slopes);
     if (status != BATTEN_OK)
@@ -69,7 +69,7 @@ batten_status batten_curve_rational_monotone(int count, const double *x, const d
     if (found && points && weights) {
         if (!slopes)
             bat_slopes(&chords, BATTEN_SLOPE_FRITSCH_BUTLAND, found);
-        status = make(&chords, slopes ? slopes : found, points, weights, out);
+        status = make_rational_pieces(&chords, slopes ? slopes : found, points, weights, out);
     }
     bat_release(found);
     bat_release(points);

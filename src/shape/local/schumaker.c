@@ -103,7 +103,7 @@ typedef struct {
 } quadratic;
 
 /* The next break: the control value before it, by the tangent at the one before. */
-static void add(quadratic *q, double at, double from, double value, double slope)
+static void add_break(quadratic *q, double at, double from, double value, double slope)
 {
     q->control[q->count] = value + slope * (at - from) / 2;
     q->knots[q->count++ + 2] = at;
@@ -115,18 +115,18 @@ static void add_span(quadratic *q, const bat_chords *c, int i, const double *slo
     double from = c->x[i], value = c->y[i], slope = slopes[i];
     const double at = from + part * c->h[i];
     if (part > 0 && at > from && at < c->x[i + 1]) {
-        add(q, at, from, value, slope);
+        add_break(q, at, from, value, slope);
         const double next = 2 * c->d[i] - (part * slopes[i] + (1 - part) * slopes[i + 1]);
         value += (slope + next) / 2 * (at - from);
         slope = next;
         from = at;
     }
-    add(q, c->x[i + 1], from, value, slope);
+    add_break(q, c->x[i + 1], from, value, slope);
 }
 
 /* Knots: the breaks, the first and last three times; q->count counts control values. */
-static batten_status make(const bat_chords *c, const double *slopes, quadratic *q,
-                          batten_curve **out)
+static batten_status make_knots_and_values(const bat_chords *c, const double *slopes,
+                                           quadratic *q, batten_curve **out)
 {
     const int last = c->count - 1;
     q->control[0] = c->y[0];
@@ -154,7 +154,7 @@ batten_status batten_curve_schumaker(int count, const double *x, const double *y
     status = BATTEN_OUT_OF_MEMORY;
     if (found && q.knots && q.control) {
         find_slopes(&chords, found);
-        status = make(&chords, found, &q, out);
+        status = make_knots_and_values(&chords, found, &q, out);
     }
     if (status == BATTEN_OK && slopes)
         memcpy(slopes, found, (size_t)count * sizeof *slopes);

@@ -28,7 +28,7 @@ typedef struct {
     double *matrix, *b; /* the equations */
     double *slopes;     /* [count][d] */
     batten_curve_directed_report report;
-} work;
+} direction_search;
 
 batten_curve_directed_options batten_curve_directed_defaults(void)
 {
@@ -36,19 +36,19 @@ batten_curve_directed_options batten_curve_directed_defaults(void)
                                            .parameters = BATTEN_CHORD};
 }
 
-static bool is_directed(const work *w, int i)
+static bool is_directed(const direction_search *w, int i)
 {
     const double *u = w->direction + 3 * i;
     return u[0] != 0 || u[1] != 0 || u[2] != 0;
 }
 
-static int unknowns_of(const work *w, int i)
+static int unknowns_of(const direction_search *w, int i)
 {
     return w->fixed[i] > 0 ? 0 : is_directed(w, i) ? 1 : w->dimension;
 }
 
 /* The vector by which unknown k of point i moves its slope. */
-static void basis(const work *w, int i, int k, double *out)
+static void basis(const direction_search *w, int i, int k, double *out)
 {
     for (int c = 0; c < 3; c++)
         out[c] = is_directed(w, i) ? w->direction[3 * i + c] : c == k;
@@ -57,7 +57,7 @@ static void basis(const work *w, int i, int k, double *out)
 enum { LOWER = 5, WIDTH = LOWER + 1 }; /* two points of 3 unknowns each */
 
 /* Add factor (basis of a) . (basis of b) to the lower half. */
-static void add_block(work *w, int i, int j, double factor)
+static void add_block(direction_search *w, int i, int j, double factor)
 {
     for (int a = w->first[i]; a < w->first[i + 1]; a++)
         for (int b = w->first[j]; b < w->first[j + 1]; b++) {
@@ -69,7 +69,7 @@ static void add_block(work *w, int i, int j, double factor)
         }
 }
 
-static void add_right(work *w, int i, double factor, const double *vector)
+static void add_right(direction_search *w, int i, double factor, const double *vector)
 {
     for (int a = w->first[i]; a < w->first[i + 1]; a++) {
         double u[3];
@@ -78,7 +78,7 @@ static void add_right(work *w, int i, double factor, const double *vector)
     }
 }
 
-static void add_span(work *w, int i)
+static void add_span(direction_search *w, int i)
 {
     const int d = w->dimension;
     const double h = w->steps[i];
@@ -98,7 +98,7 @@ static void add_span(work *w, int i)
     }
 }
 
-static void take_slopes(work *w)
+static void take_slopes(direction_search *w)
 {
     for (int i = 0; i < w->count; i++) {
         double slope[3] = {0};
@@ -114,7 +114,7 @@ static void take_slopes(work *w)
     }
 }
 
-static batten_status solve(work *w)
+static batten_status solve(direction_search *w)
 {
     for (int i = 0; i < w->count; i++)
         w->first[i + 1] = w->first[i] + unknowns_of(w, i);
@@ -135,7 +135,7 @@ static batten_status solve(work *w)
 }
 
 /* The mean speed of the chords next to a point. */
-static double mean_speed(const work *w, int i)
+static double mean_speed(const direction_search *w, int i)
 {
     const int d = w->dimension, n = w->count;
     double length = 0, time = 0;
@@ -148,7 +148,7 @@ static double mean_speed(const work *w, int i)
 
 /* Directions whose length came out 0 or negative get a small one; each is clamped once, so
  * there are at most as many rounds as directions. */
-static int clamp(work *w)
+static int clamp(direction_search *w)
 {
     int clamped = 0;
     for (int i = 0; i < w->count; i++)
@@ -159,7 +159,7 @@ static int clamp(work *w)
     return clamped;
 }
 
-static void measure(work *w)
+static void measure_chords(direction_search *w)
 {
     const int d = w->dimension;
     w->report.first_clamped = -1;
@@ -183,7 +183,8 @@ static void measure(work *w)
 
 /* ---- input ---- */
 
-static batten_status check_directions(work *w, const batten_curve_directed_options *o)
+static batten_status check_directions(direction_search *w,
+                                      const batten_curve_directed_options *o)
 {
     for (int k = 0; k < o->direction_count; k++) {
         const batten_direction_at *at = &o->directions[k];
@@ -210,7 +211,8 @@ static batten_status check_directions(work *w, const batten_curve_directed_optio
     return BATTEN_OK;
 }
 
-static batten_status find_parameters(work *w, const batten_curve_directed_options *o, double *t)
+static batten_status find_parameters(direction_search *w,
+                                     const batten_curve_directed_options *o, double *t)
 {
     if (o->parameters != BATTEN_GIVEN) {
         const batten_status status = batten_parametrize(
@@ -233,7 +235,7 @@ static batten_status find_parameters(work *w, const batten_curve_directed_option
     return BATTEN_OK;
 }
 
-static batten_status allocate(work *w)
+static batten_status allocate(direction_search *w)
 {
     const size_t n = (size_t)w->count;
     w->steps = bat_array(n, sizeof *w->steps);
@@ -248,7 +250,7 @@ static batten_status allocate(work *w)
                : BATTEN_OUT_OF_MEMORY;
 }
 
-static void release(work *w)
+static void release(direction_search *w)
 {
     bat_release(w->steps);
     bat_release(w->direction);
@@ -259,7 +261,7 @@ static void release(work *w)
     bat_release(w->slopes);
 }
 
-static batten_status make_curve(const work *w, const double *t, batten_curve **out)
+static batten_status make_curve(const direction_search *w, const double *t, batten_curve **out)
 {
     const size_t d = (size_t)w->dimension;
     double *values = bat_array3((size_t)w->count, 2 * d, sizeof *values);
@@ -284,10 +286,10 @@ batten_status batten_curve_directed(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_directed_options, options, &o);
     if (status != BATTEN_OK)
         return status;
-    work w = {.dimension = points.dimension,
-              .count = points.count,
-              .points = points.at,
-              .tension = o.tension};
+    direction_search w = {.dimension = points.dimension,
+                          .count = points.count,
+                          .points = points.at,
+                          .tension = o.tension};
     if (points.dimension < 1 || points.dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve cannot have dimension %d",
                         points.dimension);
@@ -308,7 +310,7 @@ batten_status batten_curve_directed(batten_points points,
     if (status == BATTEN_OK)
         status = make_curve(&w, t, out);
     if (status == BATTEN_OK) {
-        measure(&w);
+        measure_chords(&w);
         if (report)
             *report = w.report;
         if (parameters)

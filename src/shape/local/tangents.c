@@ -22,24 +22,24 @@ typedef struct {
     double *t;                  /* [count], closed [count + 1]: the parameters */
     double *leaving, *arriving; /* [count][d] */
     batten_tangents_report report;
-} task;
+} tangent_rule;
 
-static const double *vertex(const task *t, int i)
+static const double *vertex(const tangent_rule *t, int i)
 {
     return t->points + (size_t)bat_around(t->count, i) * (size_t)t->d;
 }
 
-static bool closed(const task *t)
+static bool closed(const tangent_rule *t)
 {
     return t->options->closed;
 }
 
-static int span_count(const task *t)
+static int span_count(const tangent_rule *t)
 {
     return closed(t) ? t->count : t->count - 1;
 }
 
-static double length(const task *t, int span)
+static double length(const tangent_rule *t, int span)
 {
     return t->l[bat_around(t->count, span)];
 }
@@ -49,7 +49,7 @@ static double length(const task *t, int span)
 /* The chord from point i, divided by `scale`; by its length when `scale` is 0. Beyond an end
  * chords are as long as the last one, and their directions go on in equal differences, as
  * Akima's slopes do. */
-static void chord(const task *t, int i, double scale, double *q)
+static void chord(const tangent_rule *t, int i, double scale, double *q)
 {
     const int last = t->count - 2;
     const int from = closed(t) ? i : bat_max_int(0, bat_min_int(i, last));
@@ -78,7 +78,7 @@ static double area(int d, const double *a, const double *b, double size, double 
 
 /* The derivative at the middle point of the parabola through three, of chord parameters: on a
  * circle it is at right angles to the radius. */
-static void parabola_of_three(const task *t, int i, double *T)
+static void parabola_of_three(const tangent_rule *t, int i, double *T)
 {
     double u[3], v[3];
     chord(t, i - 1, 0, u);
@@ -88,7 +88,7 @@ static void parabola_of_three(const task *t, int i, double *T)
         T[k] = part * u[k] + (1 - part) * v[k];
 }
 
-static void bisector(const task *t, int i, double *T)
+static void bisector(const tangent_rule *t, int i, double *T)
 {
     double u[3], v[3];
     chord(t, i - 1, 0, u);
@@ -98,7 +98,7 @@ static void bisector(const task *t, int i, double *T)
 }
 
 /* Slopes of one coordinate i - 2 .. i + 1, with what rounding makes of their differences. */
-static void akima(const task *t, int i, double *T)
+static void akima(const tangent_rule *t, int i, double *T)
 {
     double s[4][3], size = 0, least = HUGE_VAL;
     for (int j = 0; j < 4; j++) {
@@ -120,7 +120,7 @@ static void akima(const task *t, int i, double *T)
 }
 
 /* Where both runs are straight, T is the mean of the chords; true when they make a corner. */
-static bool renner(const task *t, int i, double *T)
+static bool renner(const tangent_rule *t, int i, double *T)
 {
     double q[4][3], scale = 0, size = 0, zero_a, zero_b, zero;
     for (int j = -2; j < 2; j++)
@@ -144,7 +144,7 @@ static bool renner(const task *t, int i, double *T)
 
 /* The derivative at point i of the parabola nearest to five points about it, by polynomials
  * that are orthogonal on them. */
-static void parabola_of_five(const task *t, int i, double *T)
+static void parabola_of_five(const tangent_rule *t, int i, double *T)
 {
     const int n = t->count >= 5 ? 5 : closed(t) ? 3 : t->count;
     const int first =
@@ -180,7 +180,7 @@ static void parabola_of_five(const task *t, int i, double *T)
 
 /* A circle's tangents at both ends of a chord are mirror images; so are the derivatives of a
  * parabola, about the middle of its span. */
-static void end_of_three(const task *t, int i, int inner, double *T)
+static void end_of_three(const tangent_rule *t, int i, int inner, double *T)
 {
     double inside[3], u[3], along = 1;
     chord(t, i == 0 ? 0 : i - 1, 0, u);
@@ -196,7 +196,7 @@ static void end_of_three(const task *t, int i, int inner, double *T)
 }
 
 /* At right angles to the chord before, towards the side to which the points beyond pass. */
-static void sideways(const task *t, int i, double *T)
+static void sideways(const tangent_rule *t, int i, double *T)
 {
     double u[3], v[3];
     const int n = t->count;
@@ -222,7 +222,7 @@ static void sideways(const task *t, int i, double *T)
         T[k] = v[k] - along * u[k];
 }
 
-static bool turns_back(const task *t, int i)
+static bool turns_back(const tangent_rule *t, int i)
 {
     double sum[3];
     if (!closed(t) && (i == 0 || i == t->count - 1))
@@ -242,14 +242,14 @@ static bool keeps_length(const batten_tangents_options *o)
             o->rule == BATTEN_TANGENT_PARABOLA || o->rule == BATTEN_TANGENT_GIVEN);
 }
 
-static void make_unit(const task *t, double *T)
+static void make_unit(const tangent_rule *t, double *T)
 {
     const double size = bat_norm(t->d, T);
     for (int k = 0; k < t->d; k++)
         T[k] /= size;
 }
 
-static void one_tangent(task *t, int i)
+static void one_tangent(tangent_rule *t, int i)
 {
     const batten_tangents_options *o = t->options;
     double *T = t->leaving + (size_t)i * (size_t)t->d,
@@ -285,7 +285,7 @@ static void one_tangent(task *t, int i)
     }
 }
 
-static batten_status take_given(task *t)
+static batten_status take_given(tangent_rule *t)
 {
     const size_t n = (size_t)t->count * (size_t)t->d;
     const bool keeps = keeps_length(t->options);
@@ -301,7 +301,7 @@ static batten_status take_given(task *t)
 }
 
 /* Inner points first: the ends look at them. */
-static void find_tangents(task *t)
+static void find_tangents(tangent_rule *t)
 {
     const int n = t->count, first = !closed(t);
     if (n == 2) {
@@ -331,7 +331,7 @@ double bat_middle_leg(int d, const double *u, const double *t0, const double *t1
     return along > 0 ? 2 / (along + root) : 2 * (root - along) / square;
 }
 
-static batten_status find_steps(task *t)
+static batten_status find_steps(tangent_rule *t)
 {
     double sum = 0;
     for (int i = 0; i < span_count(t); i++) {
@@ -351,7 +351,7 @@ static batten_status find_steps(task *t)
     return BATTEN_OK;
 }
 
-static batten_status find(task *t)
+static batten_status find(tangent_rule *t)
 {
     batten_status status =
         bat_parametrize(t->d, t->count, t->points, BATTEN_CHORD, closed(t), t->t);
@@ -386,8 +386,8 @@ static batten_status check_options(const batten_tangents_options *o, int dimensi
     return bat_local_check_rows(dimension, count, o->given, "tangent");
 }
 
-static void hand_over(const task *t, double *parameters, double *leaving, double *arriving,
-                      batten_tangents_report *report)
+static void copy_tangents(const tangent_rule *t, double *parameters, double *leaving,
+                          double *arriving, batten_tangents_report *report)
 {
     const size_t size = (size_t)t->count * (size_t)t->d * sizeof *leaving;
     memcpy(parameters, t->t, (size_t)(t->count + closed(t)) * sizeof *parameters);
@@ -407,7 +407,7 @@ batten_status batten_tangents(batten_points points, const batten_tangents_option
     batten_status status = BAT_TAKE_OPTIONS(batten_tangents_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {
+    tangent_rule t = {
         .d = points.dimension, .count = points.count, .points = points.at, .options = &chosen};
     status = bat_points_check(points.dimension, points.count, points.at, closed(&t) ? 3 : 2);
     if (status == BATTEN_OK)
@@ -422,7 +422,7 @@ batten_status batten_tangents(batten_points points, const batten_tangents_option
     if (t.t && t.l && t.leaving && t.arriving)
         status = find(&t);
     if (status == BATTEN_OK)
-        hand_over(&t, parameters, leaving, arriving, report);
+        copy_tangents(&t, parameters, leaving, arriving, report);
     bat_release(t.t);
     bat_release(t.l);
     bat_release(t.leaving);

@@ -27,12 +27,12 @@ typedef struct {
     double cost; /* what the fit makes least */
     batten_fit_report report;
     batten_curve *curve;
-} task;
+} approximation;
 
 /* Second differences of the control points decide where no datum does: so much of the trace. */
 #define SLIGHTLY 1e-10
 
-static batten_status solve_with(task *t, bat_fit *fit, double lambda, int *unknown)
+static batten_status solve_with(approximation *t, bat_fit *fit, double lambda, int *unknown)
 {
     t->report.lambda = lambda;
     if (t->conditions.count > 0)
@@ -43,7 +43,7 @@ static batten_status solve_with(task *t, bat_fit *fit, double lambda, int *unkno
 }
 
 /* With the factors as they are. Conditions may determine what the data do not. */
-static batten_status solve(task *t, bat_fit *fit)
+static batten_status solve(approximation *t, bat_fit *fit)
 {
     const bool plain = t->conditions.count == 0;
     int unknown = fit->periodic || !plain ? -1 : bat_fit_undetermined(fit);
@@ -67,14 +67,14 @@ static batten_status solve(task *t, bat_fit *fit)
 
 static batten_status solve_and_measure(void *user, bat_fit *fit)
 {
-    task *t = user;
+    approximation *t = user;
     const batten_status status = solve(t, fit);
     if (status == BATTEN_OK)
         bat_fit_residuals(fit, t->control, t->residuals);
     return status;
 }
 
-static batten_status solve_robustly(task *t, bat_fit *fit)
+static batten_status solve_robustly(approximation *t, bat_fit *fit)
 {
     const batten_status status = bat_fit_robustly(fit, t->request.weights, solve_and_measure, t,
                                                   t->residuals, &t->robust);
@@ -86,7 +86,7 @@ static batten_status solve_robustly(task *t, bat_fit *fit)
     return status;
 }
 
-static batten_status fit_once(task *t)
+static batten_status fit_once(approximation *t)
 {
     const batten_curve_least_squares_options *o = t->options;
     const bat_fit_request *r = &t->request;
@@ -116,7 +116,7 @@ static batten_status fit_once(task *t)
 
 /* ---- knots ---- */
 
-static batten_status take_knots(task *t)
+static batten_status take_knots(approximation *t)
 {
     const batten_curve_least_squares_options *o = t->options;
     const bat_fit_request *r = &t->request;
@@ -138,7 +138,7 @@ static batten_status take_knots(task *t)
 
 /* From the curve with the knots so far to better ones; the first that are no better end it, and
  * those before stay. */
-static batten_status move_knots(task *t)
+static batten_status move_knots(approximation *t)
 {
     batten_status status = BATTEN_OK;
     for (int round = 0; status == BATTEN_OK && round < 10; round++) {
@@ -170,7 +170,7 @@ static batten_status move_knots(task *t)
 
 /* One round; *better tells whether it was worth another. What it found is kept when it is
  * nearer to the data. */
-static batten_status correct_once(task *t, double *kept, bool *better)
+static batten_status correct_once(approximation *t, double *kept, bool *better)
 {
     const batten_fit_report before = t->report;
     const double cost = t->cost;
@@ -199,7 +199,7 @@ static batten_status correct_once(task *t, double *kept, bool *better)
     return status == BATTEN_SINGULAR_SYSTEM ? BATTEN_OK : status;
 }
 
-static batten_status correct(task *t)
+static batten_status correct(approximation *t)
 {
     double *kept = bat_array((size_t)t->request.data_count, sizeof *kept);
     if (!kept)
@@ -212,8 +212,8 @@ static batten_status correct(task *t)
     return status;
 }
 
-static batten_status check(int dimension, int count, const double *points,
-                           const batten_curve_least_squares_options *o)
+static batten_status check_fit_data(int dimension, int count, const double *points,
+                                    const batten_curve_least_squares_options *o)
 {
     batten_status status = bat_points_check(dimension, count, points, 2);
     if (status == BATTEN_OK)
@@ -244,7 +244,7 @@ static batten_status check(int dimension, int count, const double *points,
     return BATTEN_OK;
 }
 
-static batten_status run(task *t)
+static batten_status fit_approximation(approximation *t)
 {
     const batten_curve_least_squares_options *o = t->options;
     bat_fit_request *r = &t->request;
@@ -291,11 +291,11 @@ batten_status batten_curve_least_squares(batten_points points,
         BAT_TAKE_OPTIONS(batten_curve_least_squares_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.options = &chosen,
-              .request = {.dimension = points.dimension,
-                          .data_count = points.count,
-                          .points = points.at}};
-    status = check(points.dimension, points.count, points.at, t.options);
+    approximation t = {.options = &chosen,
+                       .request = {.dimension = points.dimension,
+                                   .data_count = points.count,
+                                   .points = points.at}};
+    status = check_fit_data(points.dimension, points.count, points.at, t.options);
     if (status != BATTEN_OK)
         return status;
     t.request.periodic = t.options->closed;
@@ -306,7 +306,7 @@ batten_status batten_curve_least_squares(batten_points points,
         return bat_fail(BATTEN_TOO_FEW_POINTS,
                         "%d control point%s for degree %d; %d are needed", t.request.count,
                         bat_plural(t.request.count), t.request.degree, t.request.degree + 1);
-    status = run(&t);
+    status = fit_approximation(&t);
     if (status == BATTEN_OK) {
         if (parameters)
             memcpy(parameters, t.parameters, (size_t)points.count * sizeof *parameters);

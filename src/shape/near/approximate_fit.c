@@ -278,8 +278,8 @@ static void set_aside(const bat_fit *fit, int first, int length, double *values,
     }
 }
 
-static void add(bat_fit *fit, const bat_rows_of_fit *rows, int i, double factor,
-                const double *given)
+static void add_row(bat_fit *fit, const bat_rows_of_fit *rows, int i, double factor,
+                    const double *given)
 {
     double values[MAX_ROW], *right = fit->right;
     const int width = rows->width;
@@ -302,11 +302,11 @@ static void add_place(bat_fit *fit, int place, double lambda)
     for (int k = data->start[place]; k < data->start[place + 1]; k++) {
         const int i = data->order[k];
         if (fit->factors[i] > 0)
-            add(fit, data, i, fit->factors[i],
-                fit->points + (size_t)i * (size_t)fit->dimension);
+            add_row(fit, data, i, fit->factors[i],
+                    fit->points + (size_t)i * (size_t)fit->dimension);
     }
     for (int k = 0; lambda > 0 && k < penalty->start[place + 1] - penalty->start[place]; k++)
-        add(fit, penalty, penalty->order[penalty->start[place] + k], sqrt(lambda), NULL);
+        add_row(fit, penalty, penalty->order[penalty->start[place] + k], sqrt(lambda), NULL);
     if (place == fit->count - 1 && fit->fixed[1])
         bat_givens_add(&fit->qr, fit->count - 1, 1, &one, 1, fit->ends[1]);
 }

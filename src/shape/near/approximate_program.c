@@ -23,14 +23,14 @@ typedef struct {
     double *hessian, *linear, *x;
     double *values[2], *rights[2]; /* equations and inequalities */
     int counts[2];
-} program;
+} quadratic_model;
 
-static int unknown_of(const program *p, int place, int c)
+static int unknown_of(const quadratic_model *p, int place, int c)
 {
     return place % p->fit->count * p->width + c;
 }
 
-static bool bears(const program *p, const bat_condition_row *row)
+static bool bears(const quadratic_model *p, const bat_condition_row *row)
 {
     bool any = p->width == p->fit->dimension;
     for (int c = 0; c < p->width; c++)
@@ -40,8 +40,8 @@ static bool bears(const program *p, const bat_condition_row *row)
 
 /* ---- the squares ---- */
 
-static void add_square(program *p, int first, int length, const double *values, double factor,
-                       const double *right)
+static void add_square(quadratic_model *p, int first, int length, const double *values,
+                       double factor, const double *right)
 {
     for (int a = 0; a < length; a++)
         for (int c = 0; c < p->width; c++) {
@@ -55,7 +55,7 @@ static void add_square(program *p, int first, int length, const double *values, 
         }
 }
 
-static void add_squares(program *p)
+static void add_squares(quadratic_model *p)
 {
     const bat_fit *fit = p->fit;
     const bat_rows_of_fit *data = &fit->data, *penalty = &fit->penalty;
@@ -72,7 +72,7 @@ static void add_squares(program *p)
 
 /* ---- the conditions ---- */
 
-static void add_condition(program *p, const bat_condition_row *row)
+static void add_condition(quadratic_model *p, const bat_condition_row *row)
 {
     double *values = p->values[row->least] + (size_t)p->counts[row->least] * (size_t)p->count;
     const double largest = bat_largest(row->length, row->values);
@@ -85,7 +85,7 @@ static void add_condition(program *p, const bat_condition_row *row)
 }
 
 /* Row `index` of the equations, or of the inequalities, of this program. */
-static const bat_condition_row *row_at(const program *p, bool least, int index)
+static const bat_condition_row *row_at(const quadratic_model *p, bool least, int index)
 {
     const bat_condition_row *row = p->rows->rows;
     for (;; row++)
@@ -116,7 +116,7 @@ static void say_condition(const bat_fit *fit, const batten_condition *c, int num
              verbs[c->kind], value, u);
 }
 
-static void say_row(const program *p, const batten_curve_least_squares_options *o,
+static void say_row(const quadratic_model *p, const batten_curve_least_squares_options *o,
                     const bat_condition_row *row, char out[300])
 {
     const double *U = p->fit->knots;
@@ -144,7 +144,8 @@ static void say_row(const program *p, const batten_curve_least_squares_options *
     }
 }
 
-static batten_status name_refused(const program *p, const batten_curve_least_squares_options *o,
+static batten_status name_refused(const quadratic_model *p,
+                                  const batten_curve_least_squares_options *o,
                                   const bat_quadratic_report *report)
 {
     char text[300];
@@ -159,7 +160,7 @@ static batten_status name_refused(const program *p, const batten_curve_least_squ
 
 /* ---- one program ---- */
 
-static batten_status begin(program *p)
+static batten_status allocate_program(quadratic_model *p)
 {
     int counts[2] = {0, 0};
     p->count = p->fit->count * p->width;
@@ -190,7 +191,7 @@ static batten_status begin(program *p)
     return all ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void end(program *p)
+static void release_program(quadratic_model *p)
 {
     bat_release(p->hessian);
     bat_release(p->linear);
@@ -202,7 +203,8 @@ static void end(program *p)
 }
 
 /* Do all conditions hold to rounding? */
-static batten_status verify(const program *p, const batten_curve_least_squares_options *o)
+static batten_status verify(const quadratic_model *p,
+                            const batten_curve_least_squares_options *o)
 {
     const double size = bat_largest(p->count, p->x);
     for (int least = 0; least < 2; least++)
@@ -221,10 +223,11 @@ static batten_status verify(const program *p, const batten_curve_least_squares_o
     return BATTEN_OK;
 }
 
-static batten_status solve_program(program *p, const batten_curve_least_squares_options *o,
+static batten_status solve_program(quadratic_model *p,
+                                   const batten_curve_least_squares_options *o,
                                    bat_quadratic_report *report)
 {
-    batten_status status = begin(p);
+    batten_status status = allocate_program(p);
     if (status != BATTEN_OK)
         return status;
     add_squares(p);
@@ -275,19 +278,19 @@ batten_status bat_fit_solve_under(const bat_fit *fit, double lambda,
     *pressing = 0;
     int equations = 0;
     for (int from = 0; status == BATTEN_OK && from < d; from += width) {
-        program p = {.fit = fit,
-                     .rows = rows,
-                     .lambda = lambda,
-                     .scale = scale_of(fit),
-                     .from = from,
-                     .width = width};
+        quadratic_model p = {.fit = fit,
+                             .rows = rows,
+                             .lambda = lambda,
+                             .scale = scale_of(fit),
+                             .from = from,
+                             .width = width};
         bat_quadratic_report report = {0};
         status = solve_program(&p, options, &report);
         for (int i = 0; status == BATTEN_OK && i < p.count; i++)
             control[i / width * d + from + i % width] = p.x[i] / p.scale;
         *pressing += report.active_count;
         equations += p.counts[0] - report.redundant_count;
-        end(&p);
+        release_program(&p);
     }
     /* The matrix from data to values is a projection: its trace is what is left free. */
     *freedom = fit->count - (double)(*pressing + equations) / d;

@@ -32,14 +32,14 @@ typedef struct {
     double threshold; /* of BATTEN_ABSOLUTE: the mean distance, as a unit */
     double cost, gap;
     int rounds;
-} task;
+} robust_fit;
 
-static double weight_of(const task *t, int i)
+static double weight_of(const robust_fit *t, int i)
 {
     return t->weights ? t->weights[i] : 1;
 }
 
-static void find_distances(task *t)
+static void find_distances(robust_fit *t)
 {
     const int d = t->fit->dimension;
     for (int i = 0; i < t->fit->data_count; i++)
@@ -48,7 +48,7 @@ static void find_distances(task *t)
 
 /* ---- the sum that shall be least ---- */
 
-static double loss(const task *t, double r)
+static double loss(const robust_fit *t, double r)
 {
     const double k = t->threshold, x = r / k, rest = 1 - x * x;
     switch (t->how) {
@@ -62,7 +62,7 @@ static double loss(const task *t, double r)
 }
 
 /* The derivative of the loss by the distance, divided by the distance. */
-static double factor_of(const task *t, double r)
+static double factor_of(const robust_fit *t, double r)
 {
     const double k = t->threshold, x = r / k, rest = 1 - x * x;
     switch (t->how) {
@@ -76,7 +76,7 @@ static double factor_of(const task *t, double r)
     }
 }
 
-static double sum_of_losses(const task *t)
+static double sum_of_losses(const robust_fit *t)
 {
     double sum = 0;
     for (int i = 0; i < t->fit->data_count; i++)
@@ -90,7 +90,7 @@ static double sum_of_losses(const task *t)
  * exceeds the threshold, loss(r) >= y.r / w - conjugate(y / w) after Fenchel. Forces that are
  * too large are scaled down all together.
  */
-static double lower_bound(const task *t)
+static double lower_bound(const robust_fit *t)
 {
     double most = 0, sum = 0;
     const int n = t->fit->data_count;
@@ -107,7 +107,7 @@ static double lower_bound(const task *t)
 
 /* ---- rounds ---- */
 
-static batten_status reweigh(task *t)
+static batten_status reweigh(robust_fit *t)
 {
     batten_status status = BATTEN_OK;
     const int n = t->fit->data_count;
@@ -158,7 +158,7 @@ static double median_of(int count, const double *distances, const double *weight
     return (copy[from + (n - from - 1) / 2] + copy[from + (n - from) / 2]) / 2;
 }
 
-static double mean_of(const task *t)
+static double mean_of(const robust_fit *t)
 {
     double sum = 0, weight = 0;
     for (int i = 0; i < t->fit->data_count; i++) {
@@ -174,7 +174,7 @@ static double largest_coordinate(const bat_fit *fit)
 }
 
 /* By absolute distances first: the median of what they leave is not spoilt by outliers. */
-static batten_status run(task *t, bat_robust *robust)
+static batten_status fit_robustly(robust_fit *t, bat_robust *robust)
 {
     find_distances(t);
     const double mean = mean_of(t);
@@ -205,14 +205,14 @@ batten_status bat_fit_robustly(bat_fit *fit, const double *weights,
                                batten_status (*solve)(void *user, bat_fit *fit), void *user,
                                double *residuals, bat_robust *robust)
 {
-    task t = {.fit = fit, .weights = weights, .solve = solve, .user = user};
+    robust_fit t = {.fit = fit, .weights = weights, .solve = solve, .user = user};
     const size_t n = (size_t)fit->data_count;
     t.residuals = residuals;
     t.distances = bat_array(n, sizeof *t.distances);
     t.factors = bat_array(n, sizeof *t.factors);
     t.product = bat_array(n, sizeof *t.product);
     const bool all = t.distances && t.factors && t.product;
-    const batten_status status = all ? run(&t, robust) : BATTEN_OUT_OF_MEMORY;
+    const batten_status status = all ? fit_robustly(&t, robust) : BATTEN_OUT_OF_MEMORY;
     robust->cost = t.cost;
     robust->gap = t.gap;
     robust->rounds = t.rounds;

@@ -36,8 +36,8 @@ typedef struct {
 
 /* dC/ds = C' / v, d2C/ds2 = what of C'' lies across it, / v^2. Where the curve stands still it
  * has a direction, and its curvature, which may be infinite, counts as 0. */
-static batten_status look(const task *t, const batten_curve *curve, double u, batten_side side,
-                          double s, place *out)
+static batten_status evaluate_at_length(const task *t, const batten_curve *curve, double u,
+                                        batten_side side, double s, place *out)
 {
     const int d = t->dimension;
     double c[3 * 3], x[3];
@@ -67,22 +67,22 @@ static batten_status length(const task *t, const batten_curve *piece, double a, 
     return batten_curve_length_between(piece, a, b, t->tolerance / 1000, NULL, out);
 }
 
-static void put(int d, const place *at, double *values)
+static void copy_derivatives(int d, const place *at, double *values)
 {
     for (int m = 0; m < 3; m++)
         memcpy(values + m * d, at->q[m], (size_t)d * sizeof *values);
 }
 
 /* How far the quintic from a to b is from the piece, and its speed from one. */
-static batten_status measure(const task *t, const batten_curve *piece, const place *a,
-                             const place *b, double *error, double *speed)
+static batten_status measure_quintic(const task *t, const batten_curve *piece, const place *a,
+                                     const place *b, double *error, double *speed)
 {
     const int d = t->dimension;
     const double ends[2] = {a->s, b->s};
     double values[2 * 3 * 3], s = a->s, u = a->u;
     batten_curve *quintic = NULL;
-    put(d, a, values);
-    put(d, b, values + 3 * d);
+    copy_derivatives(d, a, values);
+    copy_derivatives(d, b, values + 3 * d);
     batten_status status = batten_curve_from_hermite(d, 2, 3, ends, values, &quintic);
     *error = *speed = 0;
     for (int i = 1; status == BATTEN_OK && i <= SAMPLES; i++) {
@@ -122,7 +122,8 @@ static batten_status add_place(task *t, const place *at)
         t->room = room;
     }
     t->s[t->count] = at->s;
-    put(t->dimension, at, t->values + (size_t)(3 * t->count) * (size_t)t->dimension);
+    copy_derivatives(t->dimension, at,
+                     t->values + (size_t)(3 * t->count) * (size_t)t->dimension);
     t->count++;
     return BATTEN_OK;
 }
@@ -171,9 +172,10 @@ static batten_status follow(task *t, const batten_curve *piece, place a, const p
         if (waiting > 1)
             status = length(t, piece, a.u, ends[waiting - 1], &step);
         if (status == BATTEN_OK && waiting > 1)
-            status = look(t, piece, ends[waiting - 1], BATTEN_FROM_LEFT, a.s + step, &next);
+            status = evaluate_at_length(t, piece, ends[waiting - 1], BATTEN_FROM_LEFT,
+                                        a.s + step, &next);
         if (status == BATTEN_OK)
-            status = measure(t, piece, &a, &next, &error, &speed);
+            status = measure_quintic(t, piece, &a, &next, &error, &speed);
         if (status != BATTEN_OK)
             return status;
         const double middle = a.u + (next.u - a.u) / 2;
@@ -212,14 +214,14 @@ static batten_status add_piece(task *t, const batten_curve *bezier, double a, do
         batten_curve_unref(piece);
         return status;
     }
-    status = look(t, piece, a, BATTEN_FROM_RIGHT, s, &start);
+    status = evaluate_at_length(t, piece, a, BATTEN_FROM_RIGHT, s, &start);
     if (status == BATTEN_OK && (t->count == 0 || !goes_on(t, last, &start))) {
         status = finish_run(t);
         if (status == BATTEN_OK)
             status = add_place(t, &start);
     }
     if (status == BATTEN_OK)
-        status = look(t, piece, b, BATTEN_FROM_LEFT, s + whole, &end);
+        status = evaluate_at_length(t, piece, b, BATTEN_FROM_LEFT, s + whole, &end);
     if (status == BATTEN_OK)
         status = follow(t, piece, start, &end);
     batten_curve_unref(piece);

@@ -34,19 +34,19 @@ typedef struct {
     double level;                                /* with the sign that the first has */
     double worst, worst_value, worst_error;      /* where the error is largest */
     int exchanges;
-} task;
+} minimax;
 
 /* ---- the polynomial ---- */
 
-static double place(const task *t, double u)
+static double scaled_parameter(const minimax *t, double u)
 {
     return bat_max(-1, bat_min(1, ((u - t->a) - (t->b - u)) / (t->b - t->a)));
 }
 
 /* Clenshaw's recurrence. */
-static double value(const task *t, double u)
+static double value(const minimax *t, double u)
 {
-    const double x = place(t, u);
+    const double x = scaled_parameter(t, u);
     double b1 = 0, b2 = 0;
     for (int k = t->degree; k > 0; k--) {
         const double b0 = t->coefficients[k] + 2 * x * b1 - b2;
@@ -57,7 +57,7 @@ static double value(const task *t, double u)
 }
 
 /* p(x[i]) + level (-1)^i = y[i] at the n + 2 points of the reference. */
-static batten_status level_reference(task *t)
+static batten_status level_reference(minimax *t)
 {
     double a[MOST_REFERENCE * MOST_REFERENCE / 2], *matrix = NULL;
     int pivots[MOST_REFERENCE];
@@ -70,7 +70,7 @@ static batten_status level_reference(task *t)
     double *rows = matrix ? matrix : a;
     for (int i = 0; i < m; i++) {
         double *row = rows + i * m;
-        const double x = place(t, t->x[i]);
+        const double x = scaled_parameter(t, t->x[i]);
         row[0] = 1;
         row[1] = n > 0 ? x : 0;
         for (int k = 2; k <= n; k++)
@@ -95,7 +95,7 @@ static batten_status level_reference(task *t)
 
 /* ---- the largest error ---- */
 
-static void take_worst(task *t, double u, double f)
+static void take_worst(minimax *t, double u, double f)
 {
     const double error = f - value(t, u);
     if (fabs(error) > fabs(t->worst_error)) {
@@ -105,7 +105,7 @@ static void take_worst(task *t, double u, double f)
     }
 }
 
-static batten_status ask(const task *t, double u, double *f)
+static batten_status ask(const minimax *t, double u, double *f)
 {
     const batten_status status = t->function(t->user, u, 0, f);
     if (status != BATTEN_OK || isfinite(*f))
@@ -114,7 +114,7 @@ static batten_status ask(const task *t, double u, double *f)
 }
 
 /* Golden sections on both sides of place `i`, beyond which the error is less. */
-static batten_status refine(task *t, int i)
+static batten_status refine(minimax *t, int i)
 {
     const double ratio = (sqrt(5) - 1) / 2;
     double low = t->t[bat_max_int(0, i - 1)], high = t->t[bat_min_int(t->count - 1, i + 1)],
@@ -142,7 +142,7 @@ static batten_status refine(task *t, int i)
 
 /* Of data all; of a function the places and, beside those that are extrema and might be the
  * worst, what lies between. */
-static batten_status find_worst(task *t)
+static batten_status find_worst(minimax *t)
 {
     const int last = t->count - 1;
     batten_status status = BATTEN_OK;
@@ -165,7 +165,7 @@ static batten_status find_worst(task *t)
 
 /* Let the worst place in and its neighbour of the same sign out, so that signs go on to
  * alternate; the level can but grow. */
-static void exchange(task *t)
+static void exchange(minimax *t)
 {
     const int m = t->degree + 2;
     const bool plus = t->worst_error > 0, first_plus = t->level >= 0;
@@ -187,7 +187,7 @@ static void exchange(task *t)
     t->y[out] = t->worst_value;
 }
 
-static bool is_least(const task *t)
+static bool is_least(const minimax *t)
 {
     /* What evaluation and the equations round. */
     const double rounding = 32 * (t->degree + 2) * DBL_EPSILON * t->size;
@@ -195,7 +195,7 @@ static bool is_least(const task *t)
     return fabs(t->worst_error) <= fabs(t->level) * (1 + share) + rounding;
 }
 
-static batten_status exchange_all(task *t)
+static batten_status exchange_all(minimax *t)
 {
     batten_status status = level_reference(t);
     if (status == BATTEN_OK)
@@ -216,7 +216,7 @@ static batten_status exchange_all(task *t)
 /* ---- beginning and end ---- */
 
 /* The places nearest to the extrema of Chebyshev's polynomial of degree n + 1. */
-static void begin_reference(task *t)
+static void begin_reference(minimax *t)
 {
     const int m = t->degree + 2, last = t->count - 1;
     const double pi = 4 * atan(1);
@@ -230,7 +230,7 @@ static void begin_reference(task *t)
 
 /* Chebyshev's polynomials in Bernstein form: T_k has (-1)^(k - i) C(2 k, 2 i) / C(k, i), raised
  * to degree n. */
-static batten_status make_curve(const task *t, batten_curve **out)
+static batten_status make_curve(const minimax *t, batten_curve **out)
 {
     const int n = bat_max_int(t->degree, 1);
     double control[BATTEN_MAX_DEGREE + 1] = {0}, b[BATTEN_MAX_DEGREE + 1];
@@ -257,8 +257,8 @@ static batten_status make_curve(const task *t, batten_curve **out)
 
 /* The errors of the curve itself: Bernstein's form of high degrees rounds more than
  * Chebyshev's. */
-static batten_status measure(const task *t, const batten_curve *curve,
-                             batten_curve_minimax_report *report)
+static batten_status measure_bernstein_error(const minimax *t, const batten_curve *curve,
+                                             batten_curve_minimax_report *report)
 {
     double squares = 0;
     const batten_status status =
@@ -276,7 +276,8 @@ static batten_status measure(const task *t, const batten_curve *curve,
     return status;
 }
 
-static batten_status run(task *t, batten_curve_minimax_report *report, batten_curve **out)
+static batten_status find_minimax(minimax *t, batten_curve_minimax_report *report,
+                                  batten_curve **out)
 {
     batten_curve_minimax_report reached;
     batten_curve *curve = NULL;
@@ -291,7 +292,7 @@ static batten_status run(task *t, batten_curve_minimax_report *report, batten_cu
     if (status == BATTEN_OK)
         status = make_curve(t, &curve);
     if (status == BATTEN_OK)
-        status = measure(t, curve, &reached);
+        status = measure_bernstein_error(t, curve, &reached);
     bat_release(t->errors);
     if (status != BATTEN_OK) {
         batten_curve_unref(curve);
@@ -322,8 +323,8 @@ batten_status batten_curve_minimax(int count, const double *parameters, const do
         status = bat_parameters_check(count, parameters);
     if (status != BATTEN_OK)
         return status;
-    task t = {.degree = degree, .count = count, .t = parameters, .f = values};
-    return run(&t, report, out);
+    minimax t = {.degree = degree, .count = count, .t = parameters, .f = values};
+    return find_minimax(&t, report, out);
 }
 
 batten_status batten_function_minimax(batten_interval domain, int degree,
@@ -341,12 +342,12 @@ batten_status batten_function_minimax(batten_interval domain, int degree,
     double *places = bat_array((size_t)count, sizeof *places),
            *values = bat_array((size_t)count, sizeof *values);
     status = places && values ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    task t = {.degree = degree,
-              .count = count,
-              .t = places,
-              .f = values,
-              .function = function,
-              .user = user};
+    minimax t = {.degree = degree,
+                 .count = count,
+                 .t = places,
+                 .f = values,
+                 .function = function,
+                 .user = user};
     /* Denser towards the ends, as the extrema are. */
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
         const double s = sin(2 * atan(1) * i / (count - 1));
@@ -354,7 +355,7 @@ batten_status batten_function_minimax(batten_interval domain, int degree,
         status = ask(&t, places[i], &values[i]);
     }
     if (status == BATTEN_OK)
-        status = run(&t, report, out);
+        status = find_minimax(&t, report, out);
     bat_release(places);
     bat_release(values);
     return status;

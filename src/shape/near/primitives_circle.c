@@ -73,11 +73,11 @@ static bool algebraic(int count, const double *points, batten_circle_method meth
 typedef struct {
     int count;
     const double *points;
-} task;
+} circle_fit;
 
 static bool residuals(void *context, const double *x, double *r, double *derivatives)
 {
-    const task *t = context;
+    const circle_fit *t = context;
     for (int i = 0; i < t->count; i++) {
         const double u = t->points[2 * i] - x[0], v = t->points[2 * i + 1] - x[1],
                      distance = hypot(u, v);
@@ -112,7 +112,7 @@ static batten_status fit_plane(const bat_cloud *c, batten_circle_method method, 
         return bat_fail(BATTEN_SINGULAR_SYSTEM, "the %d points lie on a line", c->count);
     if (method == BATTEN_CIRCLE_GEOMETRIC) {
         double x[3] = {out->x, out->y, out->radius};
-        task t = {c->count, c->points};
+        circle_fit t = {c->count, c->points};
         const batten_status status =
             bat_gauss_newton(c->count, 3, residuals, &t, 200, x, rounds);
         if (status != BATTEN_OK)
@@ -155,8 +155,9 @@ static batten_vec3 vec3(const double *a)
 
 /* The frame in which the data run counter-clockwise, its x-axis towards the first; -1 when they
  * ran clockwise. */
-static double place(const bat_cloud *c, const bat_cloud *flat, const double axes[9],
-                    const circle *in, const double *angles, batten_fitted_circle *out)
+static double find_circle_frame(const bat_cloud *c, const bat_cloud *flat, const double axes[9],
+                                const circle *in, const double *angles,
+                                batten_fitted_circle *out)
 {
     double turned = 0;
     for (int i = 1; i < flat->count; i++) {
@@ -175,9 +176,9 @@ static double place(const bat_cloud *c, const bat_cloud *flat, const double axes
     return sign;
 }
 
-static batten_status finish(const bat_cloud *c, const bat_cloud *flat, const double axes[9],
-                            const circle *in, batten_fitted_circle *out,
-                            batten_primitive_report *report)
+static batten_status report_circle(const bat_cloud *c, const bat_cloud *flat,
+                                   const double axes[9], const circle *in,
+                                   batten_fitted_circle *out, batten_primitive_report *report)
 {
     const size_t n = (size_t)c->count;
     double *angles = bat_array(n, sizeof *angles), *distances = bat_array(n, sizeof *distances);
@@ -189,7 +190,8 @@ static batten_status finish(const bat_cloud *c, const bat_cloud *flat, const dou
             angles[i] = atan2(y, x);
             distances[i] = hypot(hypot(x, y) - in->radius, height);
         }
-        const double sign = place(c, flat, axes, in, angles, out), first = angles[0];
+        const double sign = find_circle_frame(c, flat, axes, in, angles, out),
+                     first = angles[0];
         for (size_t i = 0; i < n; i++)
             angles[i] = sign * (angles[i] - first);
         bat_angle_range(c->count, angles, &out->start, &out->angle);
@@ -210,7 +212,7 @@ static batten_status fit(const bat_cloud *c, batten_circle_method method,
     if (status == BATTEN_OK)
         status = fit_plane(&flat, method, &found, &report->rounds);
     if (status == BATTEN_OK)
-        status = finish(c, &flat, axes, &found, out, report);
+        status = report_circle(c, &flat, axes, &found, out, report);
     bat_cloud_free(&flat);
     return status;
 }

@@ -19,12 +19,12 @@ typedef struct {
     const double *points;
     double *kept;    /* [count] arc lengths of the feet for unknowns that were taken */
     double *lengths; /* [count] of those just tried */
-} task;
+} clothoid_fit;
 
 /* Is s a length at which a clothoid beside the data may have a foot? One that goes around
  * between all data is not what they show; a foot that is sought may run away on a curve that
  * winds up, and the farther it turns, the longer takes each of its points. */
-static bool is_near(const task *t, const double *x, double s)
+static bool is_near(const clothoid_fit *t, const double *x, double s)
 {
     const double turn = 50 + 7.0 * t->count;
     return fabs(x[CURVATURE] * s) + fabs(x[RATE] * s * s) < turn && fabs(s) < 1e4;
@@ -45,7 +45,7 @@ static void evaluate(const double *x, double s, double point[2], double u[3], do
 }
 
 /* The foot of q near *s; false when the search leaves the lengths beside the data. */
-static bool find_foot(const task *t, const double *x, const double *q, double *s)
+static bool find_foot(const clothoid_fit *t, const double *x, const double *q, double *s)
 {
     double point[2], u[3], v[3];
     for (int i = 0; i < 20; i++) {
@@ -65,7 +65,7 @@ static bool find_foot(const task *t, const double *x, const double *q, double *s
 
 static bool residuals(void *context, const double *x, double *r, double *derivatives)
 {
-    task *t = context;
+    clothoid_fit *t = context;
     for (int i = 0; i < t->count; i++) {
         double *s = t->lengths + i, point[2], u[3], v[3];
         *s = t->kept[i]; /* a step that was refused leaves no trace */
@@ -170,8 +170,8 @@ static batten_status guess(const bat_cloud *c, double *x, double *lengths)
 
 /* ---- the whole ---- */
 
-static batten_status hand_over(const bat_cloud *c, const double *x, double *lengths,
-                               batten_span *out)
+static batten_status report_clothoid(const bat_cloud *c, const double *x, double *lengths,
+                                     batten_span *out)
 {
     const double s = lengths[0], whole = lengths[c->count - 1] - s;
     double point[2], u[3], v[3];
@@ -197,7 +197,7 @@ static batten_status fit(const bat_cloud *c, batten_span *span, double *lengths,
     double x[UNKNOWNS];
     const size_t n = (size_t)c->count;
     double *distances = bat_array(n, sizeof *distances), *kept = bat_array(n, sizeof *kept);
-    task t = {c->count, c->points, kept, lengths};
+    clothoid_fit t = {c->count, c->points, kept, lengths};
     batten_status status = distances && kept ? guess(c, x, kept) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = bat_gauss_newton(bat_max_int(c->count, UNKNOWNS), UNKNOWNS, residuals, &t, 200,
@@ -205,7 +205,7 @@ static batten_status fit(const bat_cloud *c, batten_span *span, double *lengths,
     if (status == BATTEN_OK) {
         residuals(&t, x, distances, NULL);
         bat_primitive_measure(c->count, distances, c->size, report);
-        status = hand_over(c, x, lengths, span);
+        status = report_clothoid(c, x, lengths, span);
     }
     bat_release(kept);
     bat_release(distances);

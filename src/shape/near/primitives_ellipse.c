@@ -167,11 +167,11 @@ static void foot(double a, double b, const double q[2], double x[2])
 typedef struct {
     int count;
     const double *points;
-} task;
+} ellipse_fit;
 
 static bool residuals(void *context, const double *x, double *r, double *derivatives)
 {
-    const task *t = context;
+    const ellipse_fit *t = context;
     const double a = x[2], b = x[3], c = cos(x[4]), s = sin(x[4]);
     if (!(a > 0 && b > 0 && isfinite(a) && isfinite(b)))
         return false;
@@ -213,7 +213,7 @@ static bool is_open(const ellipse *e)
 static batten_status refine(const bat_cloud *c, ellipse *e, double *distances, int *rounds)
 {
     double x[5] = {e->x, e->y, e->a, e->b, e->turn};
-    task t = {c->count, c->points};
+    ellipse_fit t = {c->count, c->points};
     const batten_status status = bat_gauss_newton(c->count, 5, residuals, &t, 200, x, rounds);
     if (status != BATTEN_OK)
         return status;
@@ -229,8 +229,8 @@ static batten_status refine(const bat_cloud *c, ellipse *e, double *distances, i
 }
 
 /* Directed along the way from the first datum to the last. */
-static void hand_over(const bat_cloud *c, const ellipse *e, double *angles,
-                      batten_fitted_ellipse *out)
+static void report_ellipse(const bat_cloud *c, const ellipse *e, double *angles,
+                           batten_fitted_ellipse *out)
 {
     const double cosine = cos(e->turn), sine = sin(e->turn), pi = 2 * acos(0);
     double turned = 0;
@@ -263,7 +263,7 @@ static batten_status fit(const bat_cloud *c, batten_fitted_ellipse *out,
         status = refine(c, &e, distances, &report->rounds);
     if (status == BATTEN_OK) {
         bat_primitive_measure(c->count, distances, c->size, report);
-        hand_over(c, &e, distances, out);
+        report_ellipse(c, &e, distances, out);
     }
     bat_release(distances);
     return status;

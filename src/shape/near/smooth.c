@@ -167,8 +167,8 @@ static batten_status make_interpolant(bat_smoothing *t)
 
 /* ---- the whole ---- */
 
-static batten_status check(int dimension, int count, const double *points,
-                           const batten_curve_smooth_options *o)
+static batten_status check_smoothing_data(int dimension, int count, const double *points,
+                                          const batten_curve_smooth_options *o)
 {
     batten_status status = bat_points_check(dimension, count, points, 2);
     if (status == BATTEN_OK)
@@ -192,7 +192,7 @@ static batten_status check(int dimension, int count, const double *points,
                           "the amount of smoothing is %g; it must be 0 or more", o->amount);
 }
 
-static batten_status begin(bat_smoothing *t)
+static batten_status allocate_smoothing(bat_smoothing *t)
 {
     const batten_curve_smooth_options *o = t->options;
     bat_fit_request *r = &t->request;
@@ -221,7 +221,7 @@ static batten_status begin_fit(bat_smoothing *t)
     return t->control ? bat_fit_begin(r, &t->fit) : BATTEN_OUT_OF_MEMORY;
 }
 
-static batten_status finish(bat_smoothing *t, double lambda)
+static batten_status fit_last_lambda(bat_smoothing *t, double lambda)
 {
     batten_status status = bat_smoothing_try(t, lambda);
     if (status == BATTEN_OK)
@@ -229,8 +229,9 @@ static batten_status finish(bat_smoothing *t, double lambda)
     return status == BATTEN_OK ? bat_fit_curve(&t->fit, t->control, &t->curve) : status;
 }
 
-static batten_status hand_over(bat_smoothing *t, batten_status status, double *parameters,
-                               batten_fit_report *report, batten_curve **out)
+static batten_status copy_smooth_results(bat_smoothing *t, batten_status status,
+                                         double *parameters, batten_fit_report *report,
+                                         batten_curve **out)
 {
     t->report.p = 1 / (1 + t->report.lambda);
     if (status == BATTEN_OK) {
@@ -306,7 +307,7 @@ static batten_status smooth(bat_smoothing *t)
         return make_interpolant(t);
     if (isinf(lambda))
         return make_polynomial(t);
-    status = finish(t, lambda);
+    status = fit_last_lambda(t, lambda);
     return status == BATTEN_SINGULAR_SYSTEM && lambda > t->fit.penalty_scale
                ? make_polynomial(t)
                : status;
@@ -325,15 +326,15 @@ batten_status batten_curve_smooth(batten_points points,
                        .request = {.dimension = points.dimension,
                                    .data_count = points.count,
                                    .points = points.at}};
-    status = check(points.dimension, points.count, points.at, t.options);
+    status = check_smoothing_data(points.dimension, points.count, points.at, t.options);
     if (status != BATTEN_OK)
         return status;
     t.request.periodic = t.options->closed;
     t.request.weights = t.options->weights;
-    status = begin(&t);
+    status = allocate_smoothing(&t);
     if (status == BATTEN_OK)
         status = smooth(&t);
-    return hand_over(&t, status, parameters, report, out);
+    return copy_smooth_results(&t, status, parameters, report, out);
 }
 
 /* ---- P-splines ---- */
@@ -389,7 +390,7 @@ static batten_status p_spline(bat_smoothing *t)
     if (status == BATTEN_OK && isinf(lambda))
         return make_polynomial(t);
     if (status == BATTEN_OK)
-        status = finish(t, lambda);
+        status = fit_last_lambda(t, lambda);
     if (status == BATTEN_SINGULAR_SYSTEM && lambda > t->fit.penalty_scale)
         return make_polynomial(t);
     return status == BATTEN_OK ? clamp(t) : status;
@@ -408,7 +409,7 @@ batten_status batten_curve_p_spline(batten_points points,
                        .request = {.dimension = points.dimension,
                                    .data_count = points.count,
                                    .points = points.at}};
-    status = check(points.dimension, points.count, points.at, t.options);
+    status = check_smoothing_data(points.dimension, points.count, points.at, t.options);
     if (status != BATTEN_OK)
         return status;
     if (t.options->degree < 1 || t.options->degree > BATTEN_MAX_DEGREE)
@@ -419,8 +420,8 @@ batten_status batten_curve_p_spline(batten_points points,
                         t.options->spans, t.options->order + 1, BAT_MAX_MADE_POINTS);
     t.request.periodic = t.options->closed;
     t.request.weights = t.options->weights;
-    status = begin(&t);
+    status = allocate_smoothing(&t);
     if (status == BATTEN_OK)
         status = p_spline(&t);
-    return hand_over(&t, status, parameters, report, out);
+    return copy_smooth_results(&t, status, parameters, report, out);
 }

@@ -122,7 +122,7 @@ static void copy_parameters(const bat_within *w, const double *from, double *to)
 }
 
 /* The curve of this way so far: later fits begin with its parameters; and perhaps the best. */
-static void keep(bat_within *w, const trial *t)
+static void keep_trial(bat_within *w, const trial *t)
 {
     if (!t->curve)
         return;
@@ -231,7 +231,7 @@ static batten_status shrink(bat_within *w, trial *t)
             status = take_away(w, t, count, order, most, &removed);
         bat_release(order);
         if (status == BATTEN_OK)
-            keep(w, t);
+            keep_trial(w, t);
     }
     return status;
 }
@@ -374,7 +374,7 @@ static batten_status grow(bat_within *w, trial *t)
         }
     }
     if (status == BATTEN_OK)
-        keep(w, t);
+        keep_trial(w, t);
     return status;
 }
 
@@ -401,7 +401,7 @@ static batten_status begin_with_all(bat_within *w, trial *t)
     if (status == BATTEN_OK && t->curve && !is_near(w, t) && !(w->error <= w->tolerance))
         status = allow_swing(w, t);
     if (status == BATTEN_OK)
-        keep(w, t);
+        keep_trial(w, t);
     return status;
 }
 

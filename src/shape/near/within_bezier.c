@@ -17,7 +17,7 @@ typedef struct {
     int from, to;
     double ends[2][3];
     double arms[2];
-} piece;
+} bezier_piece;
 
 typedef struct {
     int dimension, count; /* of points that differ from those before them */
@@ -27,17 +27,17 @@ typedef struct {
     bool closed;
     double *local; /* [count] parameters in a piece */
     int done_count;
-    piece *done, *waiting; /* [count] */
-} task;
+    bezier_piece *done, *waiting; /* [count] */
+} bezier_fit;
 
-static const double *point_at(const task *t, int i)
+static const double *point_at(const bezier_fit *t, int i)
 {
     return t->points + (size_t)i * (size_t)t->dimension;
 }
 
 /* ---- directions ---- */
 
-static bool direction(const task *t, int from, int to, double *out)
+static bool direction(const bezier_fit *t, int from, int to, double *out)
 {
     const int d = t->dimension;
     for (int k = 0; k < d; k++)
@@ -50,7 +50,7 @@ static bool direction(const task *t, int from, int to, double *out)
 
 /* The direction along the row at a point: that between its neighbours; at an end that of the
  * parabola through three points. */
-static void tangent_at(const task *t, int i, double *out)
+static void tangent_at(const bezier_fit *t, int i, double *out)
 {
     const int last = t->count - 1, d = t->dimension;
     const bool inside = i > 0 && i < last, ring = t->closed && !inside;
@@ -75,7 +75,7 @@ static void tangent_at(const task *t, int i, double *out)
 
 /* ---- one piece ---- */
 
-static void control_points(const task *t, const piece *p, double b[4][3])
+static void control_points(const bezier_fit *t, const bezier_piece *p, double b[4][3])
 {
     for (int k = 0; k < t->dimension; k++) {
         b[0][k] = point_at(t, p->from)[k];
@@ -86,7 +86,7 @@ static void control_points(const task *t, const piece *p, double b[4][3])
 }
 
 /* The 2 x 2 normal equations of the arms; a third of the chord when they make no sense. */
-static void find_arms(const task *t, piece *p)
+static void find_arms(const bezier_fit *t, bezier_piece *p)
 {
     const int d = t->dimension;
     const double *a = point_at(t, p->from), *z = point_at(t, p->to);
@@ -131,7 +131,7 @@ static void evaluate(int d, double b[4][3], double u, double at[3][3])
     }
 }
 
-static double worst_of(const task *t, const piece *p, int *worst)
+static double worst_of(const bezier_fit *t, const bezier_piece *p, int *worst)
 {
     double b[4][3], at[3][3], largest = 0;
     control_points(t, p, b);
@@ -148,7 +148,7 @@ static double worst_of(const task *t, const piece *p, int *worst)
 }
 
 /* One step of Newton towards each foot, in the same order. */
-static void correct(const task *t, const piece *p)
+static void correct(const bezier_fit *t, const bezier_piece *p)
 {
     const int d = t->dimension;
     double b[4][3], at[3][3], rows[9];
@@ -165,7 +165,7 @@ static void correct(const task *t, const piece *p)
 /* Worth moving parameters: so many times the tolerance, and so many rounds. */
 enum { NEAR = 4, ROUNDS = 20 };
 
-static bool fit_piece(const task *t, piece *p, int *worst)
+static bool fit_piece(const bezier_fit *t, bezier_piece *p, int *worst)
 {
     const double a = t->parameters[p->from], h = t->parameters[p->to] - a;
     for (int i = p->from; i <= p->to; i++)
@@ -181,23 +181,23 @@ static bool fit_piece(const task *t, piece *p, int *worst)
 }
 
 /* Whole first; halves wait, the left one on top. */
-static void divide(task *t)
+static void divide(bezier_fit *t)
 {
     int waiting = 0;
-    piece whole = {.from = 0, .to = t->count - 1};
+    bezier_piece whole = {.from = 0, .to = t->count - 1};
     tangent_at(t, 0, whole.ends[0]);
     tangent_at(t, t->count - 1, whole.ends[1]);
     for (int k = 0; k < t->dimension; k++)
         whole.ends[1][k] = -whole.ends[1][k];
     t->waiting[waiting++] = whole;
     while (waiting > 0) {
-        piece p = t->waiting[--waiting];
+        bezier_piece p = t->waiting[--waiting];
         int worst;
         if (fit_piece(t, &p, &worst)) {
             t->done[t->done_count++] = p;
             continue;
         }
-        piece left = p, right = p;
+        bezier_piece left = p, right = p;
         double along[3];
         tangent_at(t, worst, along);
         left.to = right.from = worst;
@@ -214,12 +214,12 @@ static void divide(task *t)
 
 /* A run of pieces is paced so that derivatives agree; it ends where spans would become too
  * different from those of the data. Returns the piece after the last. */
-static int pace(const task *t, int first, double *lengths)
+static int pace(const bezier_fit *t, int first, double *lengths)
 {
     double speed = 0;
     int i = first;
     for (; i < t->done_count; i++) {
-        const piece *p = &t->done[i];
+        const bezier_piece *p = &t->done[i];
         const double own = t->parameters[p->to] - t->parameters[p->from];
         lengths[i] = i == first ? own : 3 * p->arms[0] / speed;
         if (!(lengths[i] > own / 64 && lengths[i] < 64 * own))
@@ -229,7 +229,7 @@ static int pace(const task *t, int first, double *lengths)
     return i;
 }
 
-static batten_status make_run(const task *t, int first, int last, const double *breaks,
+static batten_status make_run(const bezier_fit *t, int first, int last, const double *breaks,
                               batten_curve **out)
 {
     const int d = t->dimension, n = last - first + 1;
@@ -239,7 +239,7 @@ static batten_status make_run(const task *t, int first, int last, const double *
     for (int j = 0; j < n; j++) {
         const int i = first + j;
         const bool ends = i == last;
-        const piece *p = &t->done[ends ? i - 1 : i];
+        const bezier_piece *p = &t->done[ends ? i - 1 : i];
         const double h = ends ? breaks[i] - breaks[i - 1] : breaks[i + 1] - breaks[i];
         for (int k = 0; k < d; k++) {
             values[2 * d * j + k] = point_at(t, ends ? p->to : p->from)[k];
@@ -253,7 +253,7 @@ static batten_status make_run(const task *t, int first, int last, const double *
     return status;
 }
 
-static batten_status make_curve(const task *t, double *breaks, batten_curve **out)
+static batten_status make_curve(const bezier_fit *t, double *breaks, batten_curve **out)
 {
     const size_t n = (size_t)t->done_count;
     double *lengths = bat_array(n, sizeof *lengths);
@@ -278,7 +278,8 @@ static batten_status make_curve(const task *t, double *breaks, batten_curve **ou
 
 /* ---- the whole ---- */
 
-static batten_status begin(task *t, int count, const double *points, const double *parameters)
+static batten_status allocate_pieces(bezier_fit *t, int count, const double *points,
+                                     const double *parameters)
 {
     const size_t n = (size_t)count, d = (size_t)t->dimension;
     t->points = bat_array3(n, d, sizeof *t->points);
@@ -301,7 +302,7 @@ static batten_status begin(task *t, int count, const double *points, const doubl
     return BATTEN_OK;
 }
 
-static void end(task *t)
+static void release_pieces(bezier_fit *t)
 {
     bat_release(t->points);
     bat_release(t->parameters);
@@ -312,10 +313,10 @@ static void end(task *t)
 }
 
 /* Parameters on the curve, from those in the pieces. */
-static void hand_over(task *t, int count, const double *breaks, double *parameters)
+static void copy_parameters(bezier_fit *t, int count, const double *breaks, double *parameters)
 {
     for (int i = 0; i < t->done_count; i++) {
-        const piece *p = &t->done[i];
+        const bezier_piece *p = &t->done[i];
         for (int k = p->from; k <= p->to; k++)
             t->parameters[k] = k == p->to
                                    ? breaks[i + 1]
@@ -328,9 +329,9 @@ static void hand_over(task *t, int count, const double *breaks, double *paramete
 batten_status bat_within_bezier(int dimension, int count, const double *points, bool closed,
                                 double tolerance, double *parameters, batten_curve **out)
 {
-    task t = {.dimension = dimension, .tolerance = tolerance, .closed = closed};
+    bezier_fit t = {.dimension = dimension, .tolerance = tolerance, .closed = closed};
     double *breaks = bat_array((size_t)count + 1, sizeof *breaks);
-    batten_status status = begin(&t, count, points, parameters);
+    batten_status status = allocate_pieces(&t, count, points, parameters);
     if (!breaks)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
@@ -339,8 +340,8 @@ batten_status bat_within_bezier(int dimension, int count, const double *points, 
         status = make_curve(&t, breaks, out);
     }
     if (status == BATTEN_OK)
-        hand_over(&t, count, breaks, parameters);
+        copy_parameters(&t, count, breaks, parameters);
     bat_release(breaks);
-    end(&t);
+    release_pieces(&t);
     return status;
 }

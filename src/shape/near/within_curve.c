@@ -222,8 +222,9 @@ static batten_status prove_all(const bat_within *w, const batten_curve *P,
     return BATTEN_OK;
 }
 
-static batten_status measure(bat_within *w, const batten_curve *curve, const double *parameters,
-                             double *distances, double *max)
+static batten_status measure_curve_error(bat_within *w, const batten_curve *curve,
+                                         const double *parameters, double *distances,
+                                         double *max)
 {
     source *s = w->context;
     batten_curve *clamped = NULL, *P = NULL, *S = NULL;
@@ -259,7 +260,7 @@ static batten_status approximate_part(batten_curve *part, bool ring, int degree,
                     .tolerance = tolerance,
                     .domain = batten_curve_domain(part),
                     .sample = sample,
-                    .measure = measure,
+                    .measure = measure_curve_error,
                     .context = &s,
                     .error = HUGE_VAL};
     s.breaks = bat_array((size_t)s.break_count, sizeof *s.breaks);

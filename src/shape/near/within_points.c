@@ -26,7 +26,7 @@ typedef struct {
     batten_curve **pieces; /* [row_count] */
     batten_curve *curve;
     int fits;
-} task;
+} within_fit;
 
 /* ---- corners ---- */
 
@@ -34,7 +34,7 @@ typedef struct {
 enum { REACH = 1000 };
 
 /* The nearest point of the row on one side that is `far` away, or the end. */
-static int far_point(const task *t, int from, int step, double far)
+static int far_point(const within_fit *t, int from, int step, double far)
 {
     const double *points = t->points;
     const int d = t->dimension, n = t->count;
@@ -53,7 +53,7 @@ static int far_point(const task *t, int from, int step, double far)
 
 /* By how much the row turns at a point, between directions to points that are `far` away; 0 at
  * the ends. */
-static double turn_at(const task *t, int i, double far)
+static double turn_at(const within_fit *t, int i, double far)
 {
     const int d = t->dimension, before = far_point(t, i, -1, far),
               after = far_point(t, i, 1, far);
@@ -74,7 +74,7 @@ static double turn_at(const task *t, int i, double far)
 }
 
 /* Where no point nearer than that turns more; of equal ones the first. */
-static bool is_sharpest(const task *t, const double *turns, int i, double far)
+static bool is_sharpest(const within_fit *t, const double *turns, int i, double far)
 {
     const int n = t->count;
     for (int step = -1; step <= 1; step += 2) {
@@ -86,7 +86,7 @@ static bool is_sharpest(const task *t, const double *turns, int i, double far)
     return true;
 }
 
-static batten_status detect_corners(task *t)
+static batten_status detect_corners(within_fit *t)
 {
     const batten_curve_within_options *o = t->options;
     const double far = 4 * o->tolerance;
@@ -103,7 +103,7 @@ static batten_status detect_corners(task *t)
     return BATTEN_OK;
 }
 
-static batten_status find_corners(task *t)
+static batten_status find_corners(within_fit *t)
 {
     const batten_curve_within_options *o = t->options;
     t->corner = bat_array((size_t)t->count, sizeof *t->corner);
@@ -129,7 +129,7 @@ static batten_status find_corners(task *t)
 /* ---- the row ---- */
 
 /* Turned so that a closed row with corners begins at its first one, and ends there again. */
-static batten_status take_row(task *t)
+static batten_status take_row(within_fit *t)
 {
     const batten_curve_within_options *o = t->options;
     const int n = t->count;
@@ -176,7 +176,7 @@ static double between(int d, const double *p, const double *places)
 }
 
 /* By how much the polygon turns at a datum of the row: radians, of a function in slopes. */
-static double turn_of_row(const task *t, int i)
+static double turn_of_row(const within_fit *t, int i)
 {
     const int d = t->dimension;
     const double *p = t->row + (size_t)i * (size_t)d, *u = t->parameters + i;
@@ -194,7 +194,7 @@ static double turn_of_row(const task *t, int i)
 
 /* An arc that turns by an angle bows by an eighth of it and its chord; four times as much, and
  * the tolerance, is left to a curve. Where data coincide anything may be. */
-static void find_bows(task *t)
+static void find_bows(within_fit *t)
 {
     const int d = t->dimension,
               last =
@@ -213,10 +213,11 @@ static void find_bows(task *t)
 
 /* Distances of the data; and where the curve leaves the polygon by more than it may, what is
  * too much on top of the tolerance. */
-static batten_status measure(bat_within *w, const batten_curve *curve, const double *parameters,
-                             double *distances, double *max)
+static batten_status measure_point_error(bat_within *w, const batten_curve *curve,
+                                         const double *parameters, double *distances,
+                                         double *max)
 {
-    const task *t = w->context;
+    const within_fit *t = w->context;
     const size_t n = (size_t)w->count, d = (size_t)w->dimension, each = PLACES + 1;
     const double *bows = t->bows + (w->points - t->row) / w->dimension;
     double *u = bat_array3(n, each, sizeof *u), *at = bat_array3(n * each, d, sizeof *at);
@@ -251,7 +252,7 @@ static batten_status measure(bat_within *w, const batten_curve *curve, const dou
 }
 
 /* The seam of a ring of even degree stands, as its other knots shall, between two data. */
-static batten_interval domain_of(const task *t, int from, int to, bool periodic)
+static batten_interval domain_of(const within_fit *t, int from, int to, bool periodic)
 {
     const double *u = t->parameters;
     const double gap = periodic && t->options->degree % 2 == 0 ? (u[to + 1] - u[to]) / 2 : 0;
@@ -273,7 +274,8 @@ static batten_status search(bat_within *w, batten_within_method method)
     return status == BATTEN_OK && !done ? bat_within_remove(w) : status;
 }
 
-static batten_status fit_piece(task *t, int from, int to, bool periodic, batten_curve **out)
+static batten_status fit_piece(within_fit *t, int from, int to, bool periodic,
+                               batten_curve **out)
 {
     const batten_curve_within_options *o = t->options;
     const size_t n = (size_t)(to - from) + 2;
@@ -289,7 +291,7 @@ static batten_status fit_piece(task *t, int from, int to, bool periodic, batten_
                     .start = start,
                     .parameters = parameters,
                     .best = t->parameters + from,
-                    .measure = measure,
+                    .measure = measure_point_error,
                     .context = t,
                     .error = HUGE_VAL};
     batten_status status = start && parameters ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -306,7 +308,7 @@ static batten_status fit_piece(task *t, int from, int to, bool periodic, batten_
     return status;
 }
 
-static batten_status make_piece(task *t, int from, int to, bool smooth_ring)
+static batten_status make_piece(within_fit *t, int from, int to, bool smooth_ring)
 {
     const batten_curve_within_options *o = t->options;
     batten_curve **out = &t->pieces[t->piece_count];
@@ -325,7 +327,7 @@ static batten_status make_piece(task *t, int from, int to, bool smooth_ring)
     return status;
 }
 
-static batten_status make_pieces(task *t)
+static batten_status make_pieces(within_fit *t)
 {
     const batten_curve_within_options *o = t->options;
     if (o->closed && t->corner_count == 0) {
@@ -348,7 +350,7 @@ static batten_status make_pieces(task *t)
 /* ---- what came out ---- */
 
 /* The largest distance of the curve from the polygon of the data. */
-static batten_status measure_between(const task *t, double *apart)
+static batten_status measure_between(const within_fit *t, double *apart)
 {
     const int d = t->dimension;
     double at[PLACES * 3], u[PLACES];
@@ -366,7 +368,7 @@ static batten_status measure_between(const task *t, double *apart)
     return BATTEN_OK;
 }
 
-static batten_status check_result(task *t, double *parameters,
+static batten_status check_result(within_fit *t, double *parameters,
                                   batten_curve_within_report *report)
 {
     const int d = t->dimension;
@@ -399,7 +401,7 @@ static batten_status check_result(task *t, double *parameters,
     return measure_between(t, &report->apart);
 }
 
-static batten_status run(task *t)
+static batten_status search_within(within_fit *t)
 {
     batten_status status = find_corners(t);
     if (status == BATTEN_OK)
@@ -417,8 +419,8 @@ static batten_status run(task *t)
     return status;
 }
 
-static batten_status check(int dimension, int count, const double *points,
-                           const batten_curve_within_options *o)
+static batten_status check_within_data(int dimension, int count, const double *points,
+                                       const batten_curve_within_options *o)
 {
     const batten_status status = bat_points_check(dimension, count, points, 2);
     if (status != BATTEN_OK)
@@ -458,17 +460,17 @@ batten_status batten_curve_within(batten_points points,
     if (status != BATTEN_OK)
         return status;
     options = &chosen;
-    task t = {.options = options,
-              .dimension = points.dimension,
-              .count = points.count,
-              .points = points.at};
+    within_fit t = {.options = options,
+                    .dimension = points.dimension,
+                    .count = points.count,
+                    .points = points.at};
     batten_curve_within_report found = {0};
     double *at = NULL;
-    status = check(points.dimension, points.count, points.at, options);
+    status = check_within_data(points.dimension, points.count, points.at, options);
     if (status != BATTEN_OK)
         return status;
     at = bat_array((size_t)points.count, sizeof *at);
-    status = at ? run(&t) : BATTEN_OUT_OF_MEMORY;
+    status = at ? search_within(&t) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = check_result(&t, at, &found);
     if (status == BATTEN_OK) {

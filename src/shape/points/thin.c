@@ -125,8 +125,8 @@ static void split_ring(thinning *t)
     split(t, second, first + t->count);
 }
 
-static void measure(const thinning *t, const int *kept, int kept_count, bool closed,
-                    batten_points_thin_report *report)
+static void measure_thinned(const thinning *t, const int *kept, int kept_count, bool closed,
+                            batten_points_thin_report *report)
 {
     double squares = 0;
     *report = (batten_points_thin_report){.worst = kept[0]};
@@ -184,7 +184,7 @@ batten_status batten_points_thin(batten_points points, double tolerance, bool cl
         if (t.keep[i])
             kept[(*kept_count)++] = i;
     if (report)
-        measure(&t, kept, *kept_count, closed, report);
+        measure_thinned(&t, kept, *kept_count, closed, report);
     bat_release(t.keep);
     return BATTEN_OK;
 }
