@@ -263,8 +263,40 @@ static void check_length(subject *of, const fact *f)
     near_value(of, f, length, f->number[0]);
 }
 
+static double triangle_area(const double *a, const double *b, const double *c)
+{
+    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+                 v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    return hypot(hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2]),
+                 u[0] * v[1] - u[1] * v[0]) /
+           2;
+}
+
+static double mesh_area(const batten_mesh *mesh)
+{
+    const batten_mesh_parts *parts = batten_mesh_view(mesh);
+    double area = 0;
+    for (int i = 0; i < parts->triangle_count; i++) {
+        const int *t = parts->corners + 3 * (size_t)i;
+        area +=
+            triangle_area(parts->points + 3 * (size_t)t[0], parts->points + 3 * (size_t)t[1],
+                          parts->points + 3 * (size_t)t[2]);
+    }
+    return area;
+}
+
+static void check_finer(subject *of, const fact *f)
+{
+    const int count = batten_mesh_view(of->object->mesh)->triangle_count;
+    near_value(of, f, fmin(count, f->number[0]), f->number[0]);
+}
+
 static void check_area(subject *of, const fact *f)
 {
+    if (of->object->mesh) {
+        near_value(of, f, mesh_area(of->object->mesh), f->number[0]);
+        return;
+    }
     batten_area_measures measures = {0};
     CHECK_OK(batten_surface_area(of->object->surface, 1e-10, NULL, &measures));
     near_value(of, f, measures.area, f->number[0]);
@@ -346,6 +378,13 @@ static void check_exact(subject *of, const fact *f)
     near_value(of, f, of->result->has_error, 0);
 }
 
+static void check_moves(subject *of, const fact *f)
+{
+    near_value(of, f, of->result->has_moves, 1);
+    near_value(of, f, of->result->moved_count, f->number[0]);
+    near_value(of, f, fmax(of->result->move_max, f->number[1]), f->number[1]);
+}
+
 static void check_notes(subject *of, const fact *f)
 {
     char all[3000] = "";
@@ -372,7 +411,8 @@ static const known_fact facts[] = {
     {"control", check_control},   {"data", check_data},     {"passes", check_passes},
     {"distance", check_distance}, {"along", check_along},   {"on", check_on},
     {"error", check_error},       {"exact", check_exact},   {"notes", check_notes},
-    {"silent", check_silent},     {"bends", check_bends},   {"spans", check_spans},
+    {"silent", check_silent},     {"finer", check_finer},   {"moves", check_moves},
+    {"bends", check_bends},       {"spans", check_spans},
 };
 
 static void check_fact(subject *of, char *text)

@@ -21,6 +21,7 @@
  *     normal s t x y z         the unit normal of the surface
  *     joins i s j t            end to end: object i at the fraction s is object j at the fraction t
  *     length l, area a, volume v
+ *     finer n                  a mesh has at least so many triangles
  *     box x y z x y z          of all objects
  *     control i x y z          a control point;  data i x y z: a point that belongs to the object
  *     passes                   the data lie on the curve, at their parameters
@@ -28,6 +29,7 @@
  *     along r x y z u v w      all of the object is so far from the line through a point in this direction
  *     on a b c d               all of the object satisfies a x + b y + c z = d
  *     error e                  the error that is reported is at most e, and is reported
+ *     moves n d                fairing moved n points, none farther than d
  *     exact                    no error is reported
  *     notes words              the notes say so;  silent: there are no notes
  */
