@@ -4,59 +4,6 @@
 
 #define MADE "$BATTEN build -q all.yaml && "
 
-TEST(build_says_what_it_made_and_keeps_what_could_be_made)
-{
-    static const line_row rows[] = {
-        {"$BATTEN build all.yaml && ls", 0,
-         "one            line|bow            interpolate|wrote one.igs\nwrote all.step\nwrote "
-         "sheet.step\nwrote report.txt|all.step",
-         ""},
-        {"$BATTEN build -q all.yaml && ls", 0, "!wrote|all.step\nall.yaml", ""},
-        {"$BATTEN build --json all.yaml", 0,
-         "{\"features\": [\n    {\"name\": \"one\", \"operation\": \"line\", \"status\": \"OK\", \"seconds\": |},\n    "
-         "{\"name\": \"ring\"|],\n  \"outputs\": [\"one.igs\", \"all.step\", \"sheet.step\", \"report.txt\", "
-         "\"report.json\"],\n  \"messages\": []}\n",
-         ""},
-        {"rm -f *.igs *.step && $BATTEN build all.yaml --only bow && ls", 0,
-         "ducks |bow |!one |!wrote|!all.step", ""},
-        {"$BATTEN build all.yaml -q -o made && ls made", 0, "all.step\none.igs\nreport.json",
-         ""},
-        {"$BATTEN build all.yaml -q -o all.yaml", 1, NULL,
-         "'all.yaml' should be the folder of the outputs, but is a file"},
-        {"$BATTEN build all.yaml -q --set long=5 && $BATTEN eval one.igs --at 1", 0, "=5 0 0\n",
-         NULL},
-        {"$BATTEN build all.yaml -q --set features.ring.circle=3 && $BATTEN eval all.step#ring --at 0",
-         0, "=3 0 0\n", NULL},
-        {"$BATTEN build all.yaml -q --set features.ring.circle=3 --set long=7 && $BATTEN eval one.igs --at 1",
-         0, "=7 0 0\n", NULL},
-        {"$BATTEN build all.yaml -q --set parameters.long=6 && $BATTEN eval one.igs --at 1", 0,
-         "=6 0 0\n", NULL},
-        {"$BATTEN build all.yaml --set lnog=5", 1, NULL,
-         "--set: the design has no parameter 'lnog'; did you mean 'long'?"},
-        {"$BATTEN build all.yaml --set =5", 1, NULL, "--set wants NAME=VALUE, not '=5'"},
-        {"$BATTEN build all.yaml --set long", 1, NULL, "--set wants NAME=VALUE, not 'long'"},
-        {"$BATTEN build all.yaml --only nothing", 1, NULL, "nothing"},
-        {"sed 's/circle: 2/circle: 0/' all.yaml > bad.yaml; rm -f *.step; $BATTEN build bad.yaml",
-         1, NULL, "ring (circle): |batten build: failed; 4 of 5 outputs were made"},
-        {"sed 's/circle: 2/circle: 0/' all.yaml > bad.yaml; rm -f *.step; $BATTEN build bad.yaml; ls",
-         0, "ring           circle       failed|sheet.step|!all.step", NULL},
-        {"sed 's/check: bow/check: bow, curvature: 0.001/' all.yaml > bad.yaml; $BATTEN build -q bad.yaml",
-         1, NULL, NULL},
-        {"$BATTEN build none.yaml", 1, "", "batten build: |none.yaml"},
-        {"cp all.yaml one.igs && $BATTEN build one.igs", 2, NULL, "one.igs"},
-        {"printf '0 0\\n1 1\\n2 0\\n3 1\\n' > d.xyz; printf 'batten: 1\\nfeatures:\\n  p: {read: d.xyz}\\noutputs:\\n  "
-         "d.xyz: p\\n' > own.yaml; $BATTEN build own.yaml; cat d.xyz",
-         0, "=0 0\n1 1\n2 0\n3 1\n", "d.xyz"},
-        {"printf 'batten: 1\\nfeatures:\\n  p: {points: [[0, 0], [1, 0], [2, 0.1], [3, 0], [4, 0], [5, 0]]}\\n  f: {fair: p, "
-         "within: 0.2}\\noutputs: {f.csv: f}\\n' > f.yaml; $BATTEN build f.yaml; $BATTEN build --json f.yaml",
-         0,
-         "points moved, at most 0.|, excess inflections 3 -> 0|\"moved\": {\"max\": 0.|\"count\": |\"excess_inflections\": "
-         "{\"before\": 3, \"after\": 0}",
-         NULL},
-    };
-    RUN_LINES(rows);
-}
-
 TEST(eval_prints_points_and_derivatives_as_numbers_or_json)
 {
     static const line_row rows[] = {
@@ -341,68 +288,6 @@ TEST(check_and_draw_work_on_files_and_designs)
          "batten draw: -o PICTURE is missing; see 'batten help draw'"},
         {"$BATTEN draw one.igs -o a.txt", 2, "", "'a.txt' ends neither in .svg, .pdf nor .png"},
         {"$BATTEN draw -q one.igs -o a.svg --lines-plan", 1, "", "batten draw: "},
-    };
-    RUN_LINES(rows);
-}
-
-TEST(help_has_a_topic_for_every_command_and_feature)
-{
-    static const line_row rows[] = {
-        {"$BATTEN help", 0,
-         "usage: batten COMMAND ...|  build     make everything that a design file describes|Exit status: 0 done, 1 failed",
-         ""},
-        {"$BATTEN help build", 0,
-         "usage: batten build DESIGN|\nOptions:\n  --output DIR, -o          where the outputs go (beside the design)|\n  --set NAME=VALUE          set a parameter of the design, or a value by its path (may be repeated)\n|\n  --json                    print the report as JSON\n|\n  --quiet, -q               no progress",
-         ""},
-        {"$BATTEN help draw", 0,
-         "usage: batten draw IN -o PICTURE|Options:\n  --output PICTURE, -o      the file to write",
-         ""},
-        {"$BATTEN help fair", 0,
-         "---- the feature of the same name ----\n\nfair: |\nParameters:\n|a feature|, required\n|In C: batten_fair_points|\nExample:\n\n",
-         ""},
-        {"$BATTEN help line", 0,
-         "line: The straight line between two points\n|  line           a point, or several, required\n                 both ends\n",
-         ""},
-        {"$BATTEN help circle", 0,
-         "  form           a word: square-9 triangle-7 square-7 (square-9)\n|Source: [PT97]\n",
-         "!usage"},
-        {"$BATTEN help bspline", 0, "b-spline: ", ""},
-        {"$BATTEN help features", 0,
-         "Operations of a design file:\n\n|\nOutputs of a design file:\n\n|\n  circle |\n  check ",
-         ""},
-        {"$BATTEN help design", 0, "A design file says how shapes come to be", ""},
-        {"test \"$($BATTEN help units)\" = \"$($BATTEN help design)\" && test \"$($BATTEN help tolerance)\" = \"$($BATTEN help design)\"",
-         0, "", ""},
-        {"test \"$($BATTEN help offsets)\" = \"$($BATTEN help files)\"", 0, "", ""},
-        {"$BATTEN help files", 0, "Files that Batten reads, told apart by their content", ""},
-        {"$BATTEN help formats", 0,
-         "Formats of files:\n\n  name      endings                  read write  what is kept\n|  step      .stp .step|\n  stl       .stl                     yes  yes    triangles alone, no unit",
-         ""},
-        {"$BATTEN help cricle", 2, "",
-         "batten help: there is no topic 'cricle'; did you mean 'circle'; see"},
-        {"$BATTEN help zzzzzzzzzz", 2, "", "there is no topic 'zzzzzzzzzz'; see 'batten help'"},
-        {"$BATTEN help --as nothing", 2, "",
-         "--as knows man, man-design, completion and schema, not 'nothing'"},
-        {"$BATTEN help --as schema > s.json && head -c 1 s.json", 0, "{", ""},
-        {"$BATTEN help --as man", 0,
-         ".TH BATTEN 1 |.SH NAME\nbatten \\- from points|.SS \"batten build DESIGN|.B \\-\\-output, \\-o DIR\n|.B \\-\\-json\nprint|.SH EXIT STATUS\n.TP\n.B \"0\"\ndone\n",
-         ""},
-        {"$BATTEN help --as man-design", 0,
-         ".TH BATTEN\\-DESIGN 5 |.SH OPERATIONS\n|.SS circle\n|.SH OUTPUTS\n|.B \"form\"\nits control points: how many, and on what\n(square\\-9 triangle\\-7 square\\-7)\nDefault: square\\-9.\n|.SS check\n",
-         ""},
-        {"$BATTEN help --as completion > c.sh && bash -c '. ./c.sh; COMP_WORDS=(batten bui); COMP_CWORD=1; _batten; echo \"${COMPREPLY[@]}\"'",
-         0, "=build\n", ""},
-        {"bash -c '. ./c.sh; COMP_WORDS=(batten build --al); COMP_CWORD=2; _batten; echo \"${COMPREPLY[@]}\"'",
-         0, "=--allow-outside\n", ""},
-        {"bash -c '. ./c.sh; COMP_WORDS=(batten help conic-p); COMP_CWORD=2; _batten; echo \"${COMPREPLY[@]}\"'",
-         0, "=conic-pair\n", ""},
-        {"for f in $($BATTEN help features | sed -n 's/^  \\([a-z][a-z0-9-]*\\) .*/\\1/p'); do $BATTEN help $f | grep -q \"^$f: \" || echo $f; done",
-         0, "", ""},
-        {"for c in build convert info; do $BATTEN help $c | sed -n 's/^\\(  --.*\\)/\\1/p' | cut -c27-28 | sort -u; done",
-         0, "=  \n  \n  \n", ""},
-        {"$BATTEN build --help | head -1", 0,
-         "=usage: batten build DESIGN [-o DIR] [--set NAME=VALUE] [--only FEATURE]\n", ""},
-        {"$BATTEN --version", 0, "batten ", ""},
     };
     RUN_LINES(rows);
 }
