@@ -1,5 +1,5 @@
 #define _XOPEN_SOURCE 700
-#include "support/test.h"
+#include "support/faults.h"
 
 /* cmocka wants these before its header. */
 #include <setjmp.h>
@@ -235,6 +235,46 @@ void test_status(batten_status actual, batten_status expected, const char *text,
         return;
     print_error("%s\n  gave %s, not %s; message: %s\n", text, batten_status_name(actual),
                 batten_status_name(expected), batten_message());
+    failed(file, line);
+}
+
+/* ---- one call with failing allocations ---- */
+
+static int live_count(void)
+{
+    int count = 0;
+    for (const block *b = live.next; b != &live; b = b->next)
+        count++;
+    return count;
+}
+
+/* Where the whole test runs with failing allocations, the call succeeds or ends the test as
+ * under CHECK_OK, and nothing is armed here. */
+void test_fault_arm(test_fault *f)
+{
+    f->live = live_count();
+    if (fault_mode)
+        return;
+    f->at += f->at < 100 ? 1 : f->at / 8;
+    fault = ONE_FAULT;
+    fail_at = allocation_count + f->at;
+}
+
+bool test_fault_struck(const test_fault *f, const char *text, const char *file, int line)
+{
+    if (fault_mode && test_memory_failed(f->status, BATTEN_OK))
+        return true;
+    const bool struck = !fault_mode && allocation_count >= fail_at;
+    if (!fault_mode)
+        fault = NO_FAULT;
+    if (!struck || f->status != BATTEN_OUT_OF_MEMORY) {
+        test_status(f->status, BATTEN_OK, text, file, line);
+        return false;
+    }
+    const int kept = live_count() - f->live;
+    if (kept == 0)
+        return true;
+    print_error("%s\n  with allocation %ld failing kept %d blocks\n", text, f->at, kept);
     failed(file, line);
 }
 

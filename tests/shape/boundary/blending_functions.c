@@ -1,5 +1,6 @@
 #include <batten/coons.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static const batten_blending families[] = {BATTEN_BLENDING_LINEAR, BATTEN_BLENDING_CUBIC,
@@ -24,7 +25,7 @@ TEST(every_family_keeps_the_axioms_and_is_linear_precise)
     for (int f = 0; f < 4; f++) {
         batten_curve *functions[6] = {NULL};
         const int order = orders[f];
-        CHECK_OK(batten_blending_functions(families[f], order, functions));
+        CHECK_EACH_ALLOCATION(batten_blending_functions(families[f], order, functions));
         CHECK_OK(
             batten_blending_check(order, (const batten_curve *const *)functions, smooth[f]));
         for (int i = 0; i <= 30; i++) {
@@ -44,7 +45,7 @@ TEST(every_family_keeps_the_axioms_and_is_linear_precise)
 TEST(coons_splines_have_the_values_of_his_figures)
 {
     batten_curve *functions[6] = {NULL};
-    CHECK_OK(batten_blending_functions(BATTEN_BLENDING_COONS, 3, functions));
+    CHECK_EACH_ALLOCATION(batten_blending_functions(BATTEN_BLENDING_COONS, 3, functions));
     CHECK_NEAR(value(functions[0], 1 / 3.0), 5 / 6.0, 1e-15);
     CHECK_NEAR(value(functions[0], 0.5), 0.5, 1e-15);
     CHECK_NEAR(value(functions[0], 2 / 3.0), 1 / 6.0, 1e-15);
@@ -91,7 +92,7 @@ TEST(a_function_that_breaks_an_axiom_is_named)
     given[3] = bent;
     CHECK_STATUS(batten_blending_check(2, given, 1), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("G1: the slope at 1 is -0.75, not 1");
-    CHECK_OK(batten_blending_check(2, given, 0));
+    CHECK_EACH_ALLOCATION(batten_blending_check(2, given, 0));
     batten_curve *longer = NULL;
     CHECK_OK(batten_curve_set_domain(functions[1], 0, 2, &longer));
     given[1] = longer;

@@ -3,6 +3,7 @@
 #define TESTS_SHAPE_COONS_H
 #include <batten/coons.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 /* A surface, and what its edges give to a patch. */
@@ -49,7 +50,8 @@ static inline void frame_surface(batten_surface *surface, frame_of_surface *out)
     for (int e = 0; e < 4; e++) {
         for (int k = 0; k < 3; k++)
             out->curves[e][k] = NULL;
-        CHECK_OK(batten_edge_ribbon(surface, (batten_edge)e, 2, 0, NULL, out->curves[e]));
+        CHECK_EACH_ALLOCATION(
+            batten_edge_ribbon(surface, (batten_edge)e, 2, 0, NULL, out->curves[e]));
         out->curves[e][1] = inward(out->curves[e][1]);
         out->sides[e] =
             (batten_ribbon){out->curves[e][0], out->curves[e][1], out->curves[e][2]};

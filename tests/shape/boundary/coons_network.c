@@ -3,6 +3,8 @@
 #include <batten/grid.h>
 #include <batten/interpolate.h>
 
+#include "support/faults.h"
+
 enum { N = 5, M = 4 };
 
 static const double u[N] = {0, 0.3, 1, 1.2, 2}, v[M] = {-1, -0.4, 0.1, 1};
@@ -202,8 +204,8 @@ TEST(a_grid_of_points_makes_a_network_with_every_kind_of_twist)
         batten_surface_coons_network_options options = batten_surface_coons_network_defaults();
         batten_surface *surface = NULL;
         options.twists = (batten_twists)method;
-        CHECK_OK(batten_surface_coons_grid((batten_grid){3, N, M, points}, &options,
-                                           (batten_uv_out){at_u, at_v}, &surface));
+        CHECK_EACH_ALLOCATION(batten_surface_coons_grid(
+            (batten_grid){3, N, M, points}, &options, (batten_uv_out){at_u, at_v}, &surface));
         for (int i = 0; i < N; i++)
             for (int j = 0; j < M; j++) {
                 double out[3];

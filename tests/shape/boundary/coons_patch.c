@@ -3,6 +3,8 @@
 #include <batten/curvature.h>
 #include <batten/standard.h>
 
+#include "support/faults.h"
+
 static const batten_blending families[] = {BATTEN_BLENDING_LINEAR, BATTEN_BLENDING_CUBIC,
                                            BATTEN_BLENDING_QUINTIC, BATTEN_BLENDING_COONS};
 static const int orders[] = {1, 2, 3, 3};
@@ -15,7 +17,7 @@ static batten_surface *patch(const batten_ribbon *sides, int order, batten_blend
     options.order = order;
     options.blending_u = u;
     options.blending_v = v;
-    CHECK_OK(batten_surface_coons(sides, &options, report, &surface));
+    CHECK_EACH_ALLOCATION(batten_surface_coons(sides, &options, report, &surface));
     return surface;
 }
 
@@ -135,7 +137,7 @@ TEST(flat_spots_are_what_the_formula_says_and_twists_cure_them)
     options.order = 2;
     options.blending_u = options.blending_v = BATTEN_BLENDING_CUBIC;
     options.twists = none;
-    CHECK_OK(batten_surface_coons(sides, &options, NULL, &zero));
+    CHECK_EACH_ALLOCATION(batten_surface_coons(sides, &options, NULL, &zero));
     for (int i = 0; i <= 16; i++)
         for (int j = 0; j <= 16; j++) {
             const double u = i / 16.0, v = j / 16.0;

@@ -1,5 +1,7 @@
 #include "shape/boundary/coons_formula.h"
 
+#include "support/faults.h"
+
 static batten_curve *bow(const double *a, const double *b, double rise)
 {
     const double points[] = {a[0], a[1], 0, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, rise,
@@ -35,7 +37,7 @@ TEST(six_curves_in_any_order_and_direction_make_four_sides)
     }
     batten_loop_place places[6];
     const batten_curve *const *given = (const batten_curve *const *)curves;
-    CHECK_OK(batten_boundary_sides(6, given, counts, 1e-9, places, sides));
+    CHECK_EACH_ALLOCATION(batten_boundary_sides(6, given, counts, 1e-9, places, sides));
     for (int k = 0; k < 6; k++)
         CHECK_INT(order[places[k].curve], k);
     /* v = 0 from (0, 0) to (4, 0) over (3, 0), where its knot is at the share of the lengths.
@@ -130,8 +132,8 @@ TEST(a_pocket_with_four_sides_is_filled_through_all_its_curves)
     batten_curve *curves[4], *sides[4];
     CHECK_INT(read_loop(test_data("patches/pocket4sided.lop"), curves, 4), 4);
     batten_loop_place places[4];
-    CHECK_OK(batten_boundary_sides(4, (const batten_curve *const *)curves, NULL, 1e-4, places,
-                                   sides));
+    CHECK_EACH_ALLOCATION(batten_boundary_sides(4, (const batten_curve *const *)curves, NULL,
+                                                1e-4, places, sides));
     batten_surface *surface = NULL, *nurbs = NULL;
     make_patch(sides, &surface);
     CHECK_OK(batten_surface_to_nurbs(surface, 0, NULL, &nurbs));
@@ -234,8 +236,8 @@ static void check_join(const batten_surface *surface, double a, double b, double
         CHECK_OK(batten_curve_evaluate(curves[k ? 1 : 3], 0, 1, out));
         memcpy(ends + 3 * k, out + 3, 3 * sizeof *ends);
     }
-    CHECK_OK(batten_ribbon_along(surface, part, (batten_ribbon_wish){1, ends, 1e-6}, misfit,
-                                 &error, ribbon));
+    CHECK_EACH_ALLOCATION(batten_ribbon_along(
+        surface, part, (batten_ribbon_wish){1, ends, 1e-6}, misfit, &error, ribbon));
     CHECK_NEAR(misfit[0], 0, 1e-9);
     CHECK_NEAR(misfit[1], 0, 1e-9);
     const batten_ribbon sides[4] = {{ribbon[0], ribbon[1], NULL},
@@ -323,8 +325,8 @@ TEST(curvatures_along_a_neighbour_are_its_own)
             ends[3 * k + x] = out[3 + x] / 2;
     }
     double misfit[2], error = 1;
-    CHECK_OK(batten_ribbon_along(low, frame.curves[3][0], (batten_ribbon_wish){2, ends, 1e-9},
-                                 misfit, &error, ribbon));
+    CHECK_EACH_ALLOCATION(batten_ribbon_along(
+        low, frame.curves[3][0], (batten_ribbon_wish){2, ends, 1e-9}, misfit, &error, ribbon));
     CHECK(error == 0);
     const batten_ribbon sides[4] = {{frame.curves[0][0], NULL, NULL},
                                     {frame.curves[1][0], NULL, NULL},

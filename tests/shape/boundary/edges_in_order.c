@@ -1,5 +1,6 @@
 #include <batten/coons.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static const double corners[5][2] = {{0, 0}, {4, 0}, {5, 3}, {2, 5}, {-1, 2}};
@@ -44,7 +45,8 @@ TEST(shuffled_and_reversed_sides_come_out_as_a_loop)
             back[i] = test_random_int(&random, 0, 1);
             curves[i] = side(order[i], back[i], 0);
         }
-        CHECK_OK(batten_curves_loop(5, (const batten_curve *const *)curves, 1e-9, places));
+        CHECK_EACH_ALLOCATION(
+            batten_curves_loop(5, (const batten_curve *const *)curves, 1e-9, places));
         CHECK(places[0].curve == 0 && !places[0].reversed);
         const int step = back[0] ? 4 : 1;
         for (int k = 0; k < 5; k++) {
@@ -64,7 +66,8 @@ TEST(two_curves_may_be_a_loop)
     batten_loop_place places[2];
     CHECK_OK(batten_curve_create((batten_points){2, 3, low}, 2, NULL, knots, &curves[0]));
     CHECK_OK(batten_curve_create((batten_points){2, 3, high}, 2, NULL, knots, &curves[1]));
-    CHECK_OK(batten_curves_loop(2, (const batten_curve *const *)curves, 1e-3, places));
+    CHECK_EACH_ALLOCATION(
+        batten_curves_loop(2, (const batten_curve *const *)curves, 1e-3, places));
     CHECK(places[1].curve == 1 && places[1].reversed);
     CHECK_NEAR(places[0].gap, 1e-4, 1e-15);
     CHECK(places[1].gap == 0);

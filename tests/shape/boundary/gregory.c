@@ -1,5 +1,6 @@
 #include <batten/fill.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static void cross(const double a[3], const double b[3], double out[3])
@@ -52,7 +53,8 @@ TEST(the_field_across_an_edge_gives_both_faces_the_same_planes)
             }
         }
         for (int face = 0; face < 2; face++)
-            CHECK_OK(batten_gregory_field(edge[0], across[face][0], NULL, fields[face][0]));
+            CHECK_EACH_ALLOCATION(
+                batten_gregory_field(edge[0], across[face][0], NULL, fields[face][0]));
         for (int end = 0; end < 2; end++)
             for (int c = 0; c < 3; c++)
                 CHECK_NEAR(fields[0][3 * end][c], across[0][end][c], 1e-15);
@@ -85,7 +87,7 @@ TEST(each_edge_of_a_gregory_patch_sees_its_own_inner_points)
     double points[16][3], inner[8][3], row[4][3];
     batten_surface *patch = NULL;
     random_square(&random, points, inner);
-    CHECK_OK(batten_surface_gregory(points[0], inner[0], &patch));
+    CHECK_EACH_ALLOCATION(batten_surface_gregory(points[0], inner[0], &patch));
     CHECK_TEXT(batten_surface_kind(patch), "gregory");
     for (int edge = 0; edge < 4; edge++) /* v = 0, v = 1, u = 0, u = 1 */
         for (int k = 0; k <= 20; k++) {
@@ -120,7 +122,7 @@ TEST(equal_inner_points_make_the_bicubic_bezier_surface)
     random_square(&random, points, inner);
     for (int k = 0; k < 8; k++)
         memcpy(inner[k], points[4 * (1 + k / 4) + 1 + k / 2 % 2], sizeof inner[k]);
-    CHECK_OK(batten_surface_gregory(points[0], inner[0], &patch));
+    CHECK_EACH_ALLOCATION(batten_surface_gregory(points[0], inner[0], &patch));
     CHECK_OK(batten_surface_create(3, &axis, &axis, points[0], NULL, &plain));
     for (int i = 0; i <= 8; i++)
         for (int j = 0; j <= 8; j++) {
@@ -149,7 +151,7 @@ TEST(gregory_patches_are_finite_everywhere)
     memcpy(points[5], points[4], sizeof points[5]);
     memcpy(points[10], points[9], sizeof points[10]);
     memcpy(points[14], points[0], sizeof points[14]);
-    CHECK_OK(batten_surface_gregory_triangle(points[0], inner[0], &surfaces[1]));
+    CHECK_EACH_ALLOCATION(batten_surface_gregory_triangle(points[0], inner[0], &surfaces[1]));
     for (int s = 0; s < 2; s++)
         for (int i = 0; i < COUNT(at); i++)
             for (int j = 0; j < COUNT(at); j++) {
@@ -223,7 +225,8 @@ TEST(gregory_patches_made_alone_join_smoothly)
         const int count = faces[f][3] < 0 ? 3 : 4;
         for (int k = 0; k < count; k++)
             sides[k] = edges[faces[f][k]];
-        CHECK_OK(batten_surface_gregory_between(count, sides, 1e-9, NULL, &patches[f]));
+        CHECK_EACH_ALLOCATION(
+            batten_surface_gregory_between(count, sides, 1e-9, NULL, &patches[f]));
     }
     int compared = 0;
     for (int f = 0; f < 5; f++)

@@ -1,5 +1,6 @@
 #include <batten/coons.h>
 
+#include "support/faults.h"
 #include "support/surfaces.h"
 
 static const batten_edge edges[] = {BATTEN_EDGE_V0, BATTEN_EDGE_U1, BATTEN_EDGE_V1,
@@ -62,7 +63,8 @@ TEST(the_ribbon_of_every_edge_continues_the_surface)
             batten_curve *curves[3] = {NULL, NULL, NULL};
             double error = 1;
             const int order = 1 + c % 2;
-            CHECK_OK(batten_edge_ribbon(surface, edges[e], order, 0, &error, curves));
+            CHECK_EACH_ALLOCATION(
+                batten_edge_ribbon(surface, edges[e], order, 0, &error, curves));
             CHECK(error == 0);
             check_ribbon(surface, edges[e], curves, order, 1e-9);
             for (int k = 0; k <= order; k++)
@@ -83,7 +85,7 @@ TEST(weights_that_do_not_change_across_an_edge_keep_its_degree)
     batten_surface *surface = NULL;
     batten_curve *curves[3] = {NULL, NULL, NULL};
     CHECK_OK(batten_surface_create(3, &u, &v, points, weights, &surface));
-    CHECK_OK(batten_edge_ribbon(surface, BATTEN_EDGE_V1, 2, 0, NULL, curves));
+    CHECK_EACH_ALLOCATION(batten_edge_ribbon(surface, BATTEN_EDGE_V1, 2, 0, NULL, curves));
     for (int k = 0; k < 3; k++)
         CHECK_INT(batten_curve_degree(curves[k]), 2);
     double slope[3];

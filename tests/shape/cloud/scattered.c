@@ -1,5 +1,6 @@
 #include <batten/scattered.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 #include <stdlib.h>
@@ -568,7 +569,7 @@ TEST(clouds_are_fitted_over_corners_and_within_a_tolerance)
     batten_surface *base = NULL, *s = NULL;
     batten_surface_fit_report report;
     cylinder_points(N, points, at);
-    CHECK_OK(batten_surface_from_corners(corners, &base));
+    CHECK_EACH_ALLOCATION(batten_surface_from_corners(corners, &base));
     batten_surface_scattered_options options = batten_surface_scattered_defaults();
     options.tolerance = 1e-4;
     CHECK_OK(batten_surface_cloud(&(batten_cloud){{3, N, points}, base}, &options, NULL, NULL,
@@ -623,8 +624,9 @@ TEST(a_graph_has_its_parameters_as_coordinates)
 {
     batten_surface *s = NULL, *graph = NULL;
     scatter(300, franke, uv, z);
-    CHECK_OK(batten_surface_scattered(uv, (batten_points){1, 300, z}, NULL, NULL, NULL, &s));
-    CHECK_OK(batten_surface_from_function(s, &graph));
+    CHECK_EACH_ALLOCATION(
+        batten_surface_scattered(uv, (batten_points){1, 300, z}, NULL, NULL, NULL, &s));
+    CHECK_EACH_ALLOCATION(batten_surface_from_function(s, &graph));
     const batten_interval u = batten_surface_domain(s, BATTEN_U);
     for (int k = 0; k <= 10; k++) {
         const double x = u.a + (u.b - u.a) * k / 10;

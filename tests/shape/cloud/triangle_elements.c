@@ -1,5 +1,6 @@
 #include <batten/scattered.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 #include <string.h>
@@ -88,11 +89,13 @@ TEST(quadratics_with_their_gradients_are_met_exactly)
     batten_triangles *out = NULL;
     begin(&e, &random);
     set(&e, quadratic);
-    CHECK_OK(batten_triangles_clough_tocher(&e.domain, e.t.count, e.f, e.g, NULL, &out));
+    CHECK_EACH_ALLOCATION(
+        batten_triangles_clough_tocher(&e.domain, e.t.count, e.f, e.g, NULL, &out));
     check_is(out, quadratic, &random, 1e-13);
     batten_triangles_unref(out);
     double thinnest = -1;
-    CHECK_OK(batten_triangles_powell_sabin(&e.domain, e.t.count, e.f, e.g, &thinnest, &out));
+    CHECK_EACH_ALLOCATION(
+        batten_triangles_powell_sabin(&e.domain, e.t.count, e.f, e.g, &thinnest, &out));
     check_is(out, quadratic, &random, 1e-13);
     CHECK(thinnest > 0 && thinnest <= 0.5);
     batten_triangles_unref(out);
@@ -253,7 +256,7 @@ TEST(bad_domains_and_numbers_are_refused_by_name)
     double value[1];
     const double outside[2] = {3, 0.5};
     size_t count = 0;
-    CHECK_OK(batten_triangles_linear(&domain, 1, p + 2, &out));
+    CHECK_EACH_ALLOCATION(batten_triangles_linear(&domain, 1, p + 2, &out));
     CHECK_STATUS(batten_triangles_over(out, (batten_batch){1, outside}, 0,
                                        (batten_outside_points){BATTEN_OUTSIDE_REFUSED, NULL},
                                        NULL, value),

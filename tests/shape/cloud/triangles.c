@@ -1,5 +1,6 @@
 #include <batten/scattered.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 #include <stdlib.h>
@@ -65,8 +66,8 @@ static double try_out(int n, double (*f)(double, double),
     double *values = test_array((size_t)(n * n), sizeof *values);
     batten_triangles *triangles = NULL;
     shaken(n, 0.3, &random, f, xy, values);
-    CHECK_OK(batten_triangles_scattered((batten_points){2, n * n, xy}, values, options, NULL,
-                                        report, &triangles));
+    CHECK_EACH_ALLOCATION(batten_triangles_scattered((batten_points){2, n * n, xy}, values,
+                                                     options, NULL, report, &triangles));
     const double error = error_of(triangles, f);
     batten_triangles_unref(triangles);
     return error;
@@ -150,8 +151,8 @@ TEST(the_network_bends_less_than_any_other)
     shaken(N, 0.3, &random, franke, xy, f);
     CHECK_OK(batten_triangulate((batten_points){2, N * N, xy}, NULL, &t));
     int steps = 0;
-    CHECK_OK(batten_triangle_gradients(&t, f, NULL, g));
-    CHECK_OK(batten_triangle_network(&t, f, &steps, g));
+    CHECK_EACH_ALLOCATION(batten_triangle_gradients(&t, f, NULL, g));
+    CHECK_EACH_ALLOCATION(batten_triangle_network(&t, f, &steps, g));
     CHECK(steps > 3 && steps < 60);
     double again[2 * N * N] = {0};
     CHECK_OK(batten_triangle_network(&t, f, NULL, again));

@@ -1,3 +1,4 @@
+#include "support/faults.h"
 #include "support/test.h"
 #include <batten/blend.h>
 #include <batten/standard.h>
@@ -34,7 +35,7 @@ TEST(blends_join_as_asked_at_either_end)
             {n % 3 ? at_end : at_start, test_random_int(&random, 0, 3),
              test_random_in(&random, 0.5, 2)}};
         batten_curves_blend_report report;
-        CHECK_OK(batten_curves_blend(a, &ends[0], b, &ends[1], &report, &blend));
+        CHECK_EACH_ALLOCATION(batten_curves_blend(a, &ends[0], b, &ends[1], &report, &blend));
         CHECK_INT(batten_curve_degree(blend), ends[0].continuity + ends[1].continuity + 1);
         batten_continuity join;
         CHECK_OK(batten_curves_continuity(a, ends[0].end, blend, at_start, NULL, &join));
@@ -59,7 +60,7 @@ TEST(a_piece_cut_out_of_a_cubic_is_its_own_blend)
     CHECK_OK(batten_curve_subrange(whole, 0.8, 1, &b));
     batten_blend_end ends[2] = {{at_end, 1, 1}, {at_start, 1, 1}};
     batten_curves_blend_report report;
-    CHECK_OK(batten_curves_blend(a, &ends[0], b, &ends[1], &report, &blend));
+    CHECK_EACH_ALLOCATION(batten_curves_blend(a, &ends[0], b, &ends[1], &report, &blend));
     batten_curve_unref(blend);
     static const double at[2] = {0.3, 0.8};
     for (int k = 0; k < 2; k++) {
@@ -132,9 +133,9 @@ TEST(the_nearest_ends_are_found)
     batten_curve_end ends[2];
     CHECK_OK(batten_curve_line(2, p, p + 2, &a));
     CHECK_OK(batten_curve_line(2, p + 4, p + 6, &b));
-    CHECK_OK(batten_curves_nearest_ends(a, b, ends));
+    CHECK_EACH_ALLOCATION(batten_curves_nearest_ends(a, b, ends));
     CHECK(ends[0] == at_end && ends[1] == at_end);
-    CHECK_OK(batten_curves_nearest_ends(b, a, ends));
+    CHECK_EACH_ALLOCATION(batten_curves_nearest_ends(b, a, ends));
     CHECK(ends[0] == at_end && ends[1] == at_end);
     CHECK_OK(batten_curves_nearest_ends(a, a, ends));
     CHECK(ends[0] == at_end && ends[1] == at_end);

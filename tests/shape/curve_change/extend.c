@@ -1,3 +1,4 @@
+#include "support/faults.h"
 #include "support/test.h"
 #include <batten/extend.h>
 #include <batten/measure.h>
@@ -46,8 +47,8 @@ TEST(an_extended_curve_contains_the_old_one_and_joins_as_promised)
         batten_curve_extend_report report;
         double length, error;
         random_curve(&random, dimension, n % 5 == 0, &given);
-        CHECK_OK(batten_curve_extend(given, end, (batten_lengthening){way, 1e-8}, 0.4, &report,
-                                     &made));
+        CHECK_EACH_ALLOCATION(batten_curve_extend(given, end, (batten_lengthening){way, 1e-8},
+                                                  0.4, &report, &made));
         CHECK(apart(given, made) <= 1e-13);
         const batten_interval was = batten_curve_domain(given), is = batten_curve_domain(made);
         if (end == BATTEN_CURVE_END) {
@@ -77,9 +78,9 @@ TEST(an_arc_goes_on_along_its_circle)
     static const double lengths[] = {0.3, 4, 3 * 5.28};
     for (int i = 0; i < COUNT(lengths); i++) {
         batten_curve_extend_report report;
-        CHECK_OK(batten_curve_extend(arc, BATTEN_CURVE_END,
-                                     (batten_lengthening){BATTEN_EXTEND_ARC, 1e-9}, lengths[i],
-                                     &report, &made));
+        CHECK_EACH_ALLOCATION(batten_curve_extend(arc, BATTEN_CURVE_END,
+                                                  (batten_lengthening){BATTEN_EXTEND_ARC, 1e-9},
+                                                  lengths[i], &report, &made));
         const batten_interval domain = batten_curve_domain(made);
         for (int k = 0; k <= 100; k++) {
             double p[2];
@@ -132,9 +133,9 @@ TEST(a_natural_extension_is_the_same_polynomial)
     batten_curve *curve = NULL, *made = NULL;
     CHECK_OK(batten_curve_from_power(2, (batten_pieces){3, 1, breaks}, power, 0, &curve));
     for (int side = 0; side < 2; side++) {
-        CHECK_OK(batten_curve_extend_to(curve, side ? BATTEN_CURVE_END : BATTEN_CURVE_START,
-                                        (batten_lengthening){BATTEN_EXTEND_NATURAL, 1e-9},
-                                        side ? 3 : -2, NULL, &made));
+        CHECK_EACH_ALLOCATION(batten_curve_extend_to(
+            curve, side ? BATTEN_CURVE_END : BATTEN_CURVE_START,
+            (batten_lengthening){BATTEN_EXTEND_NATURAL, 1e-9}, side ? 3 : -2, NULL, &made));
         const batten_interval domain = batten_curve_domain(made);
         CHECK(domain.a == (side ? 0 : -2) && domain.b == (side ? 3 : 1));
         for (int i = 0; i <= 50; i++) {

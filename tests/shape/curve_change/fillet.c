@@ -1,3 +1,4 @@
+#include "support/faults.h"
 #include "support/test.h"
 #include <batten/blend.h>
 #include <batten/continuity.h>
@@ -50,7 +51,7 @@ TEST(the_fillet_of_two_lines_is_where_it_must_be)
     CHECK_OK(batten_curve_line(2, p, p + 2, &a));
     CHECK_OK(batten_curve_line(2, p + 4, p + 6, &b));
     batten_curves_fillet_report report;
-    CHECK_OK(batten_curves_fillet(a, b, 1.5, 1e-9, &report, &arc));
+    CHECK_EACH_ALLOCATION(batten_curves_fillet(a, b, 1.5, 1e-9, &report, &arc));
     const double leg = 1.5 * tan(PI / 6);
     CHECK(report.complete);
     CHECK_INT(report.found, 1);
@@ -64,7 +65,7 @@ TEST(the_fillet_of_two_lines_is_where_it_must_be)
     batten_curve_unref(arc);
     CHECK_STATUS(batten_curves_fillet(a, b, 7, 1e-9, NULL, &arc), BATTEN_NOT_FOUND);
     CHECK_MESSAGE("the radius 7 needs 4.04145 of either straight line; there are 4 and 5");
-    CHECK_OK(batten_curves_fillet(a, b, 4 / tan(PI / 6), 1e-9, &report, &arc));
+    CHECK_EACH_ALLOCATION(batten_curves_fillet(a, b, 4 / tan(PI / 6), 1e-9, &report, &arc));
     CHECK_NEAR(report.u[0], 0, 1e-14);
     batten_curve_unref(arc);
     batten_curve_unref(b);
@@ -161,7 +162,7 @@ TEST(a_square_with_round_corners_has_its_length)
     CHECK_OK(batten_curve_polyline((batten_points){2, 5, p}, &square));
     const double r = 0.75;
     batten_corners_report report;
-    CHECK_OK(batten_curve_fillet(square, 1, &r, 1e-9, &report, &made));
+    CHECK_EACH_ALLOCATION(batten_curve_fillet(square, 1, &r, 1e-9, &report, &made));
     CHECK_INT(report.corners, 4);
     CHECK_INT(report.cut, 4);
     CHECK(report.complete);
@@ -175,7 +176,7 @@ TEST(a_square_with_round_corners_has_its_length)
     batten_curve_unref(made);
     /* All straight parts used up: a circle. */
     const double two = 2;
-    CHECK_OK(batten_curve_fillet(square, 1, &two, 1e-9, &report, &made));
+    CHECK_EACH_ALLOCATION(batten_curve_fillet(square, 1, &two, 1e-9, &report, &made));
     CHECK_NEAR(length_of(made), 4 * PI, 1e-11);
     batten_curve_unref(made);
     const double more = 2.1;
@@ -216,7 +217,8 @@ TEST(a_path_in_space_is_rounded_and_cut_corner_by_corner)
     CHECK_INT(report.corners, 2);
     CHECK_NEAR(length_of(made), 9 - 2 * (2 - PI / 2) * r, 1e-11);
     batten_curve_unref(made);
-    CHECK_OK(batten_curve_chamfer(path, (double[2]){0.3, 0.4}, 1e-9, &report, &made));
+    CHECK_EACH_ALLOCATION(
+        batten_curve_chamfer(path, (double[2]){0.3, 0.4}, 1e-9, &report, &made));
     CHECK_INT(report.cut, 2);
     CHECK_NEAR(length_of(made), 9 - 2 * (0.7 - 0.5), 1e-11);
     CHECK_INT(batten_curve_degree(made), 1);
@@ -253,7 +255,8 @@ TEST(a_chamfer_of_two_curves_goes_by_arc_length)
     CHECK_OK(batten_curve_transform(arc, &map, &far));
     CHECK_OK(batten_curve_line(2, p, p + 2, &line));
     double u[2];
-    CHECK_OK(batten_curves_chamfer(line, far, (double[2]){0.5, 1}, 1e-12, u, &cut));
+    CHECK_EACH_ALLOCATION(
+        batten_curves_chamfer(line, far, (double[2]){0.5, 1}, 1e-12, u, &cut));
     const double *q = batten_curve_points(cut);
     CHECK_NEAR(q[0], -0.5, 1e-12);
     CHECK_NEAR(q[2], 2 * cos(0.5) - 2, 1e-11);

@@ -1,3 +1,4 @@
+#include "support/faults.h"
 #include "support/test.h"
 #include <batten/continuity.h>
 #include <batten/standard.h>
@@ -32,7 +33,7 @@ TEST(curves_join_as_asked_whichever_moves)
         const int mover = test_random_int(&random, 0, 2);
         batten_curve *made[2] = {NULL, NULL};
         double moved = -1;
-        CHECK_OK(batten_curves_match(
+        CHECK_EACH_ALLOCATION(batten_curves_match(
             a, b, (batten_match){(batten_match_kind)kind, order, (batten_match_mover)mover},
             &moved, &made[0], &made[1]));
         batten_continuity c;
@@ -67,7 +68,7 @@ TEST(least_moves_of_both_curves_meet_halfway)
     double moved;
     CHECK_OK(batten_curve_line(2, p, p + 2, &a));
     CHECK_OK(batten_curve_line(2, p + 4, p + 6, &b));
-    CHECK_OK(batten_curves_match(
+    CHECK_EACH_ALLOCATION(batten_curves_match(
         a, b, (batten_match){BATTEN_MATCH_PARAMETRIC, 0, BATTEN_MATCH_MOVES_BOTH}, &moved, &c,
         &d));
     CHECK_NEAR(moved, 0.5, 1e-15);

@@ -1,3 +1,4 @@
+#include "support/faults.h"
 #include "support/test.h"
 #include <batten/measure.h>
 #include <batten/nearest.h>
@@ -53,7 +54,7 @@ TEST(the_offset_of_a_circle_is_a_circle_exactly)
     for (int i = 0; i < COUNT(distances); i++) {
         batten_curves made = {0, NULL};
         batten_curve_offset_report report;
-        CHECK_OK(batten_curve_offset(circle, distances[i], NULL, &report, &made));
+        CHECK_EACH_ALLOCATION(batten_curve_offset(circle, distances[i], NULL, &report, &made));
         CHECK_INT(made.count, 1);
         CHECK(report.error == 0);
         CHECK(batten_curve_is_closed(made.at[0], 1e-14));
@@ -75,7 +76,7 @@ TEST(a_circle_offset_beyond_its_centre_leaves_nothing)
     const double distances[] = {5, 5.001, 7, 12};
     for (int i = 0; i < COUNT(distances); i++) {
         batten_curves made = {7, NULL};
-        CHECK_OK(batten_curve_offset(circle, distances[i], NULL, NULL, &made));
+        CHECK_EACH_ALLOCATION(batten_curve_offset(circle, distances[i], NULL, NULL, &made));
         CHECK_INT(made.count, 0);
         batten_curves_release(&made);
     }

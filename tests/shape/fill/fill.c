@@ -1,4 +1,5 @@
 #include "shape/fill/loops.h"
+#include "support/faults.h"
 
 static const double round_corners[8] = {1, 1, 1, 1, 1, 1, 1, 1};
 static const double uneven[8] = {1, 1.2, 0.9, 1.1, 0.95, 1.15, 1.05, 0.9};
@@ -46,7 +47,7 @@ TEST(a_flat_hole_is_filled_flat)
 {
     hole h;
     hole_on_paraboloid(5, uneven, 0, &h);
-    CHECK_OK(batten_surface_fill(5, h.ribbons, NULL, &h.report, h.patches));
+    CHECK_EACH_ALLOCATION(batten_surface_fill(5, h.ribbons, NULL, &h.report, h.patches));
     CHECK_NEAR(from_paraboloid(&h, 0, true).angle, 0, 1e-10);
     for (int i = 0; i < 5; i++) /* and with free sides too */
         h.ribbons[i].slope = NULL;

@@ -1,6 +1,7 @@
 #include <batten/fill.h>
 
 #include "numeric/vector.h"
+#include "support/faults.h"
 #include "support/test.h"
 #include "support/triangle_frames.h"
 
@@ -30,7 +31,8 @@ TEST(slopes_give_cubic_precision_and_positions_linear)
             frame data;
             batten_surface *surface = NULL;
             polynomial_frame(&f, smooth, &data);
-            CHECK_OK(batten_triangle_patch(data.ribbons, methods[m], 1e-9, 1e-9, &surface));
+            CHECK_EACH_ALLOCATION(
+                batten_triangle_patch(data.ribbons, methods[m], 1e-9, 1e-9, &surface));
             CHECK_NEAR(graph_error(surface, &f), 0, 1e-12);
             batten_surface_unref(surface);
             frame_free(&data);

@@ -1,6 +1,7 @@
 #include <batten/grid.h>
 #include <batten/interpolate.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static const double us[] = {0, 0.3, 0.8, 1.1, 1.9, 2.4, 3},
@@ -63,8 +64,9 @@ TEST(bicubics_are_reproduced_by_both_families)
         options.ends = kinds[c % 2];
         batten_surface *surface = NULL;
         batten_surface_interpolate_report report;
-        CHECK_OK(batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options, NULL,
-                                            (batten_uv_out){NULL, NULL}, &report, &surface));
+        CHECK_EACH_ALLOCATION(
+            batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options, NULL,
+                                       (batten_uv_out){NULL, NULL}, &report, &surface));
         CHECK(report.error < 1e-13 * 150 && report.spread_u == 0);
         check_bicubic(surface);
         batten_surface_unref(surface);
@@ -90,8 +92,9 @@ TEST(true_derivatives_on_the_rim_are_met_twists_included)
     options.dv = dv;
     options.twists = twists;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options, NULL,
-                                        (batten_uv_out){NULL, NULL}, NULL, &surface));
+    CHECK_EACH_ALLOCATION(batten_surface_interpolate((batten_grid){1, 7, 6, points}, &options,
+                                                     NULL, (batten_uv_out){NULL, NULL}, NULL,
+                                                     &surface));
     CHECK_INT(batten_surface_point_count(surface, BATTEN_U), 9);
     CHECK_INT(batten_surface_point_count(surface, BATTEN_V), 8);
     check_bicubic(surface);

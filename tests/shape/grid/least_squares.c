@@ -1,6 +1,7 @@
 #include <batten/grid.h>
 #include <batten/interpolate.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 enum { NU = 13, NV = 11 };
@@ -60,8 +61,9 @@ TEST(as_many_control_points_as_data_interpolate)
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         options.hold_rims = hold;
-        CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
-                                         (batten_uv_out){NULL, NULL}, &report, &s));
+        CHECK_EACH_ALLOCATION(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options,
+                                                      NULL, (batten_uv_out){NULL, NULL},
+                                                      &report, &s));
         CHECK(report.error < 1e-12);
         batten_surface_unref(s);
     }
@@ -81,8 +83,8 @@ TEST(bicubics_are_reproduced_with_few_control_points)
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     double u[NU], v[NV];
-    CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
-                                     (batten_uv_out){u, v}, &report, &s));
+    CHECK_EACH_ALLOCATION(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options,
+                                                  NULL, (batten_uv_out){u, v}, &report, &s));
     CHECK(report.error < 1e-12 * 150 && report.points_u == 5 && report.points_v == 6);
     CHECK(u[3] == us[3] && v[4] == vs[4]);
     CHECK_NEAR(value(s, 3.3, 7.7), bicubic(3.3, 7.7), 1e-11);
@@ -229,16 +231,18 @@ TEST(without_penalty_smoothing_is_least_squares)
     options.points_u = 7;
     options.points_v = 6;
     options.by = BATTEN_SMOOTH_BY_LAMBDA;
-    CHECK_OK(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
-                                        (batten_uv_out){NULL, NULL}, &report, &s));
+    CHECK_EACH_ALLOCATION(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options,
+                                                     NULL, (batten_uv_out){NULL, NULL}, &report,
+                                                     &s));
     CHECK_NEAR(report.freedom, 42, 1e-9);
     for (int i = 0; i < 7; i++)
         for (int j = 0; j < 6; j++)
             CHECK_NEAR(gradient(s, one, one, i, j), 0, 1e-11);
     batten_surface_unref(s);
     options.points_u = options.points_v = 0;
-    CHECK_OK(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options, NULL,
-                                        (batten_uv_out){NULL, NULL}, &report, &s));
+    CHECK_EACH_ALLOCATION(batten_surface_smooth_grid((batten_grid){1, NU, NV, data}, &options,
+                                                     NULL, (batten_uv_out){NULL, NULL}, &report,
+                                                     &s));
     CHECK(report.error < 1e-11 && report.points_u == NU && report.points_v == NV);
     batten_surface_unref(s);
 }

@@ -1,5 +1,6 @@
 #include <batten/grid.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 enum { N = 5, M = 4 };
@@ -61,8 +62,8 @@ static double error_of(batten_twists method, scalar f, const double *u, int rim)
             su[i * M + j] = f(u[i], across[j], 1, 0);
             sv[i * M + j] = f(u[i], across[j], 0, 1);
         }
-    CHECK_OK(batten_net_twists(method, &(batten_net){1, N, M, u, across, points, su, sv}, NULL,
-                               NULL, twists));
+    CHECK_EACH_ALLOCATION(batten_net_twists(
+        method, &(batten_net){1, N, M, u, across, points, su, sv}, NULL, NULL, twists));
     for (int i = rim; i < N - rim; i++)
         for (int j = rim; j < M - rim; j++)
             worst = fmax(worst, fabs(twists[i * M + j] - f(u[i], across[j], 1, 1)));
@@ -108,9 +109,9 @@ TEST(adinis_twists_are_better_on_even_nets)
             su[i * M + j] = even_only(even[i], v[j], 1, 0);
             sv[i * M + j] = even_only(even[i], v[j], 0, 1);
         }
-    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ADINI,
-                               &(batten_net){1, N, M, even, v, points, su, sv}, NULL, NULL,
-                               twists));
+    CHECK_EACH_ALLOCATION(batten_net_twists(BATTEN_TWISTS_ADINI,
+                                            &(batten_net){1, N, M, even, v, points, su, sv},
+                                            NULL, NULL, twists));
     for (int i = 1; i + 1 < N; i++)
         for (int j = 1; j + 1 < M; j++)
             CHECK_NEAR(twists[i * M + j], even_only(even[i], v[j], 1, 1), 1e-12);

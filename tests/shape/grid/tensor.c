@@ -1,6 +1,7 @@
 #include <batten/grid.h>
 #include <batten/interpolate.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 enum { NU = 5, NV = 4 };
@@ -54,7 +55,8 @@ static batten_surface *nu_surface(const double *points, double nu)
     o.u = stations_u;
     o.v = stations_v;
     o.nu_u = o.nu_v = nu;
-    CHECK_OK(batten_surface_nu((batten_grid){3, NU, NV, points}, &o, NULL, &surface));
+    CHECK_EACH_ALLOCATION(
+        batten_surface_nu((batten_grid){3, NU, NV, points}, &o, NULL, &surface));
     return surface;
 }
 
@@ -65,7 +67,8 @@ static batten_surface *tension_surface(const double *points, double tension)
     o.u = stations_u;
     o.v = stations_v;
     o.tension_u = o.tension_v = tension;
-    CHECK_OK(batten_surface_tension((batten_grid){3, NU, NV, points}, &o, &surface));
+    CHECK_EACH_ALLOCATION(
+        batten_surface_tension((batten_grid){3, NU, NV, points}, &o, &surface));
     return surface;
 }
 
@@ -203,7 +206,7 @@ TEST(the_other_direction_first_gives_the_same_surface)
     o.u = stations_u;
     o.v = stations_v;
     o.nus_u = nus;
-    CHECK_OK(batten_surface_nu((batten_grid){3, NU, NV, points}, &o, NULL, &one));
+    CHECK_EACH_ALLOCATION(batten_surface_nu((batten_grid){3, NU, NV, points}, &o, NULL, &one));
     o.u = stations_v;
     o.v = stations_u;
     o.nus_u = NULL;
@@ -228,7 +231,7 @@ TEST(catmull_rom_is_the_matrix_form_on_an_inner_cell)
         G[i] = sin(1.7 * i) + 0.1 * i;
     batten_curve_catmull_rom_options o = batten_curve_catmull_rom_defaults();
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_catmull_rom(
+    CHECK_EACH_ALLOCATION(batten_surface_catmull_rom(
         (batten_grid){1, 4, 4, G}, (batten_uv){steps, steps},
         (const batten_curve_catmull_rom_options *const[2]){&o, &o}, NULL, &off, &surface));
     CHECK(off < 1e-14);
@@ -266,8 +269,9 @@ TEST(closed_grids_close_smoothly)
     batten_surface *surfaces[3] = {NULL};
     nu.closed_u = nu.closed_v = tension.closed_u = tension.closed_v = local.closed = true;
     CHECK_OK(batten_surface_nu((batten_grid){3, 12, 8, points}, &nu, NULL, &surfaces[0]));
-    CHECK_OK(batten_surface_tension((batten_grid){3, 12, 8, points}, &tension, &surfaces[1]));
-    CHECK_OK(batten_surface_catmull_rom(
+    CHECK_EACH_ALLOCATION(
+        batten_surface_tension((batten_grid){3, 12, 8, points}, &tension, &surfaces[1]));
+    CHECK_EACH_ALLOCATION(batten_surface_catmull_rom(
         (batten_grid){3, 12, 8, points}, (batten_uv){NULL, NULL},
         (const batten_curve_catmull_rom_options *const[2]){&local, &local}, NULL, NULL,
         &surfaces[2]));
@@ -378,8 +382,8 @@ TEST(a_free_uniform_surface_is_coons_matrix_form)
     batten_surface *surface = NULL;
     for (int i = 0; i < 16; i++)
         V[i] = cos(2.3 * i);
-    CHECK_OK(batten_surface_uniform((batten_grid){1, 4, 4, V}, 3, 3, BATTEN_POLYGON_FREE,
-                                    BATTEN_POLYGON_FREE, &surface));
+    CHECK_EACH_ALLOCATION(batten_surface_uniform(
+        (batten_grid){1, 4, 4, V}, 3, 3, BATTEN_POLYGON_FREE, BATTEN_POLYGON_FREE, &surface));
     const batten_interval u = batten_surface_domain(surface, BATTEN_U),
                           v = batten_surface_domain(surface, BATTEN_V);
     for (int a = 0; a <= 4; a++)
@@ -407,8 +411,8 @@ TEST(parameters_of_a_grid_do_not_depend_on_what_stood_there)
 {
     const double points[18] = {0, 0, 0, 0, 1, 0, 0, 2, 0, 1, 0, 0, 1, 1, 0, 1, 2, 0};
     double u[2] = {7, 7}, v[3] = {7, 7, 7}, spread[2] = {9, 9};
-    CHECK_OK(batten_grid_parametrize((batten_grid){3, 2, 3, points}, BATTEN_CHORD, false, false,
-                                     spread, (batten_uv_out){u, v}));
+    CHECK_EACH_ALLOCATION(batten_grid_parametrize((batten_grid){3, 2, 3, points}, BATTEN_CHORD,
+                                                  false, false, spread, (batten_uv_out){u, v}));
     CHECK_NEAR(u[0], 0, 0);
     CHECK_NEAR(u[1], 1, 0);
     CHECK_NEAR(v[1], 0.5, 1e-15);

@@ -1,6 +1,8 @@
 /* What is one curve, what is a gap and what is a slit, whatever the tolerance. */
 #include "shape/network/networks.h"
 
+#include "support/faults.h"
+
 /* A tube with a slit of 0.045 to 0.06 along it, between its first and its last guide. */
 static network slit_tube(void)
 {
@@ -40,7 +42,8 @@ TEST(G7_a_mixed_list_with_a_slit_is_split_however_coarse_the_tolerance)
         int family[8];
         for (int k = 0; k < 8; k++)
             all[k] = n.curves[k % 2][k / 2];
-        CHECK_OK(batten_network_split(8, all, 0.3 * pow(0.2, i), NULL, NULL, family));
+        CHECK_EACH_ALLOCATION(
+            batten_network_split(8, all, 0.3 * pow(0.2, i), NULL, NULL, family));
         for (int k = 0; k < 8; k++)
             CHECK_INT(family[k], k % 2);
         network_end(&n);

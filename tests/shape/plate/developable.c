@@ -2,7 +2,7 @@
 #include <batten/skin.h>
 #include <batten/standard.h>
 
-
+#include "support/faults.h"
 #include "support/test.h"
 
 static const double pi = 3.14159265358979323846;
@@ -64,8 +64,8 @@ TEST(the_condition_between_coaxial_circles_holds_for_equal_angles_and_opposite_o
     const batten_interval d = batten_curve_domain(a), e = batten_curve_domain(b);
     for (int k = 0; k <= 8; k++) {
         const double f = k / 8.0;
-        CHECK_OK(batten_ruling_condition(a, d.a + f * (d.b - d.a), b, e.a + f * (e.b - e.a),
-                                         &condition, &warp));
+        CHECK_EACH_ALLOCATION(batten_ruling_condition(
+            a, d.a + f * (d.b - d.a), b, e.a + f * (e.b - e.a), &condition, &warp));
         CHECK_NEAR(condition, 0, 1e-12);
         CHECK_NEAR(warp, 0, 1e-7);
     }
@@ -192,7 +192,7 @@ TEST(the_tangents_of_a_helix_are_found_and_unroll_without_strain)
     CHECK(made.warp < 5e-4);
     batten_surface_unroll_options options = batten_surface_unroll_defaults();
     options.tolerance = 1e-5;
-    CHECK_OK(batten_surface_unroll(made.surface, &options, &flat));
+    CHECK_EACH_ALLOCATION(batten_surface_unroll(made.surface, &options, &flat));
     CHECK(flat.strain < 1e-7);
     CHECK_NEAR(flat.area[0], flat.area[1], 1e-6);
     CHECK_NEAR(fabs(flat.turn), 2 / sqrt(1.49), 1e-4);
@@ -208,7 +208,7 @@ TEST(an_edge_of_regression_inside_the_plate_is_seen_with_its_place)
     batten_developable made = {0};
     batten_surface_developable_options options = batten_surface_developable_defaults();
     options.keep_matching = true;
-    CHECK_OK(batten_surface_developable(edges[0], edges[1], &options, &made));
+    CHECK_EACH_ALLOCATION(batten_surface_developable(edges[0], edges[1], &options, &made));
     CHECK(made.has_regression && !made.is_developable);
     CHECK_NEAR(made.regression_share, 1.0 / 3, 1e-6);
     CHECK_NEAR(made.warp, pi, 1e-4);

@@ -3,6 +3,7 @@
 #include <batten/plate.h>
 #include <batten/standard.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 #include <stdlib.h>
@@ -54,7 +55,7 @@ TEST(a_circle_folds_into_two_cones_with_the_apex_at_r_by_cos_a)
     CHECK_OK(batten_curve_arc_in(&world, 2, 0, 3, &circle));
     const double a = pi / 6;
     batten_fold_create_options options = options_of(&a, 0.5);
-    CHECK_OK(batten_fold_create(circle, &options, &fold));
+    CHECK_EACH_ALLOCATION(batten_fold_create(circle, &options, &fold));
     CHECK_NEAR(fold.left.regression, 2 / cos(a), 1e-7);
     CHECK(isinf(fold.right.regression));
     CHECK_NEAR(fold.flat_turn, 3 * cos(a), 1e-10);

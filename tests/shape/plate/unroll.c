@@ -4,7 +4,7 @@
 #include <batten/standard.h>
 #include <batten/sweep.h>
 
-
+#include "support/faults.h"
 #include "support/test.h"
 
 static const double pi = 3.14159265358979323846;
@@ -116,7 +116,7 @@ TEST(the_tangents_of_a_helix_unroll_without_strain_onto_the_tangents_of_a_circle
     CHECK_NEAR(length, flat.length_second[0], 1e-8);
     /* A mark midway along a ruling lies midway in the plane. */
     batten_vec2 mark;
-    CHECK_OK(batten_unrolled_at(&flat, flat.u[5], 0.5, &mark));
+    CHECK_EACH_ALLOCATION(batten_unrolled_at(&flat, flat.u[5], 0.5, &mark));
     CHECK_NEAR(mark.x, (flat.points[20] + flat.points[22]) / 2, 1e-11);
     CHECK_NEAR(mark.y, (flat.points[21] + flat.points[23]) / 2, 1e-11);
     batten_unrolled_release(&flat);

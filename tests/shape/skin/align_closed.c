@@ -2,6 +2,8 @@
 
 #include <batten/standard.h>
 
+#include "support/faults.h"
+
 typedef const batten_curve *const *curves;
 
 static double apart_at(const batten_surface *a, const batten_surface *b, double u, double v,
@@ -59,11 +61,11 @@ TEST(closed_sections_turn_so_that_nothing_twists)
         batten_surface *twisted = NULL, *turned = NULL;
         batten_surface_skin_report report;
         double v[4];
-        CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL,
-                                     NULL, NULL, &twisted));
+        CHECK_EACH_ALLOCATION(batten_surface_skin((batten_curve_row){4, (curves)sections},
+                                                  &options, NULL, NULL, NULL, &twisted));
         options.align = options.turn = true;
-        CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL, v,
-                                     &report, &turned));
+        CHECK_EACH_ALLOCATION(batten_surface_skin((batten_curve_row){4, (curves)sections},
+                                                  &options, NULL, v, &report, &turned));
         CHECK(report.turned_count == 3 && report.reversed_count == 1);
         CHECK(report.crossing_count == 0 && report.disorder == -1);
         CHECK_INT(batten_surface_is_periodic(turned, BATTEN_U), periodic);
@@ -295,7 +297,7 @@ TEST(G7_open_and_closed_sections_do_not_go_together)
                                      NULL, &surface),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("section 0 is closed, and section 2 is open");
-    CHECK_OK(batten_surface_ruled(sections[1], sections[2], &surface));
+    CHECK_EACH_ALLOCATION(batten_surface_ruled(sections[1], sections[2], &surface));
     batten_surface_unref(surface);
     unref_all(3, sections);
 }

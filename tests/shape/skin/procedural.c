@@ -2,6 +2,8 @@
 
 #include <batten/standard.h>
 
+#include "support/faults.h"
+
 typedef const batten_curve *const *curves;
 
 static double apart(const batten_surface *a, const batten_surface *b)
@@ -37,8 +39,8 @@ TEST(a_procedural_skin_is_the_exact_skin_of_polynomial_sections)
         }
         double v[7];
         batten_surface *free = NULL, *skin = NULL, *exact = NULL;
-        CHECK_OK(batten_surface_skin_procedural((batten_curve_row){6, (curves)sections},
-                                                &options, v, &free));
+        CHECK_EACH_ALLOCATION(batten_surface_skin_procedural(
+            (batten_curve_row){6, (curves)sections}, &options, v, &free));
         CHECK_TEXT(batten_surface_kind(free), "skin");
         options.parameters = BATTEN_GIVEN;
         options.given = v;
@@ -68,8 +70,8 @@ TEST(a_procedural_skin_becomes_few_knots_within_a_tolerance)
         sections[k] = jittered(&random, 24, 3.0 * k / 7, airfoil);
     batten_surface *free = NULL, *few = NULL;
     double error = 0, spans[200];
-    CHECK_OK(batten_surface_skin_procedural((batten_curve_row){8, (curves)sections}, NULL, NULL,
-                                            &free));
+    CHECK_EACH_ALLOCATION(batten_surface_skin_procedural(
+        (batten_curve_row){8, (curves)sections}, NULL, NULL, &free));
     CHECK_INT(batten_surface_spans(free, BATTEN_U, spans), 8 * 20 + 2);
     CHECK_OK(batten_surface_to_nurbs(free, 1e-3, &error, &few));
     CHECK(batten_surface_spans(few, BATTEN_U, NULL) < 30);

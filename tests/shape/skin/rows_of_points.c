@@ -3,6 +3,8 @@
 #include "shape/sections.h"
 #include "shape/skin/rows_of_points.h"
 
+#include "support/faults.h"
+
 /* Rows of airfoil points, each with a number of its own at jittered places. */
 static int make_rows(const char *name, int row_count, int least, int most, int *counts,
                      double *points)
@@ -33,8 +35,9 @@ TEST(a_surface_passes_all_points_of_uneven_rows_with_few_knots)
         options.degree = degree;
         batten_surface_skin_rows_report report;
         batten_surface *surface = NULL;
-        CHECK_OK(batten_surface_skin_rows((batten_rows){3, rows, counts, points}, &options,
-                                          NULL, (batten_uv_out){u, v}, &report, &surface));
+        CHECK_EACH_ALLOCATION(batten_surface_skin_rows((batten_rows){3, rows, counts, points},
+                                                       &options, NULL, (batten_uv_out){u, v},
+                                                       &report, &surface));
         for (int k = 0, i = 0; k < rows; k++)
             for (int j = 0; j < counts[k]; j++, i++) {
                 double p[3];
@@ -101,8 +104,9 @@ TEST(rows_that_share_their_parameters_share_all_knots)
     }
     batten_surface_skin_rows_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin_rows((batten_rows){3, 6, counts, points}, NULL, NULL,
-                                      (batten_uv_out){NULL, NULL}, &report, &surface));
+    CHECK_EACH_ALLOCATION(batten_surface_skin_rows((batten_rows){3, 6, counts, points}, NULL,
+                                                   NULL, (batten_uv_out){NULL, NULL}, &report,
+                                                   &surface));
     CHECK(report.knot_count == 8 && report.free_rows == 0 && report.separate_knot_count == 48);
     batten_surface_unref(surface);
 }

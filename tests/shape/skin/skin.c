@@ -3,6 +3,8 @@
 #include <batten/grid.h>
 #include <batten/standard.h>
 
+#include "support/faults.h"
+
 typedef const batten_curve *const *curves;
 
 static double distance_on(const batten_surface *a, const batten_surface *b)
@@ -291,8 +293,8 @@ TEST(ruled_and_extruded_surfaces_are_exact)
     batten_curve *first = jittered(&random, 7, 0, airfoil),
                  *second = jittered(&random, 9, 1, airfoil);
     batten_surface *ruled = NULL, *extruded = NULL;
-    CHECK_OK(batten_surface_ruled(first, second, &ruled));
-    CHECK_OK(batten_surface_extruded(first, (batten_vec3){0, 1, 2}, &extruded));
+    CHECK_EACH_ALLOCATION(batten_surface_ruled(first, second, &ruled));
+    CHECK_EACH_ALLOCATION(batten_surface_extruded(first, (batten_vec3){0, 1, 2}, &extruded));
     CHECK_INT(batten_surface_degree(ruled, BATTEN_V), 1);
     for (int i = 0; i <= 20; i++) {
         double a[3], b[3], out[3];
@@ -441,7 +443,7 @@ TEST(curves_far_along_their_parameter_are_extruded)
         batten_curve *curve = NULL;
         batten_surface *wall = NULL;
         CHECK_OK(batten_curve_create((batten_points){3, 5, points}, 3, NULL, knots, &curve));
-        CHECK_OK(batten_surface_extruded(curve, up, &wall));
+        CHECK_EACH_ALLOCATION(batten_surface_extruded(curve, up, &wall));
         for (int k = 0; k <= 32; k++) {
             double given[3], found[3];
             CHECK_OK(batten_curve_evaluate(curve, a + k / 32.0, 0, given));

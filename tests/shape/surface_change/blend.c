@@ -2,6 +2,7 @@
 #include <batten/curvature.h>
 #include <batten/standard.h>
 
+#include "support/faults.h"
 #include "support/surfaces.h"
 
 static batten_surface *make_dome(double scale, double x0)
@@ -44,7 +45,7 @@ TEST(blends_go_over_into_both_surfaces_exactly)
             set_ends(ends, edges[i % 4], edges[i / 4], order);
             ends[0].bulge = 0.7;
             ends[1].from = 0.2;
-            CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
+            CHECK_EACH_ALLOCATION(batten_surfaces_blend(pair, ends, 0, &report, &made));
             CHECK_INT(batten_surface_degree(made, BATTEN_V), 2 * order + 1);
             CHECK(report.error == 0);
             for (int k = 0; k < 2; k++) {
@@ -73,7 +74,7 @@ TEST(a_blend_between_parts_of_a_plane_is_plane)
     batten_surface_blend_end ends[2];
     batten_surfaces_blend_report report;
     set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 2);
-    CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
+    CHECK_EACH_ALLOCATION(batten_surfaces_blend(pair, ends, 0, &report, &made));
     CHECK(!report.folded && !report.reversed);
     for (int i = 0; i < 30; i++) {
         double at[3];

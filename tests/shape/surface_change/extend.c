@@ -2,6 +2,7 @@
 #include <batten/extend.h>
 #include <batten/standard.h>
 
+#include "support/faults.h"
 #include "support/surfaces.h"
 
 static const batten_edge edges[] = {BATTEN_EDGE_V0, BATTEN_EDGE_U1, BATTEN_EDGE_V1,
@@ -52,8 +53,8 @@ TEST(every_edge_goes_on_straight_and_naturally)
         const batten_extension kind = kinds[i / 4];
         batten_surface_extend_report report;
         batten_surface *longer = NULL;
-        CHECK_OK(batten_surface_extend(dome, edges[i % 4], (batten_lengthening){kind, 1e-7},
-                                       0.3, &report, &longer));
+        CHECK_EACH_ALLOCATION(batten_surface_extend(
+            dome, edges[i % 4], (batten_lengthening){kind, 1e-7}, 0.3, &report, &longer));
         check_old_part(dome, longer, kind == BATTEN_EXTEND_ARC ? 1e-7 : 1e-14);
         CHECK_NEAR(report.least, 0.3, kind == BATTEN_EXTEND_ARC ? 1e-5 : 1e-11);
         CHECK(report.most >= report.least && report.most < 1);
@@ -87,9 +88,9 @@ TEST(a_sphere_goes_on_as_a_sphere)
     CHECK_OK(batten_surface_subrange(whole, BATTEN_V, 0.3, 0.45, &part));
     for (int i = 0; i < 4; i++) {
         batten_surface_extend_report report;
-        CHECK_OK(batten_surface_extend(part, edges[i],
-                                       (batten_lengthening){BATTEN_EXTEND_NATURAL, 1e-6}, 0.2,
-                                       &report, &longer));
+        CHECK_EACH_ALLOCATION(batten_surface_extend(
+            part, edges[i], (batten_lengthening){BATTEN_EXTEND_NATURAL, 1e-6}, 0.2, &report,
+            &longer));
         CHECK(report.curvature < 1e-10 && report.angle < 1e-12);
         for (int k = 0; k < 40; k++) {
             const batten_interval u = batten_surface_domain(longer, BATTEN_U);

@@ -1,6 +1,7 @@
 #include <batten/blend.h>
 #include <batten/standard.h>
 
+#include "support/faults.h"
 #include "support/surfaces.h"
 
 static batten_surface *make_plane(double x, double z)
@@ -21,7 +22,7 @@ TEST(a_ball_between_planes_leaves_a_cylinder)
         const batten_surface *const pair[2] = {a, b};
         const double radii[2] = {r, -r};
         batten_surface_fillet fillet;
-        CHECK_OK(batten_surfaces_fillet(pair, radii, NULL, 1e-9, &fillet));
+        CHECK_EACH_ALLOCATION(batten_surfaces_fillet(pair, radii, NULL, 1e-9, &fillet));
         CHECK_NEAR(fillet.least, acos(-1) - theta, 1e-9);
         CHECK_NEAR(fillet.most, acos(-1) - theta, 1e-9);
         const batten_interval u = batten_curve_domain(fillet.spine);
@@ -56,7 +57,7 @@ TEST(a_ball_around_a_pipe_on_a_plane_leaves_a_torus)
     const batten_surface *const pair[2] = {pipe, plane};
     const double radii[2] = {n.x > 0 ? 0.5 : -0.5, 0.5};
     batten_surface_fillet fillet;
-    CHECK_OK(batten_surfaces_fillet(pair, radii, NULL, 1e-6, &fillet));
+    CHECK_EACH_ALLOCATION(batten_surfaces_fillet(pair, radii, NULL, 1e-6, &fillet));
     CHECK(fillet.error <= 1e-6);
     const batten_interval u = batten_curve_domain(fillet.spine);
     CHECK_NEAR(u.b - u.a, 2 * acos(-1) * 1.5, 0.01);

@@ -1,6 +1,7 @@
 #include <batten/continuity.h>
 #include <batten/standard.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 #include <string.h>
@@ -27,9 +28,9 @@ static void check_match(const batten_surface *first, batten_edge e1,
 {
     batten_surface *made = NULL;
     batten_surface_match_report report;
-    CHECK_OK(batten_surface_match((batten_surface_edge){first, e1},
-                                  (batten_surface_edge){second, e2}, order, 1e-9, &report,
-                                  &made));
+    CHECK_EACH_ALLOCATION(batten_surface_match((batten_surface_edge){first, e1},
+                                               (batten_surface_edge){second, e2}, order, 1e-9,
+                                               &report, &made));
     CHECK(report.reversed == reversed);
     CHECK(report.moved > 0 && report.moved < 1);
     CHECK_NEAR(report.gap, 0, 1e-14);
@@ -78,7 +79,7 @@ TEST(edges_of_any_kind_and_direction_are_matched)
     CHECK_OK(batten_surface_set_domain(reversed, BATTEN_U, 0, 1, &unit));
     batten_edge e1 = BATTEN_EDGE_V1, e2 = BATTEN_EDGE_V1;
     double apart = 0;
-    CHECK_OK(batten_surfaces_near_edges(unit, left, &e1, &e2, &apart));
+    CHECK_EACH_ALLOCATION(batten_surfaces_near_edges(unit, left, &e1, &e2, &apart));
     CHECK_INT(e1, BATTEN_EDGE_V0);
     CHECK_INT(e2, BATTEN_EDGE_U1);
     CHECK(apart > 0.01 && apart < 0.5);
@@ -97,9 +98,9 @@ TEST(a_surface_that_is_cut_and_matched_again_stays)
     batten_surface *whole = wavy(0, 0, 6), *low = NULL, *high = NULL, *made = NULL;
     batten_surface_match_report report;
     CHECK_OK(batten_surface_split(whole, BATTEN_U, 0.45, &low, &high));
-    CHECK_OK(batten_surface_match((batten_surface_edge){high, BATTEN_EDGE_U0},
-                                  (batten_surface_edge){low, BATTEN_EDGE_U1}, 2, 1e-9, &report,
-                                  &made));
+    CHECK_EACH_ALLOCATION(batten_surface_match((batten_surface_edge){high, BATTEN_EDGE_U0},
+                                               (batten_surface_edge){low, BATTEN_EDGE_U1}, 2,
+                                               1e-9, &report, &made));
     CHECK_NEAR(report.moved, 0, 1e-13);
     batten_surface_unref(whole);
     batten_surface_unref(low);

@@ -2,6 +2,7 @@
 #include <batten/offset.h>
 #include <batten/standard.h>
 
+#include "support/faults.h"
 #include "support/surfaces.h"
 
 #include <stdio.h>
@@ -39,7 +40,7 @@ static void check_exact(const batten_surface *surface, double distance,
 {
     batten_surface_offset_report report;
     batten_surface *made = NULL;
-    CHECK_OK(batten_surface_offset(surface, distance, NULL, &report, &made));
+    CHECK_EACH_ALLOCATION(batten_surface_offset(surface, distance, NULL, &report, &made));
     CHECK(report.exact && report.error == 0 && report.factor > 0);
     check_same_shape(made, wanted, tolerance);
     batten_surface_unref(made);
@@ -81,7 +82,7 @@ TEST(the_offset_of_a_cone_is_a_cone)
     batten_surface *cone = NULL, *made = NULL;
     batten_surface_offset_report report;
     CHECK_OK(batten_surface_cone(&frame, 3, 0, 4, &cone));
-    CHECK_OK(batten_surface_offset(cone, 0.5, NULL, &report, &made));
+    CHECK_EACH_ALLOCATION(batten_surface_offset(cone, 0.5, NULL, &report, &made));
     CHECK(report.exact);
     for (int i = 0; i < 40; i++) {
         double p[3];

@@ -1,3 +1,4 @@
+#include "support/faults.h"
 #include "support/test.h"
 
 #include <batten/measure.h>
@@ -30,7 +31,7 @@ TEST(a_translational_surface_is_the_sum_of_its_curves_also_when_both_are_rationa
 {
     batten_curve *curve = arc(2, 1.9), *path = bow();
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_translational(curve, path, &surface));
+    CHECK_EACH_ALLOCATION(batten_surface_translational(curve, path, &surface));
     double start[3];
     point_of(path, 0, start);
     for (int i = 0; i <= 20; i++)
@@ -56,7 +57,7 @@ TEST(a_swing_along_the_unit_circle_is_the_surface_of_revolution)
     batten_surface *swung = NULL, *turned = NULL;
     batten_surface_swung_report report;
     CHECK_OK(batten_curve_conic(3, a, b, c, 0.8, &profile));
-    CHECK_OK(batten_surface_swung(profile, circle, 1, &report, &swung));
+    CHECK_EACH_ALLOCATION(batten_surface_swung(profile, circle, 1, &report, &swung));
     CHECK_OK(batten_surface_revolved(profile, (batten_vec3){0, 0, 0}, (batten_vec3){0, 0, 1},
                                      2 * acos(-1), &turned));
     for (int i = 0; i <= 16; i++)
@@ -101,7 +102,8 @@ TEST(a_tabulated_cylinder_has_its_lengths_as_parameters)
 {
     batten_curve *curve = bow();
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_tabulated(curve, (batten_vec3){0, 3, 4}, -2, 5, &surface));
+    CHECK_EACH_ALLOCATION(
+        batten_surface_tabulated(curve, (batten_vec3){0, 3, 4}, -2, 5, &surface));
     CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).a, -2, 0);
     CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).b, 5, 0);
     for (int i = 0; i <= 8; i++) {
@@ -121,7 +123,7 @@ TEST(G5_a_cone_to_an_apex_has_a_pole_with_a_normal)
     batten_curve *circle = arc(1, 2 * acos(-1)), *point = NULL;
     batten_surface *surface = NULL;
     const batten_vec3 apex = {0, 0, 2};
-    CHECK_OK(batten_surface_conical(circle, apex, &surface));
+    CHECK_EACH_ALLOCATION(batten_surface_conical(circle, apex, &surface));
     for (int i = 0; i <= 8; i++) {
         double s[3];
         batten_vec3 normal;
@@ -153,7 +155,8 @@ TEST(a_ruled_surface_by_length_joins_equal_shares_of_length)
     double error = 1;
     CHECK_OK(batten_curve_create((batten_points){3, 3, low}, 1, NULL, knots, &first));
     CHECK_OK(batten_curve_create((batten_points){3, 2, high}, 1, NULL, line, &second));
-    CHECK_OK(batten_surface_ruled_by_length(first, second, 1e-9, &error, &surface));
+    CHECK_EACH_ALLOCATION(
+        batten_surface_ruled_by_length(first, second, 1e-9, &error, &surface));
     CHECK_NEAR(error, 0, 0);
     for (int i = 0; i <= 16; i++) {
         double s[9];

@@ -1,3 +1,4 @@
+#include "support/faults.h"
 #include "support/test.h"
 
 #include <batten/interpolate.h>
@@ -59,8 +60,8 @@ TEST(a_circle_along_a_circle_is_a_torus_within_the_tolerance)
         options.tolerance = tolerances[k];
         batten_surface_sweep_report report;
         batten_surface *surface = NULL;
-        CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
-                                      NULL, &report, &surface));
+        CHECK_EACH_ALLOCATION(batten_surface_sweep((batten_curve_row){1, (curves)&section},
+                                                   spine, &options, NULL, &report, &surface));
         double worst = 0;
         for (int i = 0; i <= 16; i++)
             for (int j = 0; j <= 64; j++) {
@@ -136,8 +137,8 @@ TEST(the_surface_keeps_its_tolerance_with_all_frames_and_laws)
         batten_surface *surface = NULL, *truth = NULL;
         CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
                                       NULL, &report, &surface));
-        CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){1, (curves)&section}, spine,
-                                                 &options, &truth));
+        CHECK_EACH_ALLOCATION(batten_surface_sweep_procedural(
+            (batten_curve_row){1, (curves)&section}, spine, &options, &truth));
         CHECK(deviation(surface, truth, 40) <= 1e-5);
         CHECK(report.error <= 1e-5 && report.section_count < 300);
         batten_surface_unref(truth);
@@ -260,7 +261,7 @@ TEST(a_pipe_has_the_area_of_its_torus)
     batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.tolerance = 1e-7;
     batten_surfaces made = {0, NULL};
-    CHECK_OK(batten_surfaces_pipe(0.5, spine, &options, NULL, NULL, &made));
+    CHECK_EACH_ALLOCATION(batten_surfaces_pipe(0.5, spine, &options, NULL, NULL, &made));
     CHECK_INT(made.count, 1);
     /* Midpoints at two steps: their errors are as 4 to 1. */
     double area[2] = {0, 0};
@@ -420,8 +421,8 @@ TEST(mitred_corners_of_straight_sides_are_exact_and_close)
     batten_surface_unref(surface);
     options.corners = BATTEN_CORNER_SPLIT;
     batten_surfaces made = {0, NULL};
-    CHECK_OK(batten_surfaces_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
-                                   NULL, &report, &made));
+    CHECK_EACH_ALLOCATION(batten_surfaces_sweep((batten_curve_row){1, (curves)&section}, spine,
+                                                &options, NULL, &report, &made));
     CHECK_INT(made.count, 4);
     batten_surfaces_release(&made);
     batten_curve_unref(spine);
@@ -470,8 +471,8 @@ TEST(a_helical_surface_is_its_formula_within_the_tolerance)
     batten_surface_sweep_report report;
     const batten_vec3 origin = {0, 0, 0}, axis = {0, 0, 2};
     CHECK_OK(batten_curve_line(3, a, b, &line));
-    CHECK_OK(batten_surface_helical(line, (batten_screw){origin, axis, 1.5, 5 * PI}, 1e-6, NULL,
-                                    &report, &surface));
+    CHECK_EACH_ALLOCATION(batten_surface_helical(
+        line, (batten_screw){origin, axis, 1.5, 5 * PI}, 1e-6, NULL, &report, &surface));
     for (int i = 0; i <= 8; i++)
         for (int j = 0; j <= 80; j++) {
             const double r = 1 + 2 * i / 8.0, v = 5 * PI * j / 80;
