@@ -339,9 +339,10 @@ BATTEN_API batten_status batten_chain_approximate(const batten_chain *chain, int
                                                   batten_curve **out);
 typedef struct batten_curve_even_speed_report {
     double length;
-    double error; /**< 1.2 times the largest distance at equal arc length among 7 samples of
-                     each piece; 0 for polylines */
-    double speed; /**< the largest | |C'| - 1 | there */
+    double error; /**< a bound of the distance at equal arc length, from a bound of the sixth
+                     derivative on each piece, the error of its length and the rounding of the
+                     coordinates; 0 for polylines */
+    double speed; /**< the largest | |C'| - 1 | among 7 samples of each piece */
     int pieces;
 } batten_curve_even_speed_report;
 

@@ -1,14 +1,17 @@
 /*
  * Approximate reparametrization by arc length: quintic Hermite pieces that match point, tangent
- * and curvature, halved until they are within the tolerance.
+ * and curvature, halved until a bound of their distance from the curve is within the tolerance.
  */
 #include "shape/near/even_speed.h"
 #include "base/plural.h"
 #include "inspect/singular.h"
+#include "numeric/halving.h"
 #include "numeric/vector.h"
+#include "shape/near/arc_length_bound.h"
 #include "spline/curve/curve.h"
 
 #include <batten/measure.h>
+#include <float.h>
 #include <string.h>
 
 enum { DEPTH = 50, SAMPLES = 7, MOST_PIECES = 100000 };
@@ -17,7 +20,8 @@ enum { DEPTH = 50, SAMPLES = 7, MOST_PIECES = 100000 };
 typedef struct {
     double u, s;
     double q[3][3]; /* point, tangent, curvature vector */
-} place;
+    bool singular;  /* the curvature is not known */
+} curve_place;
 
 typedef struct {
     int dimension;
@@ -30,14 +34,14 @@ typedef struct {
     /* those that are made */
     int run_count, run_room;
     batten_curve **runs;
-} task;
+} even_run;
 
 /* ---- the curve by arc length ---- */
 
-/* dC/ds = C' / v, d2C/ds2 = what of C'' lies across it, / v^2. Where the curve stands still it
+/* dC/ds = C' / v; d2C/ds2 is the part of C'' across it, / v^2. Where the curve stands still it
  * has a direction, and its curvature, which may be infinite, counts as 0. */
-static batten_status evaluate_at_length(const task *t, const batten_curve *curve, double u,
-                                        batten_side side, double s, place *out)
+static batten_status evaluate_at_length(const even_run *t, const batten_curve *curve, double u,
+                                        batten_side side, double s, curve_place *out)
 {
     const int d = t->dimension;
     double c[3 * 3], x[3];
@@ -47,7 +51,7 @@ static batten_status evaluate_at_length(const task *t, const batten_curve *curve
         status = bat_curve_local_at(curve, t->size, u, side, &local);
     if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
         return status;
-    *out = (place){.u = u, .s = s};
+    *out = (curve_place){.u = u, .s = s, .singular = status != BATTEN_OK};
     x[0] = local.tangent.x;
     x[1] = local.tangent.y;
     x[2] = local.tangent.z;
@@ -61,44 +65,68 @@ static batten_status evaluate_at_length(const task *t, const batten_curve *curve
     return BATTEN_OK;
 }
 
-static batten_status length(const task *t, const batten_curve *piece, double a, double b,
+static batten_status length(const even_run *t, const batten_curve *piece, double a, double b,
                             double *out)
 {
     return batten_curve_length_between(piece, a, b, t->tolerance / 1000, NULL, out);
 }
 
-static void copy_derivatives(int d, const place *at, double *values)
+static void copy_derivatives(int d, const curve_place *at, double *values)
 {
     for (int m = 0; m < 3; m++)
         memcpy(values + m * d, at->q[m], (size_t)d * sizeof *values);
 }
 
-/* How far the quintic from a to b is from the piece, and its speed from one. */
-static batten_status measure_quintic(const task *t, const batten_curve *piece, const place *a,
-                                     const place *b, double *error, double *speed)
+/*
+ * A point of the curve at t of the piece is within t h of its start and (1 - t) h of its end. Of
+ * the six control points of the quintic the first three are within `leg` of the start, the others
+ * of the end; with the share f of the last three, f(t) + f(1 - t) = 1, the distance is at most
+ * leg + ((1 - f) t + f (1 - t)) h, and the factor of h is largest in the middle, 1/2.
+ */
+static double crude_bound(const even_run *t, const curve_place *a, const curve_place *b)
+{
+    const double h = b->s - a->s;
+    const double bend =
+        bat_max(bat_norm(t->dimension, a->q[2]), bat_norm(t->dimension, b->q[2]));
+    return 0.5 * h + (0.4 * h + h * h * bend / 20);
+}
+
+/* A bound of the distance between the quintic from a to b and the piece. */
+static batten_status bound_error(const even_run *t, const batten_curve *piece,
+                                 const curve_place *a, const curve_place *b, double *error)
+{
+    batten_curve *part = NULL;
+    batten_status status = BATTEN_OK;
+    *error = INFINITY;
+    if (!a->singular && !b->singular)
+        status = bat_bezier_part(piece, a->u, b->u, &part);
+    if (part && status == BATTEN_OK)
+        status = bat_arc_length_bound(part, b->s - a->s, error);
+    batten_curve_unref(part);
+    /* The length is known to a thousandth of the tolerance, and points, sums of three terms or
+     * fewer, are rounded on both curves. */
+    const double rounding = 2 * 3 * DBL_EPSILON * t->size;
+    *error = bat_min(*error, crude_bound(t, a, b)) + t->tolerance / 1000 + rounding;
+    return status;
+}
+
+/* How far the speed of the quintic from a to b is from 1. */
+static batten_status measure_speed(const even_run *t, const curve_place *a,
+                                   const curve_place *b, double *speed)
 {
     const int d = t->dimension;
     const double ends[2] = {a->s, b->s};
-    double values[2 * 3 * 3], s = a->s, u = a->u;
+    double values[2 * 3 * 3];
     batten_curve *quintic = NULL;
     copy_derivatives(d, a, values);
     copy_derivatives(d, b, values + 3 * d);
     batten_status status = batten_curve_from_hermite(d, 2, 3, ends, values, &quintic);
-    *error = *speed = 0;
     for (int i = 1; status == BATTEN_OK && i <= SAMPLES; i++) {
-        const double next = a->u + (b->u - a->u) * (i / (SAMPLES + 1.0));
-        double step = 0, p[3], q[2 * 3];
-        status = length(t, piece, u, next, &step);
-        s = bat_min(s + step, b->s);
-        u = next;
+        double q[2 * 3];
+        const double s = a->s + (b->s - a->s) * (i / (SAMPLES + 1.0));
+        status = batten_curve_evaluate(quintic, s, 1, q);
         if (status == BATTEN_OK)
-            status = batten_curve_evaluate(piece, u, 0, p);
-        if (status == BATTEN_OK)
-            status = batten_curve_evaluate(quintic, s, 1, q);
-        if (status == BATTEN_OK) {
-            *error = bat_max(*error, 1.2 * bat_distance(d, p, q));
             *speed = bat_max(*speed, fabs(bat_norm(d, q + d) - 1));
-        }
     }
     batten_curve_unref(quintic);
     return status;
@@ -106,7 +134,7 @@ static batten_status measure_quintic(const task *t, const batten_curve *piece, c
 
 /* ---- runs ---- */
 
-static batten_status add_place(task *t, const place *at)
+static batten_status add_place(even_run *t, const curve_place *at)
 {
     if (t->count == t->room) {
         const int room = bat_max_int(16, 2 * t->room);
@@ -128,7 +156,7 @@ static batten_status add_place(task *t, const place *at)
     return BATTEN_OK;
 }
 
-static batten_status finish_run(task *t)
+static batten_status finish_run(even_run *t)
 {
     if (t->count < 2)
         return BATTEN_OK;
@@ -148,7 +176,8 @@ static batten_status finish_run(task *t)
 }
 
 /* Do both sides of a knot have one tangent and one curvature? */
-static bool goes_on(const task *t, const place *left, const place *right)
+static bool is_smooth_joint(const even_run *t, const curve_place *left,
+                            const curve_place *right)
 {
     for (int m = 1; m < 3; m++) {
         const double size =
@@ -160,62 +189,58 @@ static bool goes_on(const task *t, const place *left, const place *right)
 }
 
 /* From `a`, the last place of the run, along one polynomial piece to its end `b`. */
-static batten_status follow(task *t, const batten_curve *piece, place a, const place *b)
+static batten_status follow(even_run *t, const batten_curve *piece, curve_place a,
+                            const curve_place *b)
 {
-    double ends[DEPTH + 2];
-    int waiting = 1;
-    ends[0] = b->u;
+    bat_halving h = bat_halving_of(a.u, b->u, DEPTH);
     batten_status status = BATTEN_OK;
-    while (status == BATTEN_OK && waiting > 0) {
-        place next = *b;
-        double step = 0, error = 0, speed = 0;
-        if (waiting > 1)
-            status = length(t, piece, a.u, ends[waiting - 1], &step);
-        if (status == BATTEN_OK && waiting > 1)
-            status = evaluate_at_length(t, piece, ends[waiting - 1], BATTEN_FROM_LEFT,
-                                        a.s + step, &next);
+    while (status == BATTEN_OK && h.waiting > 0) {
+        curve_place next = *b;
+        double step = 0, error = 0;
+        if (h.waiting > 1)
+            status = length(t, piece, a.u, h.b, &step);
+        if (status == BATTEN_OK && h.waiting > 1)
+            status = evaluate_at_length(t, piece, h.b, BATTEN_FROM_LEFT, a.s + step, &next);
         if (status == BATTEN_OK)
-            status = measure_quintic(t, piece, &a, &next, &error, &speed);
+            status = bound_error(t, piece, &a, &next, &error);
         if (status != BATTEN_OK)
             return status;
-        const double middle = a.u + (next.u - a.u) / 2;
-        if (error > t->tolerance) {
-            if (waiting > DEPTH || !(middle > a.u && middle < next.u) ||
-                t->report.pieces >= t->most)
+        if (!(error <= t->tolerance)) {
+            if (t->report.pieces >= t->most || !bat_halving_split(&h))
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                                 "the curve is missed by %g near u = %.17g after %d piece%s",
                                 error, a.u, t->report.pieces, bat_plural(t->report.pieces));
-            ends[waiting++] = middle;
             continue;
         }
+        status = measure_speed(t, &a, &next, &t->report.speed);
         t->report.error = bat_max(t->report.error, error);
-        t->report.speed = bat_max(t->report.speed, speed);
         t->report.pieces++;
-        status = add_place(t, &next);
+        if (status == BATTEN_OK)
+            status = add_place(t, &next);
         a = next;
-        waiting--;
+        bat_halving_accept(&h);
     }
     return status;
 }
 
 /* One polynomial piece; *last, where the one before ended, moves to its end. */
-static batten_status add_piece(task *t, const batten_curve *bezier, double a, double b,
-                               bool first, place *last)
+static batten_status add_piece(even_run *t, const batten_curve *bezier, double a, double b,
+                               bool first, curve_place *last)
 {
     batten_curve *piece = NULL;
-    place start, end;
+    curve_place start, end;
     double whole = 0;
     batten_status status = bat_bezier_part(bezier, a, b, &piece);
     if (status == BATTEN_OK)
         status = length(t, piece, a, b, &whole);
-    /* What is a point, or lost in rounding, is passed over. */
+    /* A piece that is a point, or lost in rounding, is skipped. */
     const double s = first ? 0 : last->s;
     if (status != BATTEN_OK || !(s + whole > s) || whole <= 1e-14 * t->size) {
         batten_curve_unref(piece);
         return status;
     }
     status = evaluate_at_length(t, piece, a, BATTEN_FROM_RIGHT, s, &start);
-    if (status == BATTEN_OK && (t->count == 0 || !goes_on(t, last, &start))) {
+    if (status == BATTEN_OK && (t->count == 0 || !is_smooth_joint(t, last, &start))) {
         status = finish_run(t);
         if (status == BATTEN_OK)
             status = add_place(t, &start);
@@ -230,11 +255,11 @@ static batten_status add_piece(task *t, const batten_curve *bezier, double a, do
     return status;
 }
 
-static batten_status add_pieces(task *t, const batten_curve *bezier)
+static batten_status add_pieces(even_run *t, const batten_curve *bezier)
 {
     const int knots = batten_curve_spans(bezier, NULL);
     double *at = bat_array((size_t)knots, sizeof *at);
-    place last = {.s = 0};
+    curve_place last = {.s = 0};
     batten_status status = at ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         batten_curve_spans(bezier, at);
@@ -291,10 +316,10 @@ static batten_status even(const batten_curve *curve, double tolerance, int most,
     batten_status status = batten_curve_to_bezier(curve, &bezier);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = curve->dimension,
-              .size = bat_curve_size(bezier),
-              .tolerance = tolerance,
-              .most = most};
+    even_run t = {.dimension = curve->dimension,
+                  .size = bat_curve_size(bezier),
+                  .tolerance = tolerance,
+                  .most = most};
     if (curve->degree == 1 && !curve->weights)
         status = polyline(bezier, &t.report, out);
     else

@@ -34,7 +34,7 @@ TEST(a_circle_at_even_speed_is_where_its_arc_length_says)
         const double s = domain.b * i / 500;
         double c[4];
         CHECK_OK(batten_curve_evaluate(even, s, 1, c));
-        CHECK(hypot(c[0] - 2 * cos(s / 2), c[1] - 2 * sin(s / 2)) <= 1.2e-8);
+        CHECK(hypot(c[0] - 2 * cos(s / 2), c[1] - 2 * sin(s / 2)) <= report.error + 1e-10);
         CHECK_NEAR(hypot(c[2], c[3]), 1, 1e-6);
     }
     batten_curve_unref(even);
@@ -62,7 +62,7 @@ TEST(random_curves_at_even_speed_are_met_at_every_length)
             CHECK_OK(batten_curve_evaluate(even, s[i], 0, q));
             for (int k = 0; k < dimension; k++)
                 away += (p[k] - q[k]) * (p[k] - q[k]);
-            CHECK(sqrt(away) <= 1.2e-6);
+            CHECK(sqrt(away) <= report.error + 1e-10);
         }
         batten_curve_unref(even);
         batten_curve_unref(given);
@@ -105,6 +105,48 @@ TEST(G4_corners_and_cusps_stay_where_they_are)
     CHECK_NEAR(at[1], 0.75, 1e-4);
     batten_curve_unref(even);
     batten_curve_unref(cusp);
+}
+
+TEST(curves_whose_end_stands_still_are_followed_to_it)
+{
+    /* x = 2 s on a line of speed 3 t^2, and a cubic whose first two points are one: its arc length
+     * grows with t^2 there, and with t^3 where three are. */
+    for (int same = 2; same <= 3; same++) {
+        double p[] = {0, 0, 0, 0, 2, 1, 3, 0};
+        const double breaks[] = {0, 1};
+        if (same == 3)
+            p[4] = p[5] = 0;
+        batten_curve *curve = NULL, *even = NULL;
+        batten_curve_even_speed_report report;
+        double length, s[21], u[21];
+        CHECK_OK(batten_curve_from_bezier(2, (batten_pieces){3, 1, breaks}, p, NULL, &curve));
+        CHECK_OK(batten_curve_even_speed(curve, 1e-5, &report, &even));
+        CHECK_OK(batten_curve_length(curve, 1e-12, NULL, &length));
+        for (int i = 0; i <= 20; i++)
+            s[i] = fmin(length, batten_curve_domain(even).b) * i * i / 400;
+        CHECK_OK(batten_curve_at_length(curve, 21, s, 1e-11, u));
+        for (int i = 0; i <= 20; i++) {
+            double c[2], q[2];
+            CHECK_OK(batten_curve_evaluate(curve, u[i], 0, c));
+            CHECK_OK(batten_curve_evaluate(even, s[i], 0, q));
+            CHECK(hypot(c[0] - q[0], c[1] - q[1]) <= report.error + 1e-7);
+        }
+        CHECK(report.error <= 1e-5 && report.pieces < 200);
+        batten_curve_unref(even);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(a_tolerance_below_rounding_is_not_met_and_leaves_what_was_there)
+{
+    batten_curve *circle = NULL, *even = NULL;
+    batten_curve_even_speed_report report = {.pieces = 77};
+    CHECK_OK(batten_curve_circle(2, BATTEN_CIRCLE_SQUARE_9, &circle));
+    CHECK_STATUS(batten_curve_even_speed(circle, 1e-16, &report, &even),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("the curve is missed by");
+    CHECK(report.pieces == 77 && !even);
+    batten_curve_unref(circle);
 }
 
 TEST(N1_N6_G3_what_has_no_length_or_tolerance_is_refused)
