@@ -1,0 +1,87 @@
+/* The volumes that shells enclose, and their rims. */
+#include "body/builder.h"
+#include "body/by_hand.h"
+#include "support/test.h"
+
+#include <batten/standard.h>
+#include <stdlib.h>
+
+static batten_notes *new_notes(void)
+{
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(20, &notes));
+    return notes;
+}
+
+/* The number in the note after these words. */
+static double number_after(const batten_notes *notes, const char *words)
+{
+    const char *at = strstr(batten_notes_at(notes, 0)->text, words);
+    CHECK(at != NULL);
+    return strtod(at + strlen(words), NULL);
+}
+
+TEST(the_volume_of_a_turned_ball_is_noted_in_model_units_with_its_error)
+{
+    static const double radii[] = {0.01, 1, 250};
+    for (int i = 0; i < COUNT(radii); i++) {
+        const double r = radii[i], volume = -4.0 / 3 * acos(-1) * r * r * r;
+        batten_surface *ball = NULL;
+        batten_body *body = NULL;
+        batten_notes *notes = new_notes();
+        batten_body_faults faults;
+        bat_builder b;
+        bat_builder_begin(&b, 1e-6 * r);
+        CHECK_OK(batten_surface_sphere(&hand_world, r, &ball));
+        CHECK_OK(bat_builder_shell(&b, true));
+        CHECK_OK(bat_builder_face(&b, &(batten_body_face){.surface = ball, .reversed = true}));
+        b.parts.is_solid = true;
+        CHECK_OK(batten_body_create(&b.parts, &body));
+        bat_builder_end(&b);
+        CHECK_OK(batten_body_check(body, 1e-6 * r, NULL, notes, &faults));
+        CHECK_INT(faults.turned_shells, 1);
+        if (batten_notes_dropped(notes) == 0) {
+            const double found = number_after(notes, "its volume is "),
+                         error = number_after(notes, "within ");
+            CHECK_NEAR(found, volume, 1e-2 * fabs(volume));
+            CHECK(error > 0 && error < 1e-2 * fabs(volume));
+        }
+        batten_notes_free(notes);
+        batten_body_unref(body);
+        batten_surface_unref(ball);
+    }
+}
+
+/* Half a ball has its circle as a rim; at the pole there is no edge in space. */
+TEST(the_rim_of_an_open_shell_is_counted_without_poles_and_seams)
+{
+    hand m = hand_begin();
+    batten_surface *ball = NULL;
+    batten_body *body = NULL, *traced = NULL, *closed = NULL;
+    batten_notes *notes = new_notes();
+    batten_body_faults faults;
+    CHECK_OK(batten_surface_sphere(&hand_world, 2, &ball));
+    hand_arc(&m, 2, 0, 0, 360);
+    hand_face(&m, ball, false);
+    HAND_LOOP(&m, 1);
+    CHECK_OK(batten_body_create(&m.builder.parts, &body));
+    bat_builder_end(&m.builder);
+    CHECK_OK(batten_body_trace(body, 1e-6, NULL, NULL, NULL, &traced));
+    batten_body_parts parts = *batten_body_view(traced);
+    const batten_body_shell shell = {.first = 0, .count = 1, .closed = true};
+    parts.shells = &shell;
+    CHECK_OK(batten_body_create(&parts, &closed));
+    CHECK_OK(batten_body_check(closed, 1e-5, NULL, notes, &faults));
+    CHECK_INT(faults.open_shells, 1);
+    CHECK_INT(faults.free_edges, 1);
+    CHECK_INT(faults.poles, 1);
+    CHECK_INT(faults.seams, 1);
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "shell 0");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "but 1 of its edges");
+    }
+    batten_notes_free(notes);
+    batten_body_unref(closed);
+    batten_body_unref(traced);
+    batten_body_unref(body);
+}
