@@ -1,4 +1,5 @@
 /* A model as glTF: its nodes, their places, and the JSON and bytes of the file. */
+#include "base/list.h"
 #include "exchange/gltf/writing.h"
 #include "exchange/meshes/facets.h"
 #include "exchange/reading/bytes.h"
@@ -18,16 +19,8 @@ static batten_status add_node(bat_gltf_writing *w, const batten_object *object, 
     if (w->node_count >= MOST_NODES)
         return bat_fail(BATTEN_TOO_LARGE, "instances within instances make more than %d nodes",
                         MOST_NODES);
-    if (w->node_count == w->node_capacity) {
-        const int capacity = bat_max_int(16, 2 * w->node_capacity);
-        bat_gltf_node *nodes = bat_resize(w->nodes, (size_t)capacity, sizeof *nodes);
-        if (!nodes)
-            return BATTEN_OUT_OF_MEMORY;
-        w->nodes = nodes;
-        w->node_capacity = capacity;
-    }
-    w->nodes[w->node_count++] = (bat_gltf_node){object, number, 0, 0};
-    return BATTEN_OK;
+    return BAT_LIST_ADD(w->nodes, w->node_count, w->node_capacity,
+                        (bat_gltf_node){object, number, 0, 0});
 }
 
 static batten_status add_objects(bat_gltf_writing *w, const batten_model *model)

@@ -203,6 +203,7 @@ void bat_input_release(bat_input *input, size_t count, size_t size, void *memory
     bat_release(memory);
 }
 
+/* Not base/list.h: what this grows by counts towards the limit on memory before it is asked for. */
 batten_status bat_list_reserve(bat_input *input, bat_list *list, size_t count)
 {
     size_t capacity = list->capacity ? list->capacity : 16;

@@ -1,9 +1,8 @@
 /* Resolves groups of items, and groups within groups, to their paths. */
 #include "exchange/step/read/groups.h"
-#include "exchange/step/read/topology.h"
+#include "exchange/step/read/marks.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { DEEPEST = 64 };
 
@@ -33,15 +32,6 @@ void bat_step_groups_end(bat_step_groups *groups)
     bat_release(groups->assignments.items);
 }
 
-static batten_status tolerate(const bat_step_file *file, const bat_step_instance *instance,
-                              batten_status status)
-{
-    if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED)
-        return status;
-    bat_step_warn(file, instance, "%.300s; without effect", batten_message());
-    return BATTEN_OK;
-}
-
 batten_status bat_step_groups_add(bat_step_groups *groups, const bat_step_instance *instance)
 {
     const bat_step_record *record = bat_step_as(groups->file, instance, "GROUP");
@@ -49,33 +39,24 @@ batten_status bat_step_groups_add(bat_step_groups *groups, const bat_step_instan
     batten_status status =
         bat_step_get_string(groups->file, record, 0, sizeof row.name, row.name);
     return status == BATTEN_OK ? bat_list_add(groups->file->input, &groups->groups, &row)
-                               : tolerate(groups->file, instance, status);
+                               : bat_step_mark_failed(groups->file, instance, status);
 }
 
 /* ---- who lies in what ---- */
 
-static int compare(const void *a, const void *b)
+static int compare_members(const void *a, const void *b)
 {
     const member_row *x = a, *y = b;
-    const uint32_t p[2] = {x->item, x->group}, q[2] = {y->item, y->group};
-    return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+    const int by_item = bat_step_compare_indices(x->item, y->item);
+    return by_item ? by_item : bat_step_compare_indices(x->group, y->group);
 }
 
 /* The group of an instance, by its place in the list; UINT32_MAX when it is none. */
 static uint32_t group_at(const bat_step_groups *groups, const bat_step_instance *instance)
 {
-    const uint32_t wanted = bat_step_index(groups->file, instance);
-    const group_row *rows = groups->groups.items;
-    size_t low = 0, high = groups->groups.count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (rows[middle].instance < wanted)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < groups->groups.count && rows[low].instance == wanted ? (uint32_t)low
-                                                                      : UINT32_MAX;
+    const group_row *row =
+        bat_step_first_row(&groups->groups, bat_step_index(groups->file, instance));
+    return row ? (uint32_t)(row - (const group_row *)groups->groups.items) : UINT32_MAX;
 }
 
 static batten_status relate(bat_step_groups *groups, const bat_step_instance *instance)
@@ -86,7 +67,7 @@ static batten_status relate(bat_step_groups *groups, const bat_step_instance *in
     if (status == BATTEN_OK)
         status = bat_step_get_reference(groups->file, record, 3, &inner);
     if (status != BATTEN_OK)
-        return tolerate(groups->file, instance, status);
+        return bat_step_mark_failed(groups->file, instance, status);
     const uint32_t of[2] = {group_at(groups, outer), group_at(groups, inner)};
     if (of[0] != UINT32_MAX && of[1] != UINT32_MAX)
         ((group_row *)groups->groups.items)[of[1]].outer = of[0];
@@ -112,7 +93,7 @@ static batten_status assign(bat_step_groups *groups, const bat_step_instance *in
         row.item = bat_step_index(file, item);
         status = bat_list_add(file->input, &groups->members, &row);
     }
-    return tolerate(file, instance, status);
+    return bat_step_mark_failed(file, instance, status);
 }
 
 batten_status bat_step_groups_resolve(bat_step_groups *groups)
@@ -125,8 +106,7 @@ batten_status bat_step_groups_resolve(bat_step_groups *groups)
         status = relate(groups, &instances[relations[k]]);
     for (size_t k = 0; status == BATTEN_OK && k < groups->assignments.count; k++)
         status = assign(groups, &instances[assignments[k]]);
-    if (groups->members.count > 1)
-        qsort(groups->members.items, groups->members.count, sizeof(member_row), compare);
+    bat_step_sort_rows(&groups->members, compare_members);
     return status;
 }
 
@@ -135,26 +115,19 @@ batten_status bat_step_groups_resolve(bat_step_groups *groups)
 bool bat_step_group_of(const bat_step_groups *groups, const bat_step_instance *item,
                        char path[BAT_STEP_PATH])
 {
-    const uint32_t wanted = bat_step_index(groups->file, item);
-    const member_row *rows = groups->members.items;
+    const member_row *row =
+        bat_step_first_row(&groups->members, bat_step_index(groups->file, item));
     const group_row *all = groups->groups.items;
-    uint32_t way[DEEPEST];
+    uint32_t around[DEEPEST];
     int depth = 0;
-    size_t low = 0, high = groups->members.count, length = 0;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (rows[middle].item < wanted)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    if (low == groups->members.count || rows[low].item != wanted)
+    size_t length = 0;
+    if (!row)
         return false;
-    for (uint32_t at = rows[low].group; at != UINT32_MAX && depth < DEEPEST; at = all[at].outer)
-        way[depth++] = at;
+    for (uint32_t at = row->group; at != UINT32_MAX && depth < DEEPEST; at = all[at].outer)
+        around[depth++] = at;
     path[0] = '\0';
     while (depth-- > 0 && length < BAT_STEP_PATH)
         length += (size_t)snprintf(path + length, BAT_STEP_PATH - length, "%s%s",
-                                   length ? "/" : "", all[way[depth]].name);
+                                   length ? "/" : "", all[around[depth]].name);
     return true;
 }

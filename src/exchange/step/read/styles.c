@@ -1,8 +1,7 @@
 /* Collects colours, layers and invisible items from presentation styles. */
 #include "exchange/step/read/styles.h"
-#include "exchange/step/read/topology.h"
+#include "exchange/step/read/marks.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct {
@@ -170,16 +169,6 @@ static bat_step_colours find_look(const bat_step_file *file, const bat_step_reco
 
 /* ---- taking in ---- */
 
-/* A style, layer or such that is broken leaves no shape out: it is noted. */
-static batten_status tolerate(const bat_step_file *file, const bat_step_instance *instance,
-                              batten_status status)
-{
-    if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED)
-        return status;
-    bat_step_warn(file, instance, "%.300s; without effect", batten_message());
-    return BATTEN_OK;
-}
-
 batten_status bat_step_styles_add(bat_step_styles *styles, const bat_step_instance *instance)
 {
     static const char *const keywords[] = {"STYLED_ITEM", "OVER_RIDING_STYLED_ITEM"};
@@ -197,7 +186,7 @@ batten_status bat_step_styles_add(bat_step_styles *styles, const bat_step_instan
     const int at = bat_step_argument_count(file, record) > 2 ? 1 : 0;
     batten_status status = bat_step_get_reference(file, record, at + 1, &item);
     if (status != BATTEN_OK)
-        return tolerate(file, instance, status);
+        return bat_step_mark_failed(file, instance, status);
     row.item = bat_step_index(file, item);
     row.styled = bat_step_index(file, instance);
     row.look = find_look(file, record, at);
@@ -228,7 +217,7 @@ batten_status bat_step_styles_add_layer(bat_step_styles *styles,
             status = bat_list_add(file->input, &styles->members, &member);
         }
     }
-    return tolerate(file, instance, status);
+    return bat_step_mark_failed(file, instance, status);
 }
 
 batten_status bat_step_styles_add_hidden(bat_step_styles *styles,
@@ -247,70 +236,39 @@ batten_status bat_step_styles_add_hidden(bat_step_styles *styles,
             status = bat_list_add(file->input, &styles->hidden, &index);
         }
     }
-    return tolerate(file, instance, status);
+    return bat_step_mark_failed(file, instance, status);
 }
 
 /* ---- asking ---- */
-
-static int compare(uint32_t a, uint32_t b)
-{
-    return (a > b) - (a < b);
-}
 
 /* Of one item the overriding style comes first, then the one that stands first. */
 static int compare_looks(const void *a, const void *b)
 {
     const look_row *x = a, *y = b;
-    const int by_item = compare(x->item, y->item);
+    const int by_item = bat_step_compare_indices(x->item, y->item);
     if (by_item)
         return by_item;
     return x->overrides != y->overrides ? y->overrides - x->overrides
-                                        : compare(x->styled, y->styled);
+                                        : bat_step_compare_indices(x->styled, y->styled);
 }
 
 static int compare_members(const void *a, const void *b)
 {
     const member_row *x = a, *y = b;
-    const int by_item = compare(x->item, y->item);
-    return by_item ? by_item : compare(x->order, y->order);
+    const int by_item = bat_step_compare_indices(x->item, y->item);
+    return by_item ? by_item : bat_step_compare_indices(x->order, y->order);
 }
 
 static int compare_indices(const void *a, const void *b)
 {
-    return compare(*(const uint32_t *)a, *(const uint32_t *)b);
-}
-
-static void sort(bat_list *list, int (*by)(const void *, const void *))
-{
-    if (list->count > 1)
-        qsort(list->items, list->count, list->size, by);
+    return bat_step_compare_indices(*(const uint32_t *)a, *(const uint32_t *)b);
 }
 
 void bat_step_styles_sort(bat_step_styles *styles)
 {
-    sort(&styles->looks, compare_looks);
-    sort(&styles->members, compare_members);
-    sort(&styles->hidden, compare_indices);
-}
-
-/* The first of the rows whose leading uint32_t is `key`; NULL when there is none. */
-static const void *first_of(const bat_list *list, uint32_t key)
-{
-    const char *rows = list->items;
-    size_t low = 0, high = list->count;
-    uint32_t found;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        memcpy(&found, rows + middle * list->size, sizeof found);
-        if (found < key)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    if (low == list->count)
-        return NULL;
-    memcpy(&found, rows + low * list->size, sizeof found);
-    return found == key ? rows + low * list->size : NULL;
+    bat_step_sort_rows(&styles->looks, compare_looks);
+    bat_step_sort_rows(&styles->members, compare_members);
+    bat_step_sort_rows(&styles->hidden, compare_indices);
 }
 
 /* The next look of the same item, or NULL. */
@@ -324,7 +282,7 @@ const bat_step_colours *bat_step_colours_of(const bat_step_styles *styles,
                                             const bat_step_instance *item)
 {
     const uint32_t key = bat_step_index(styles->file, item);
-    const look_row *row = first_of(&styles->looks, key);
+    const look_row *row = bat_step_first_row(&styles->looks, key);
     while (row && !row->look.has_fill && !row->look.has_stroke)
         row = look_after(styles, row);
     return row ? &row->look : NULL;
@@ -332,7 +290,7 @@ const bat_step_colours *bat_step_colours_of(const bat_step_styles *styles,
 
 static const member_row *member_of(const bat_step_styles *styles, uint32_t item)
 {
-    return first_of(&styles->members, item);
+    return bat_step_first_row(&styles->members, item);
 }
 
 const char *bat_step_layer_of(const bat_step_styles *styles, const bat_step_instance *item)
@@ -341,7 +299,7 @@ const char *bat_step_layer_of(const bat_step_styles *styles, const bat_step_inst
     const member_row *row = member_of(styles, key);
     const layer_row *layers = styles->layers.items;
     /* A layer may have the styles of items for members. */
-    const look_row *look = row ? NULL : first_of(&styles->looks, key);
+    const look_row *look = row ? NULL : bat_step_first_row(&styles->looks, key);
     if (look)
         row = member_of(styles, look->styled);
     return row ? layers[row->layer].name : NULL;
@@ -353,12 +311,12 @@ bool bat_step_is_hidden(const bat_step_styles *styles, const bat_step_instance *
     const layer_row *layers = styles->layers.items;
     if (styles->hidden.count == 0)
         return false;
-    if (first_of(&styles->hidden, key))
+    if (bat_step_first_row(&styles->hidden, key))
         return true;
-    const look_row *look = first_of(&styles->looks, key);
+    const look_row *look = bat_step_first_row(&styles->looks, key);
     for (; look; look = look_after(styles, look))
-        if (first_of(&styles->hidden, look->styled))
+        if (bat_step_first_row(&styles->hidden, look->styled))
             return true;
     const member_row *member = member_of(styles, key);
-    return member && first_of(&styles->hidden, layers[member->layer].instance);
+    return member && bat_step_first_row(&styles->hidden, layers[member->layer].instance);
 }

@@ -1,20 +1,12 @@
 /* Colours, layers, groups, and what is hidden. */
+#include "base/list.h"
 #include "exchange/step/write/writing.h"
 
 #include <string.h>
 
 batten_status bat_step_bag_add(bat_step_bag *bag, int id)
 {
-    if (bag->count == bag->capacity) {
-        const int capacity = bat_max_int(16, 2 * bag->capacity);
-        int *ids = bat_resize(bag->ids, (size_t)capacity, sizeof *ids);
-        if (!ids)
-            return BATTEN_OUT_OF_MEMORY;
-        bag->ids = ids;
-        bag->capacity = capacity;
-    }
-    bag->ids[bag->count++] = id;
-    return BATTEN_OK;
+    return BAT_LIST_ADD(bag->ids, bag->count, bag->capacity, id);
 }
 
 /* ---- looks ---- */
