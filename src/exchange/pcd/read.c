@@ -91,7 +91,9 @@ static double decode(const bat_pcd_field *f, const char *at)
         return f->size == 8 ? bat_bytes_double(at, false) : bat_bytes_float(at, false);
     const uint64_t bits = bat_bytes_get(at, f->size, false);
     const bool is_negative = f->type == 'I' && bits >> (8 * (unsigned)f->size - 1);
-    return is_negative ? (double)bits - ldexp(1, 8 * f->size) : (double)bits;
+    /* The magnitude first: a double near 2^64 cannot tell -1 from 0. */
+    const uint64_t magnitude = (~bits + 1) & UINT64_MAX >> (64 - 8 * (unsigned)f->size);
+    return is_negative ? -(double)magnitude : (double)bits;
 }
 
 static size_t bytes_of(const bat_pcd_field *f)
