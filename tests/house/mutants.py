@@ -6,6 +6,7 @@ with that one object, and the tests of the room run. A mutant that no test notic
 A room is a folder with sources: shape/skin is src/shape/skin, tested by tests/shape/skin alone.
 
 Nothing in the tree is touched: the objects of the build are copied first, mutants live in a temporary folder.
+A mutant may write anywhere: one started by root runs as nobody, who cannot replace what is not its own.
 A mutant that does not compile, or whose object code is that of the original, is drawn again. A test run that
 takes many times as long as usual has noticed its mutant.
 """
@@ -29,6 +30,7 @@ import time
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from source import ROOT, TOKENS, blanked, read, tracked, without_directives  # noqa: E402
 
+NOBODY = 65534  # its number on every system that we know
 KERNEL = ['base', 'numeric', 'spline', 'inspect', 'shape', 'body', 'mesh', 'model', 'fair', 'exchange']
 NEGATED = {'<': '>=', '<=': '>', '>': '<=', '>=': '<', '==': '!=', '!=': '=='}
 WIDENED = {'<': '<=', '<=': '<', '>': '>=', '>=': '>'}
@@ -254,6 +256,9 @@ class Workshop:
         """Do the tests of the room notice? Stops at the first that does."""
         scratch = os.path.join(at, 'scratch')
         os.makedirs(scratch, exist_ok=True)
+        if os.geteuid() == 0:
+            os.chmod(at, 0o755)
+            os.chmod(scratch, 0o777)
         environment = dict(os.environ, TMPDIR=scratch, **({'BATTEN_COMMAND': command} if command else {}))
 
         def limits():
@@ -261,6 +266,10 @@ class Workshop:
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
             resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
             resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 28, 1 << 28))
+            if os.geteuid() == 0:
+                os.setgroups([])
+                os.setgid(NOBODY)
+                os.setuid(NOBODY)
 
         process = subprocess.Popen([target, '--room', room], cwd=scratch, env=environment, preexec_fn=limits,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
@@ -433,6 +442,8 @@ def main():
     holder = os.path.join(ROOT, 'build')
     os.makedirs(holder, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix='mutants-', dir=holder) as folder:
+        if os.geteuid() == 0:
+            os.chmod(folder, 0o755)
         trial(options, rooms, counts, Workshop(options.build, folder), folder)
 
 
