@@ -5,6 +5,7 @@
 #include "numeric/quadrature.h"
 
 #include "base/list.h"
+#include "base/sort.h"
 
 #include <float.h>
 
@@ -85,6 +86,9 @@ typedef struct {
 
 /* A heap of pieces: none has a larger error than the first. */
 typedef struct {
+    bat_integrand f;
+    void *context;
+    bool looks_at_ends;
     piece *pieces;
     size_t count, room;
 } heap;
@@ -101,19 +105,37 @@ static batten_status pair(bat_integrand f, void *context, double centre, double 
     return status;
 }
 
-static batten_status measure(bat_integrand f, void *context, piece *p)
+/* How much more the integrand is beside the ends of a piece than at any node of the rule, over
+ * twice: what a node there would add. */
+static batten_status hidden_peak(const heap *h, const piece *p, double seen, double *out)
+{
+    /* Inside the piece, and yet far nearer to its end than any node. */
+    const double beside = ldexp(p->b - p->a, -40);
+    double at[2];
+    batten_status status = h->f(h->context, p->a + beside, &at[0]);
+    if (status == BATTEN_OK)
+        status = h->f(h->context, p->b - beside, &at[1]);
+    if (status != BATTEN_OK)
+        return status;
+    const double highest = bat_max(fabs(at[0]), fabs(at[1]));
+    *out = kronrod_weights[0] * bat_max(0, highest - 2 * seen);
+    return BATTEN_OK;
+}
+
+static batten_status measure_piece(const heap *h, piece *p)
 {
     const double centre = 0.5 * (p->a + p->b), half = 0.5 * (p->b - p->a);
-    double gauss = 0, kronrod = 0, size = 0, values[8][2];
+    double gauss = 0, kronrod = 0, size = 0, seen = 0, hidden = 0, values[8][2];
+    batten_status status = BATTEN_OK;
     for (int i = 0; i < 8; i++) {
-        const batten_status status =
-            pair(f, context, centre, half * kronrod_nodes[i], values[i]);
+        status = pair(h->f, h->context, centre, half * kronrod_nodes[i], values[i]);
         if (status != BATTEN_OK)
             return status;
         /* The middle counts once. */
         const double sum = i < 7 ? values[i][0] + values[i][1] : values[i][0];
         kronrod += kronrod_weights[i] * sum;
         size += kronrod_weights[i] * fabs(sum);
+        seen = bat_max(seen, bat_max(fabs(values[i][0]), fabs(values[i][1])));
         if (i % 2 == 1)
             gauss += gauss_weights[i / 2] * sum;
     }
@@ -125,9 +147,12 @@ static batten_status measure(bat_integrand f, void *context, piece *p)
      * once both converge. */
     const double difference = fabs(kronrod - gauss);
     const double ratio = spread > 0 ? 200 * difference / spread : 0;
+    if (h->looks_at_ends)
+        status = hidden_peak(h, p, seen, &hidden);
     p->value = half * kronrod;
-    p->error = half * bat_max(spread * bat_min(1, ratio * sqrt(ratio)), 4 * DBL_EPSILON * size);
-    return BATTEN_OK;
+    p->error = half * bat_max(bat_max(spread * bat_min(1, ratio * sqrt(ratio)), hidden),
+                              4 * DBL_EPSILON * size);
+    return status;
 }
 
 static batten_status push(heap *h, piece p)
@@ -158,10 +183,10 @@ static piece pop(heap *h)
     return first;
 }
 
-static batten_status push_measured(heap *h, bat_integrand f, void *context, double a, double b)
+static batten_status push_measured(heap *h, double a, double b)
 {
     piece p = {.a = a, .b = b};
-    const batten_status status = measure(f, context, &p);
+    const batten_status status = measure_piece(h, &p);
     return status == BATTEN_OK ? push(h, p) : status;
 }
 
@@ -182,16 +207,17 @@ static double total(const heap *h)
 }
 
 /* Halve the worst piece until the errors add up to no more than allowed. */
-static batten_status refine(heap *h, bat_integrand f, void *context, double tolerance,
-                            int limit)
+static batten_status refine(heap *h, double tolerance, int limit)
 {
+    const int halving = h->looks_at_ends ? 36 : 32;
     double error = total_error(h);
-    for (int left = limit - 16; error > tolerance && left >= 32; left -= 32) {
+    for (int left = limit - halving / 2; error > tolerance && left >= halving;
+         left -= halving) {
         const piece worst = pop(h);
         const double middle = 0.5 * (worst.a + worst.b);
-        batten_status status = push_measured(h, f, context, worst.a, middle);
+        batten_status status = push_measured(h, worst.a, middle);
         if (status == BATTEN_OK)
-            status = push_measured(h, f, context, middle, worst.b);
+            status = push_measured(h, middle, worst.b);
         if (status != BATTEN_OK)
             return status;
         /* Differences of sums drift; once they matter, add anew. */
@@ -202,6 +228,19 @@ static batten_status refine(heap *h, bat_integrand f, void *context, double tole
     return BATTEN_OK;
 }
 
+/* What the pieces add up to; TOLERANCE_NOT_MET when that is not known as well as asked. */
+static batten_status conclude(const heap *h, double tolerance, int limit, double *value,
+                              double *error)
+{
+    *value = total(h);
+    *error = total_error(h);
+    if (*error <= tolerance)
+        return BATTEN_OK;
+    return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                    "the integral is known to %g, not to %g, after %d evaluations", *error,
+                    tolerance, limit);
+}
+
 batten_status bat_integrate(bat_integrand f, void *context, double a, double b,
                             double tolerance, int limit, double *value, double *error)
 {
@@ -209,20 +248,70 @@ batten_status bat_integrate(bat_integrand f, void *context, double a, double b,
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance of an integral is %g, not above 0",
                         tolerance);
     const bool is_backward = b < a;
-    heap h = {NULL, 0, 0};
-    batten_status status =
-        push_measured(&h, f, context, is_backward ? b : a, is_backward ? a : b);
+    heap h = {.f = f, .context = context};
+    batten_status status = push_measured(&h, is_backward ? b : a, is_backward ? a : b);
     if (status == BATTEN_OK)
-        status = refine(&h, f, context, tolerance, limit);
+        status = refine(&h, tolerance, limit);
     if (status == BATTEN_OK) {
-        const double sum = total(&h);
-        *value = is_backward ? -sum : sum;
-        *error = total_error(&h);
-        if (*error > tolerance)
-            status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                              "the integral is known to %g, not to %g, after %d evaluations",
-                              *error, tolerance, limit);
+        status = conclude(&h, tolerance, limit, value, error);
+        *value = is_backward ? -*value : *value;
     }
     bat_release(h.pieces);
     return status;
+}
+
+/* What all intervals add up to when each may be off by `share`; with their pieces unless `fine` is NULL. */
+static batten_status integrate_intervals(heap *h, const bat_peaked_integral *integral,
+                                         double share, double *sum, double *off,
+                                         bat_integral_breaks *fine)
+{
+    batten_status status = BATTEN_OK;
+    *sum = *off = 0;
+    for (int i = 0; i + 1 < integral->count && status == BATTEN_OK; i++) {
+        h->count = 0;
+        status = push_measured(h, integral->breaks[i], integral->breaks[i + 1]);
+        if (status == BATTEN_OK)
+            status = refine(h, share, integral->limit);
+        *sum += total(h);
+        *off += total_error(h);
+        for (size_t k = 0; fine && k < h->count && status == BATTEN_OK; k++)
+            status = BAT_LIST_ADD(fine->at, fine->count, fine->room, h->pieces[k].a);
+    }
+    return status;
+}
+
+/* Each interval to its share of the error. The integral is known after the first round only,
+ * and a peak that comes to light then makes it larger, or a false one smaller. */
+batten_status bat_integrate_peaked(const bat_peaked_integral *integral, double *value,
+                                   double *error, bat_integral_breaks *fine)
+{
+    enum { ROUNDS = 3 };
+    heap h = {.f = integral->f, .context = integral->context, .looks_at_ends = true};
+    bat_integral_breaks found = {0};
+    batten_status status = BATTEN_OK;
+    double allowed = 0, sum = 0, off = HUGE_VAL;
+    for (int round = 0; round <= ROUNDS && status == BATTEN_OK && off > allowed; round++) {
+        found.count = 0;
+        status = integrate_intervals(&h, integral,
+                                     round > 0 ? allowed / (integral->count - 1) : HUGE_VAL,
+                                     &sum, &off, fine ? &found : NULL);
+        allowed = integral->relative * fabs(sum);
+    }
+    if (status == BATTEN_OK && fine)
+        status = BAT_LIST_ADD(found.at, found.count, found.room,
+                              integral->breaks[integral->count - 1]);
+    bat_release(h.pieces);
+    if (status != BATTEN_OK) {
+        bat_release(found.at);
+        return status;
+    }
+    bat_sort_doubles((size_t)found.count, found.at);
+    *value = sum;
+    *error = off;
+    if (fine)
+        *fine = found;
+    if (off <= allowed)
+        return BATTEN_OK;
+    return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the integral is known to %g, not to %g", off,
+                    allowed);
 }

@@ -22,4 +22,27 @@ typedef batten_status (*bat_integrand)(void *context, double t, double *value);
 batten_status bat_integrate(bat_integrand f, void *context, double a, double b,
                             double tolerance, int limit, double *value, double *error);
 
+/* An integrand whose peaks stand at breaks. No node of a rule need come near a narrow peak, but
+ * the values just beside the breaks show it: an interval is halved until its nodes see at least
+ * half of what they show. */
+typedef struct {
+    bat_integrand f;
+    void *context;
+    int count;            /* of breaks, 2 or more */
+    const double *breaks; /* rising; the integral goes from the first to the last */
+    double relative;      /* the error allowed, a part of the integral of |f| */
+    int limit;            /* of evaluations for each interval between breaks, on average */
+} bat_peaked_integral;
+
+/* The ends of the intervals that were integrated in the end, rising. */
+typedef struct {
+    int count, room;
+    double *at;
+} bat_integral_breaks;
+
+/* *error as above. BATTEN_TOLERANCE_NOT_MET sets *value, *error and *fine, too. `fine` may be
+ * NULL; else what it holds is to be released. */
+batten_status bat_integrate_peaked(const bat_peaked_integral *integral, double *value,
+                                   double *error, bat_integral_breaks *fine);
+
 #endif

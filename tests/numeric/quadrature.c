@@ -130,3 +130,47 @@ TEST(a_failing_integrand_is_passed_on)
     CHECK_BITS(value, 7);
     CHECK_BITS(error, 9);
 }
+
+/* Two bumps 1 / (1 + (t / w)^2) at the breaks, of integral w atan(1 / w) each over a side of length 1. */
+static batten_status narrow_bump(void *context, double t, double *value)
+{
+    const double w = *(const double *)context, x = (t - floor(t + 0.5)) / w;
+    *value = 1 / (w * (1 + x * x));
+    return BATTEN_OK;
+}
+
+TEST(peaks_at_breaks_are_seen_however_narrow)
+{
+    const double breaks[] = {0, 1, 2, 3};
+    for (double w = 1e-1; w > 1e-7; w /= 7) {
+        const bat_peaked_integral integral = {narrow_bump, &w, 4, breaks, 1e-10, 4000};
+        const double exact = 6 * atan(0.5 / w);
+        double value, error;
+        CHECK_OK(bat_integrate_peaked(&integral, &value, &error, NULL));
+        CHECK_NEAR(value, exact, 1e-10 * exact);
+        CHECK(error <= 1e-10 * value);
+    }
+}
+
+TEST(an_integral_without_peaks_costs_one_rule_for_each_interval)
+{
+    problem p = {.kind = 0};
+    const double breaks[] = {-1, -0.5, 0, 0.5, 1};
+    const bat_peaked_integral integral = {integrand, &p, 5, breaks, 1e-4, 1000};
+    double value, error;
+    CHECK_OK(bat_integrate_peaked(&integral, &value, &error, NULL));
+    CHECK_NEAR(value, 2.0 / 23, 1e-9);
+    CHECK(p.calls == 4 * 18);
+}
+
+TEST(an_integral_that_is_infinite_ends_with_its_error)
+{
+    problem p = {.kind = 6};
+    const double breaks[] = {0, 1};
+    const bat_peaked_integral integral = {integrand, &p, 2, breaks, 1e-9, 500};
+    double value = 0, error = 0;
+    CHECK_STATUS(bat_integrate_peaked(&integral, &value, &error, NULL),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK(error > 1e-9 * value);
+    CHECK(p.calls <= 4 * 500);
+}
