@@ -22,27 +22,50 @@ typedef struct batten_fairness {
     double variation; /**< integral of (d curvature / ds)^2 ds; HUGE_VAL when there are corners
                          or curvature jumps */
     double max_curvature;
-    bool fair;           /**< the default verdict: no excess inflections */
-    int corners;         /**< joints at which the direction turns by more than 1e-6 */
-    int curvature_jumps; /**< other joints at which curvature differs by more than 1e-6 of it */
+    bool fair;           /**< the verdict: no excess inflections, corners or curvature jumps */
+    int corners;         /**< places at which the direction turns by more than the bound, also
+                              where the curve stands still */
+    int curvature_jumps; /**< other joints at which curvature steps by more than the bound */
+    int halts;           /**< places inside at which the first derivative vanishes */
+    int cusps;           /**< of these, those at which the curve turns back */
+    double energy_error, variation_error; /**< how far off the integrals may be, estimated. An
+                              error that is no small part of its integral says that this is
+                              not known: it is infinite or nearly so */
+    double largest_turn; /**< the sharpest corner, radians (functions: the step of the slope) */
+    double largest_jump; /**< the largest step of curvature, over the larger of both */
 } batten_fairness;
+
+/** The bounds of the verdict. */
+typedef struct batten_fairness_options {
+    size_t size;
+    double angle;     /**< joints that turn by more are corners; radians, of slopes of functions
+                           a part of the steeper; above 0, below pi; 1e-6 */
+    double curvature; /**< other joints at which curvature steps by more than this part of the
+                           larger are jumps; above 0; 1e-6 */
+} batten_fairness_options;
+/** The defaults: those beside the fields of batten_fairness_options. */
+BATTEN_API batten_fairness_options batten_fairness_defaults(void);
 
 /**
  * Judge a curve. Of a function (dimension 1) the second derivative stands for curvature.
  *
  * Inflections and extrema are found exactly, by the roots of polynomials; extrema between which
  * curvature changes by less than 1e-6 of the largest are not counted, for a search leaves such
- * waves on what should be an arc. Energy and variation
- * are integrals with 16 Gauss-Legendre nodes on each span. Joints are the knots inside; the
- * seam is one of a periodic curve only.
+ * waves on what should be an arc. Energy and variation are found by adaptive quadrature to 1e-9
+ * of their values, between knots and the extrema of curvature, so that no sharp bend escapes
+ * it. Joints are the knots inside; the seam is one of a periodic curve only.
  *
  * @param points its data [count][dimension], from which the required inflections are counted:
  * the changes of side to which the polygon turns; of a function the values at its distinct
- * knots. NULL: none are required
+ * knots. at = NULL: none are required
+ * @param options  NULL for the defaults
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, NOT_COMPATIBLE, SINGULAR_HERE, OUT_OF_MEMORY
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, NOT_COMPATIBLE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans, some 40 evaluations of each; up to 10000 where it bends sharply
  */
 BATTEN_API batten_status batten_curve_fairness(const batten_curve *curve, batten_points points,
+                                               const batten_fairness_options *options,
                                                batten_fairness *out);
 
 /**
@@ -55,10 +78,12 @@ BATTEN_API batten_status batten_curve_fairness(const batten_curve *curve, batten
  *
  * @param points its data [count][dimension of the chain], as for batten_curve_fairness; those
  * of a function stand at the breaks
+ * @param options  NULL for the defaults
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, NOT_COMPATIBLE, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_chain_fairness(const batten_chain *chain, batten_points points,
+                                               const batten_fairness_options *options,
                                                batten_fairness *out);
 
 typedef enum batten_fair_order {

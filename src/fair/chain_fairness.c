@@ -106,12 +106,14 @@ static double pace(const batten_chain *chain, int i)
     return chain->spans[i].length / (chain->breaks[i + 1] - chain->breaks[i]);
 }
 
-static batten_status add_joints(const batten_chain *chain, double largest, double length,
-                                batten_fairness *out)
+static batten_status add_joints(const batten_chain *chain,
+                                const batten_fairness_options *options, double length,
+                                double largest, batten_fairness *out)
 {
     const int d = batten_chain_dimension(chain), n = chain->count;
     /* Slopes of a function have no size of their own. */
-    const bat_joint_scale scale = {largest, d == 1 ? BAT_MEANT_SAME * largest * length : 0, 0};
+    const bat_joint_scale scale = {options->angle, options->curvature, largest,
+                                   d == 1 ? BAT_MEANT_SAME * largest * length : 0, 0};
     batten_status status = BATTEN_OK;
     for (int i = !chain->closed; i < n && status == BATTEN_OK; i++) {
         double before[4 * 3], after[4 * 3];
@@ -123,8 +125,6 @@ static batten_status add_joints(const batten_chain *chain, double largest, doubl
         if (status == BATTEN_OK)
             bat_add_joint(d, before, after, &scale, out);
     }
-    if (status == BATTEN_OK)
-        bat_judge_joints(out);
     return status;
 }
 
@@ -143,6 +143,8 @@ static batten_status add_spans(const batten_chain *chain, profile *p, double *le
         *length += sums.length;
         out->energy += q * q * q * sums.energy;
         out->variation += q * q * q * q * q * sums.variation;
+        out->energy_error += BAT_SPAN_SUMS_ERROR * q * q * q * sums.energy;
+        out->variation_error += BAT_SPAN_SUMS_ERROR * q * q * q * q * q * sums.variation;
         status = note_at(p, d, span, 0, q * q);
         if (status == BATTEN_OK)
             status = note_turns(p, d, span, q * q);
@@ -212,8 +214,13 @@ static batten_status required_by(const batten_chain *chain, int n, const double 
 }
 
 batten_status batten_chain_fairness(const batten_chain *chain, batten_points points,
+                                    const batten_fairness_options *options,
                                     batten_fairness *out)
 {
+    batten_fairness_options chosen;
+    batten_status status = bat_fairness_take_options(options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     if (points.dimension != batten_chain_dimension(chain))
         return bat_wrong_dimension(points, batten_chain_dimension(chain));
     assert(chain && out);
@@ -221,16 +228,16 @@ batten_status batten_chain_fairness(const batten_chain *chain, batten_points poi
     profile p = {0};
     int required = 0;
     double length = 0;
-    batten_status status =
-        points.at ? required_by(chain, points.count, points.at, &required) : BATTEN_OK;
+    if (points.at)
+        status = required_by(chain, points.count, points.at, &required);
     if (status == BATTEN_OK)
         status = add_spans(chain, &p, &length, &found);
     if (status == BATTEN_OK)
-        status = add_joints(chain, p.largest, length, &found);
+        status = add_joints(chain, &chosen, length, p.largest, &found);
     if (status == BATTEN_OK) {
         count_inflections(chain, &p, length, &found);
         found.excess_inflections = bat_max_int(0, found.inflections - required);
-        found.fair = found.excess_inflections == 0;
+        bat_conclude_fairness(&found);
         *out = found;
     }
     bat_release(p.curvature);

@@ -4,149 +4,49 @@
  */
 #include "fair/fairness.h"
 #include "base/plural.h"
+#include "fair/bend.h"
 #include "inspect/inflections.h"
 #include "inspect/singular.h"
-#include "numeric/quadrature.h"
+#include "numeric/vector.h"
 #include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>
 
-/* Curvature and its rate at one parameter; of a function (dimension 1) its second and third
- * derivative, and du for ds. Where the curve is singular it counts as straight. */
+/* A curve that is judged. */
 typedef struct {
-    double curvature, rate, speed;
-} bend;
+    const batten_curve *curve;
+    const batten_fairness_options *options;
+    double size;
+    batten_parameters knots, halts, extrema;
+    batten_fairness found;
+} judged;
 
-static batten_status bend_at(const batten_curve *curve, double u, batten_side side, bend *out)
+/* Curvature is largest at its extrema, at the ends, and on either side of knots. */
+static batten_status note_curvatures(judged *j, const batten_parameters *at)
 {
-    if (batten_curve_dimension(curve) == 1) {
-        double values[4];
-        batten_status status = batten_curve_evaluate_side(curve, u, side, 3, values);
-        if (status == BATTEN_OK)
-            *out = (bend){values[2], values[3], 1};
-        return status;
-    }
-    batten_curve_local at;
-    const batten_status status = batten_curve_local_at(curve, u, side, &at);
-    if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
-        return status;
-    *out = (bend){at.curvature, at.curvature_rate, at.speed};
-    return BATTEN_OK;
-}
-
-/* ---- integrals ---- */
-
-enum { NODES = 16 };
-
-typedef struct {
-    double nodes[NODES], weights[NODES];
-} rule;
-
-static batten_status add_span(const batten_curve *curve, const rule *r, double a, double b,
-                              batten_fairness *out)
-{
-    const double half = (b - a) / 2;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < NODES; i++) {
-        bend at;
-        status = bend_at(curve, a + half * (1 + r->nodes[i]), BATTEN_FROM_RIGHT, &at);
-        if (status != BATTEN_OK)
-            return status;
-        const double weight = half * r->weights[i] * at.speed;
-        out->energy += weight * at.curvature * at.curvature;
-        out->variation += weight * at.rate * at.rate;
-        out->max_curvature = bat_max(out->max_curvature, fabs(at.curvature));
-    }
-    return status;
-}
-
-static batten_status note_curvature(const batten_curve *curve, double u, batten_fairness *out)
-{
-    for (int side = 0; side < 2; side++) {
-        bend at;
-        batten_status status = bend_at(curve, u, (batten_side)side, &at);
-        if (status != BATTEN_OK)
-            return status;
-        out->max_curvature = bat_max(out->max_curvature, fabs(at.curvature));
-    }
+    for (int k = 0; k < at->count; k++)
+        for (int side = 0; side < 2; side++) {
+            bat_curve_bend bend;
+            const batten_status status =
+                bat_curve_bend_at(j->curve, j->size, at->at[k], (batten_side)side, &bend);
+            if (status != BATTEN_OK)
+                return status;
+            j->found.max_curvature = bat_max(j->found.max_curvature, fabs(bend.curvature));
+        }
     return BATTEN_OK;
 }
 
 /* ---- joints ---- */
 
-/*
- * The derivative of the curvature vector with respect to arc length, across the tangent; of a
- * function the third derivative. With v = |C'| and the part across C' marked by x:
- * (C'''x - 3 (C' . C'') / v^2 C''x) / v^3.
- */
-static void third_across(int d, const double *c, double out[3])
-{
-    const double v2 = bat_dot(d, c + d, c + d), a = bat_dot(d, c + d, c + 2 * d);
-    const double b = bat_dot(d, c + d, c + 3 * d), cube = v2 * sqrt(v2);
-    for (int k = 0; k < d; k++) {
-        const double second = v2 > 0 ? c[2 * d + k] - a / v2 * c[d + k] : 0;
-        const double third = v2 > 0 ? c[3 * d + k] - b / v2 * c[d + k] : 0;
-        out[k] = d == 1 ? c[3] : v2 > 0 ? (third - 3 * a / v2 * second) / cube : 0;
-    }
-}
-
-/* Direction and curvature vector; of a function its first and second derivative. */
-static bool bend_across(int d, const double *c, double direction[3], double curvature[3])
-{
-    const double v2 = d == 1 ? 1 : bat_dot(d, c + d, c + d), v = sqrt(v2);
-    const double a = d == 1 ? 0 : bat_dot(d, c + d, c + 2 * d);
-    for (int k = 0; k < d && v2 > 0; k++) {
-        direction[k] = c[d + k] / v;
-        curvature[k] = (c[2 * d + k] - a / v2 * c[d + k]) / v2;
-    }
-    return v2 > 0;
-}
-
-/* What differs by less than this part is the same: constructions join their spans to some 1e-9.
- */
-#define SAME 1e-6
-
-static void add_step(int d, const double *before, const double *after,
-                     const bat_joint_scale *scale, batten_fairness *out)
-{
-    double t[2][3], k[2][3];
-    if (!bend_across(d, before, t[0], k[0]) || !bend_across(d, after, t[1], k[1]))
-        return;
-    const double steepest = d == 1 ? bat_max(fabs(t[0][0]), fabs(t[1][0])) : 1;
-    const double bent = bat_max(bat_norm(d, k[0]), bat_norm(d, k[1]));
-    if (bat_distance(d, t[0], t[1]) > SAME * steepest + scale->direction_noise)
-        out->corners++;
-    /* Nine digits: what is left of curvatures of points given with twelve. */
-    else if (bat_distance(d, k[0], k[1]) >
-             SAME * bent + 1e-9 * scale->largest + scale->curvature_noise)
-        out->curvature_jumps++;
-}
-
-void bat_add_joint(int d, const double *before, const double *after,
-                   const bat_joint_scale *scale, batten_fairness *out)
-{
-    double a[3], b[3];
-    third_across(d, before, a);
-    third_across(d, after, b);
-    for (int k = 0; k < d; k++)
-        out->jumps += (b[k] - a[k]) * (b[k] - a[k]);
-    add_step(d, before, after, scale, out);
-}
-
-void bat_judge_joints(batten_fairness *out)
-{
-    if (out->corners > 0)
-        out->energy = HUGE_VAL;
-    if (out->corners > 0 || out->curvature_jumps > 0)
-        out->variation = HUGE_VAL;
-}
+/* Double roots, as of the squared speed, are known to half of the digits. */
+#define HALF_OF_THE_DIGITS 1e-7
 
 /* `left` and `right` are the parameters that stand for the two sides: the same, but for the
  * seam of a closed curve. */
-static batten_status add_joint(const batten_curve *curve, double left, double right,
-                               batten_fairness *out)
+static batten_status add_joint(judged *j, double left, double right)
 {
+    const batten_curve *curve = j->curve;
     const int d = batten_curve_dimension(curve);
     double before[4 * 3], after[4 * 3];
     batten_status status = batten_curve_evaluate_side(curve, left, BATTEN_FROM_LEFT, 3, before);
@@ -156,46 +56,109 @@ static batten_status add_joint(const batten_curve *curve, double left, double ri
         return status;
     const double h = bat_min(bat_span_width(curve, left, BATTEN_FROM_LEFT),
                              bat_span_width(curve, right, BATTEN_FROM_RIGHT));
-    const double size = bat_curve_size(curve);
     const double v = d == 1 ? 1 : bat_min(bat_norm(d, before + d), bat_norm(d, after + d));
-    const bat_joint_scale scale = {out->max_curvature,
-                                   2 * bat_derivative_roundoff(curve, 1, size, h) / v,
-                                   2 * bat_derivative_roundoff(curve, 2, size, h) / (v * v)};
-    bat_add_joint(d, before, after, &scale, out);
+    const bat_joint_scale scale = {j->options->angle, j->options->curvature,
+                                   j->found.max_curvature,
+                                   2 * bat_derivative_roundoff(curve, 1, j->size, h) / v,
+                                   2 * bat_derivative_roundoff(curve, 2, j->size, h) / (v * v)};
+    bat_add_joint(d, before, after, &scale, &j->found);
     return BATTEN_OK;
 }
 
-static batten_status add_joints(const batten_curve *curve, int count, const double *knots,
-                                batten_fairness *out)
+/* Count a place where the curve stands still and its direction turns by `turn`. */
+static void add_halt(judged *j, double turn)
 {
-    batten_status status = BATTEN_OK;
-    for (int k = 1; status == BATTEN_OK && k + 1 < count; k++)
-        status = add_joint(curve, knots[k], knots[k], out);
-    if (status == BATTEN_OK && batten_curve_is_periodic(curve))
-        status = add_joint(curve, knots[count - 1], knots[0], out);
+    j->found.halts++;
+    j->found.corners += turn > j->options->angle;
+    /* Directions of rounded control points turn back to some digits less. */
+    j->found.cusps += turn > BAT_PI - HALF_OF_THE_DIGITS;
+    j->found.largest_turn = bat_max(j->found.largest_turn, turn);
+}
+
+static batten_status tangent_at(const judged *j, double u, batten_side side, batten_vec3 *out)
+{
+    batten_curve_local at;
+    const batten_status status = bat_curve_local_at(j->curve, j->size, u, side, &at);
+    if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
+        return status;
+    *out = at.tangent;
+    return BATTEN_OK;
+}
+
+/* At a knot, or at the seam where `left` and `right` are the ends: the first derivative that is
+ * not 0 has the direction. */
+static batten_status add_halt_at_knot(judged *j, double left, double right)
+{
+    batten_vec3 before, after;
+    batten_status status = tangent_at(j, left, BATTEN_FROM_LEFT, &before);
     if (status == BATTEN_OK)
-        bat_judge_joints(out);
+        status = tangent_at(j, right, BATTEN_FROM_RIGHT, &after);
+    if (status == BATTEN_OK)
+        add_halt(j, atan2(bat_vec3_norm(bat_vec3_cross(before, after)),
+                          bat_vec3_dot(before, after)));
     return status;
 }
 
-static batten_status add_spans(const batten_curve *curve, batten_fairness *out)
+/* Inside a span a curve that stands still either goes on or turns back: its direction is that
+ * of a polynomial. */
+static batten_status add_halt_inside(judged *j, double u, double aside)
 {
-    const int count = batten_curve_spans(curve, NULL);
-    double *knots = bat_array((size_t)count, sizeof *knots);
-    if (!knots)
-        return BATTEN_OUT_OF_MEMORY;
-    rule gauss;
-    bat_gauss(NODES, gauss.nodes, gauss.weights);
-    batten_curve_spans(curve, knots);
-    batten_status status = BATTEN_OK;
-    for (int k = 0; status == BATTEN_OK && k < count; k++) {
-        status = note_curvature(curve, knots[k], out);
-        if (status == BATTEN_OK && k + 1 < count)
-            status = add_span(curve, &gauss, knots[k], knots[k + 1], out);
-    }
+    batten_vec3 before, after;
+    batten_status status = tangent_at(j, u - aside, BATTEN_FROM_RIGHT, &before);
     if (status == BATTEN_OK)
-        status = add_joints(curve, count, knots, out);
-    bat_release(knots);
+        status = tangent_at(j, u + aside, BATTEN_FROM_RIGHT, &after);
+    if (status == BATTEN_OK)
+        add_halt(j, bat_vec3_dot(before, after) < 0 ? BAT_PI : 0);
+    return status;
+}
+
+/* Does the curve stand still at u? Halts and places asked for rise. */
+static bool is_halt(const judged *j, int *next, double u, double near)
+{
+    while (*next < j->halts.count && j->halts.at[*next] < u - near)
+        ++*next;
+    return *next < j->halts.count && j->halts.at[*next] <= u + near;
+}
+
+/* The halts between two knots, none of them at one. */
+static batten_status add_halts_between(judged *j, int *next, double a, double b)
+{
+    const double near = HALF_OF_THE_DIGITS * (b - a);
+    batten_status status = BATTEN_OK;
+    while (*next < j->halts.count && j->halts.at[*next] <= a + near)
+        ++*next;
+    for (double last = a; status == BATTEN_OK && *next < j->halts.count; ++*next) {
+        const double u = j->halts.at[*next];
+        if (u >= b - near)
+            break;
+        const double then = *next + 1 < j->halts.count ? bat_min(b, j->halts.at[*next + 1]) : b;
+        /* Far enough for a speed above rounding, and no farther than to another halt. */
+        status =
+            add_halt_inside(j, u, bat_min(1e-3 * (b - a), bat_min(u - last, then - u) / 2));
+        last = u;
+    }
+    return status;
+}
+
+static batten_status add_joints(judged *j)
+{
+    const int last = j->knots.count - 1;
+    const double *knots = j->knots.at;
+    batten_status status = BATTEN_OK;
+    int next = 0;
+    const bool starts_still =
+        is_halt(j, &next, knots[0], HALF_OF_THE_DIGITS * (knots[1] - knots[0]));
+    for (int k = 0; status == BATTEN_OK && k < last; k++) {
+        const double a = knots[k], b = knots[k + 1];
+        status = add_halts_between(j, &next, a, b);
+        if (status != BATTEN_OK || k + 1 == last)
+            break;
+        const double near = HALF_OF_THE_DIGITS * bat_min(b - a, knots[k + 2] - b);
+        status = is_halt(j, &next, b, near) ? add_halt_at_knot(j, b, b) : add_joint(j, b, b);
+    }
+    if (status == BATTEN_OK && batten_curve_is_periodic(j->curve))
+        status = starts_still ? add_halt_at_knot(j, knots[last], knots[0])
+                              : add_joint(j, knots[last], knots[0]);
     return status;
 }
 
@@ -221,25 +184,28 @@ void bat_scan_walk(int count, const double *curvature, double zero, double flat,
     }
 }
 
+/* What differs by less than this part of the largest curvature is no wave. */
+#define FLAT 1e-6
+
 /* Of the extrema found, those between which curvature changes by more than `flat`. */
-static batten_status count_waves(const batten_curve *curve, const batten_parameters *extrema,
-                                 double flat, int *out)
+static batten_status count_waves(const judged *j, double flat, int *out)
 {
-    const batten_interval domain = batten_curve_domain(curve);
-    const int n = extrema->count;
+    const batten_interval domain = batten_curve_domain(j->curve);
+    const int n = j->extrema.count;
     double *k = bat_array((size_t)n + 2, sizeof *k);
     batten_status status = k ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; status == BATTEN_OK && i < n + 2; i++) {
-        bend at = {0};
-        const double u = i == 0 ? domain.a : i <= n ? extrema->at[i - 1] : domain.b;
-        status = bend_at(curve, u, i <= n ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, &at);
+        bat_curve_bend at = {0};
+        const double u = i == 0 ? domain.a : i <= n ? j->extrema.at[i - 1] : domain.b;
+        status = bat_curve_bend_at(j->curve, j->size, u,
+                                   i <= n ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, &at);
         if (status == BATTEN_OK)
             k[i] = at.curvature;
     }
     if (status == BATTEN_OK) {
         bat_scan scan = {.from = k[0]};
         bat_scan_walk(n + 2, k, 0, flat, &scan);
-        if (batten_curve_is_periodic(curve)) { /* once more, knowing where it came from */
+        if (batten_curve_is_periodic(j->curve)) { /* once more, knowing where it came from */
             scan.extrema = 0;
             bat_scan_walk(n + 2, k, 0, flat, &scan);
         }
@@ -249,41 +215,89 @@ static batten_status count_waves(const batten_curve *curve, const batten_paramet
     return status;
 }
 
+static batten_status count_turns(judged *j, int required, double uncertainty)
+{
+    batten_fairness *found = &j->found;
+    batten_parameters inflections = {0};
+    batten_status status = BATTEN_OK;
+    if (batten_curve_dimension(j->curve) < 3)
+        status = bat_curve_inflections(j->curve, uncertainty, &inflections);
+    found->curvature_extrema = j->extrema.count;
+    found->inflections = inflections.count;
+    found->excess_inflections = bat_max_int(0, inflections.count - required);
+    /* Where curvature jumps, it may come back to the same value without a turn. */
+    if (status == BATTEN_OK && found->corners + found->curvature_jumps == 0)
+        status = count_waves(j, FLAT * found->max_curvature, &found->curvature_extrema);
+    batten_release(inflections.at);
+    return status;
+}
+
+/* ---- integrals ---- */
+
+/* Between knots, halts and extrema no curvature is larger than at one of the ends. */
+static batten_status add_energies(judged *j)
+{
+    const batten_interval domain = batten_curve_domain(j->curve);
+    batten_parameters knots_and_halts = {0}, breaks = {0};
+    bat_energies energies = {0};
+    batten_status status = bat_parameters_merge(&j->knots, &j->halts, domain, &knots_and_halts);
+    if (status == BATTEN_OK)
+        status = bat_parameters_merge(&knots_and_halts, &j->extrema, domain, &breaks);
+    if (status == BATTEN_OK) {
+        /* One that all but meets the last knot was taken for it. */
+        breaks.at[breaks.count - 1] = domain.b;
+        status = bat_curve_energies(j->curve, &breaks, &energies);
+    }
+    j->found.energy = energies.energy;
+    j->found.energy_error = energies.energy_error;
+    j->found.variation = energies.variation;
+    j->found.variation_error = energies.variation_error;
+    bat_release(knots_and_halts.at);
+    bat_release(breaks.at);
+    return status;
+}
+
 /* ---- the verdict ---- */
 
-static batten_status count_turns(const batten_curve *curve, int required, double uncertainty,
-                                 batten_fairness *out)
+static batten_status find_places(judged *j, double uncertainty)
 {
-    batten_parameters extrema = {0}, inflections = {0};
-    batten_status status = bat_curve_curvature_extrema(curve, uncertainty, &extrema);
-    if (status == BATTEN_OK && batten_curve_dimension(curve) < 3)
-        status = bat_curve_inflections(curve, uncertainty, &inflections);
-    out->curvature_extrema = extrema.count;
-    out->inflections = inflections.count;
-    out->excess_inflections = bat_max_int(0, inflections.count - required);
-    out->fair = out->excess_inflections == 0;
-    for (int k = 0; status == BATTEN_OK && k < extrema.count; k++)
-        status = note_curvature(curve, extrema.at[k], out);
-    /* Where curvature jumps, it may come back to the same value without a turn. */
-    if (status == BATTEN_OK && out->corners + out->curvature_jumps == 0)
-        status =
-            count_waves(curve, &extrema, SAME * out->max_curvature, &out->curvature_extrema);
-    batten_release(extrema.at);
-    batten_release(inflections.at);
+    const int count = batten_curve_spans(j->curve, NULL);
+    j->knots = (batten_parameters){count, bat_array((size_t)count, sizeof(double))};
+    if (!j->knots.at)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_curve_spans(j->curve, j->knots.at);
+    batten_status status = bat_curve_curvature_extrema(j->curve, uncertainty, &j->extrema);
+    /* A function never stands still: its parameter goes on. */
+    if (status == BATTEN_OK && batten_curve_dimension(j->curve) > 1)
+        status = batten_curve_standstills(j->curve, &j->halts);
     return status;
 }
 
 /* Fairness of a curve when `required` inflections are no fault, and neither are those that
  * would go if its points moved by `uncertainty`. */
-static batten_status judge_curve(const batten_curve *curve, int required, double uncertainty,
-                                 batten_fairness *out)
+static batten_status judge_curve(const batten_curve *curve,
+                                 const batten_fairness_options *options, int required,
+                                 double uncertainty, batten_fairness *out)
 {
-    batten_fairness found = {0};
-    batten_status status = add_spans(curve, &found);
+    judged j = {.curve = curve, .options = options, .size = bat_curve_size(curve)};
+    batten_status status = find_places(&j, uncertainty);
     if (status == BATTEN_OK)
-        status = count_turns(curve, required, uncertainty, &found);
+        status = note_curvatures(&j, &j.knots);
     if (status == BATTEN_OK)
-        *out = found;
+        status = note_curvatures(&j, &j.extrema);
+    if (status == BATTEN_OK)
+        status = add_energies(&j);
+    if (status == BATTEN_OK)
+        status = add_joints(&j);
+    if (status == BATTEN_OK)
+        status = count_turns(&j, required, uncertainty);
+    if (status == BATTEN_OK) {
+        bat_conclude_fairness(&j.found);
+        *out = j.found;
+    }
+    bat_release(j.knots.at);
+    bat_release(j.halts.at);
+    bat_release(j.extrema.at);
     return status;
 }
 
@@ -294,6 +308,7 @@ static batten_status judge_curve(const batten_curve *curve, int required, double
 batten_status bat_batten_fairness(const bat_batten *batten, int width, const double *points,
                                   const double *within, const double *z, batten_fairness *out)
 {
+    const batten_fairness_options options = batten_fairness_defaults();
     batten_curve *curve = NULL;
     int required = 0;
     double largest = 0;
@@ -304,7 +319,7 @@ batten_status bat_batten_fairness(const bat_batten *batten, int width, const dou
     if (status == BATTEN_OK)
         status = bat_batten_curve(batten, width, z, &curve);
     if (status == BATTEN_OK)
-        status = judge_curve(curve, required, SETTLED * largest, out);
+        status = judge_curve(curve, &options, required, SETTLED * largest, out);
     batten_curve_unref(curve);
     return status;
 }
@@ -316,11 +331,17 @@ void bat_fairness_add(batten_fairness *sum, const batten_fairness *one)
     sum->curvature_extrema += one->curvature_extrema;
     sum->jumps += one->jumps;
     sum->energy += one->energy;
+    sum->energy_error += one->energy_error;
     sum->variation += one->variation;
+    sum->variation_error += one->variation_error;
     sum->max_curvature = bat_max(sum->max_curvature, one->max_curvature);
-    sum->fair = sum->fair && one->fair;
     sum->corners += one->corners;
+    sum->cusps += one->cusps;
+    sum->halts += one->halts;
     sum->curvature_jumps += one->curvature_jumps;
+    sum->largest_turn = bat_max(sum->largest_turn, one->largest_turn);
+    sum->largest_jump = bat_max(sum->largest_jump, one->largest_jump);
+    sum->fair = sum->fair && one->fair;
 }
 
 /* ---- any curve ---- */
@@ -344,13 +365,19 @@ static batten_status check_points(const batten_curve *curve, int count, const do
 }
 
 batten_status batten_curve_fairness(const batten_curve *curve, batten_points points,
+                                    const batten_fairness_options *options,
                                     batten_fairness *out)
 {
+    batten_fairness_options chosen;
+    batten_status status = bat_fairness_take_options(options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     if (points.dimension != batten_curve_dimension(curve))
         return bat_wrong_dimension(points, batten_curve_dimension(curve));
     const int d = batten_curve_dimension(curve);
     int required = 0;
-    batten_status status = points.at ? check_points(curve, points.count, points.at) : BATTEN_OK;
+    if (points.at)
+        status = check_points(curve, points.count, points.at);
     if (status == BATTEN_OK && points.at && d < 3) {
         double *knots = bat_array((size_t)batten_curve_spans(curve, NULL), sizeof *knots);
         if (!knots)
@@ -359,5 +386,5 @@ batten_status batten_curve_fairness(const batten_curve *curve, batten_points poi
         status = bat_required_inflections(d, points.count, knots, points.at, NULL, &required);
         bat_release(knots);
     }
-    return status == BATTEN_OK ? judge_curve(curve, required, 0, out) : status;
+    return status == BATTEN_OK ? judge_curve(curve, &chosen, required, 0, out) : status;
 }

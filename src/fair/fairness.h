@@ -12,10 +12,10 @@
 batten_status bat_required_inflections(int width, int count, const double *t,
                                        const double *points, const double *within, int *out);
 
-/* What joints are measured by: the largest curvature of the whole, and what rounding alone may
- * make of the direction and of the curvature on both sides. */
+/* What joints are measured by: the bounds of the options, the largest curvature of the whole,
+ * and what rounding alone may make of the direction and of the curvature on both sides. */
 typedef struct {
-    double largest, direction_noise, curvature_noise;
+    double angle, curvature, largest, direction_noise, curvature_noise;
 } bat_joint_scale;
 
 /* Add a joint: the square of the jump of the derivative of the curvature vector by arc length,
@@ -23,8 +23,11 @@ typedef struct {
  * jump of curvature. From the point and three derivatives [4][d] on both sides. */
 void bat_add_joint(int d, const double *before, const double *after,
                    const bat_joint_scale *scale, batten_fairness *out);
-/* After all joints: energy and variation are infinite where these make them so. */
-void bat_judge_joints(batten_fairness *out);
+/* After all else: energy and variation are infinite where joints make them so; the verdict. */
+void bat_conclude_fairness(batten_fairness *out);
+
+batten_status bat_fairness_take_options(const batten_fairness_options *options,
+                                        batten_fairness_options *chosen);
 
 /* Curvatures along a curve, walked through in order. Begins with {.from = the first}. */
 typedef struct {

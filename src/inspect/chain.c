@@ -114,12 +114,11 @@ typedef struct {
     int depth;
 } part;
 
-/* Halve until both halves give what the whole gave. */
-static void halve(int d, const batten_span *span, const bat_ruler *r, bat_span_sums all,
-                  bat_span_sums *out)
+/* Halve until both halves give what the whole gave, of all in `total`. */
+static void halve(int d, const batten_span *span, const bat_ruler *r, part first,
+                  bat_span_sums all, bat_span_sums *total)
 {
-    part stack[DEPTH + 2] = {{0, span->length, all, 0}};
-    bat_span_sums total = {0};
+    part stack[DEPTH + 2] = {first};
     for (int waiting = 1; waiting > 0;) {
         const part whole = stack[--waiting];
         const double middle = whole.a + (whole.b - whole.a) / 2;
@@ -127,22 +126,46 @@ static void halve(int d, const batten_span *span, const bat_ruler *r, bat_span_s
         const part high = {middle, whole.b, rule(d, span, r, middle, whole.b), whole.depth + 1};
         const bat_span_sums both = add_sums(low.sums, high.sums);
         if (whole.depth == DEPTH || agree(whole.sums, both, all)) {
-            total = add_sums(total, both);
+            *total = add_sums(*total, both);
         } else {
             stack[waiting++] = high;
             stack[waiting++] = low;
         }
     }
-    *out = total;
+}
+
+/* A span in tension bends within a few 1 / tension of its ends, where no node of a rule over
+ * the whole need come: [0, m], [m, length - m], [length - m, length], or all in one. */
+static int cut_span(const batten_span *span, double at[4])
+{
+    const double margin = span->kind == BATTEN_SPAN_TENSION && span->tension > 0
+                              ? 16 / span->tension
+                              : span->length;
+    const bool is_loose = !(margin < span->length / 4);
+    at[0] = 0;
+    at[1] = is_loose ? span->length : margin;
+    at[2] = span->length - margin;
+    at[3] = span->length;
+    return is_loose ? 1 : 3;
 }
 
 void bat_span_integrate(int d, const batten_span *span, const bat_ruler *r, bat_span_sums *out)
 {
-    const bat_span_sums all = rule(d, span, r, 0, span->length);
-    if (span->kind == BATTEN_SPAN_ARC || span->kind == BATTEN_SPAN_SPIRAL)
-        *out = all; /* polynomials */
-    else
-        halve(d, span, r, all, out);
+    double at[4];
+    part parts[3];
+    bat_span_sums all = {0}, total = {0};
+    const int count = cut_span(span, at);
+    for (int i = 0; i < count; i++) {
+        parts[i] = (part){at[i], at[i + 1], rule(d, span, r, at[i], at[i + 1]), 0};
+        all = add_sums(all, parts[i].sums);
+    }
+    *out = all;
+    if (span->kind != BATTEN_SPAN_ARC &&
+        span->kind != BATTEN_SPAN_SPIRAL) { /* no polynomials */
+        for (int i = 0; i < count; i++)
+            halve(d, span, r, parts[i], all, &total);
+        *out = total;
+    }
     if (goes_by_length(span))
         out->length = span->length;
 }

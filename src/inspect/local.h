@@ -18,6 +18,7 @@ void bat_span_bend(int d, const batten_span *span, double t, bat_bend *out);
 typedef struct {
     double length, energy, variation;
 } bat_span_sums;
+#define BAT_SPAN_SUMS_ERROR 1e-12
 enum { BAT_RULER_NODES = 16 };
 typedef struct {
     double nodes[BAT_RULER_NODES], weights[BAT_RULER_NODES]; /* of bat_gauss */

@@ -97,6 +97,8 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     ROW(batten_surface_tension, batten_surface_tension, (no_grid, o, &surface)) \
     ROW(batten_surface_fit_grid, batten_surface_fit_grid, (no_grid, o, NULL, no_uv, NULL, &surface)) \
     ROW(batten_surface_smooth_grid, batten_surface_fit_grid, (no_grid, o, NULL, no_uv, NULL, &surface)) \
+    ROW(batten_curve_fairness, batten_fairness, (s->line, none, o, &fairness)) \
+    ROW(batten_chain_fairness, batten_fairness, (s->chain, none, o, &fairness)) \
     ROW(batten_curve_interpolate, batten_curve_interpolate, (none, o, NULL, &curve)) \
     ROW(batten_curve_weighted, batten_curve_weighted, (none, o, NULL, &curve)) \
     ROW(batten_curve_quadratic, batten_curve_quadratic, (none, o, NULL, &curve)) \
@@ -165,6 +167,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     batten_curves curves = {0}; \
     batten_continuities joins = {0}; \
     batten_continuity join = {0}; \
+    batten_fairness fairness = {0}; \
     batten_developable strip = {0}; \
     batten_unrolled unrolled = {0}; \
     batten_fold fold = {0}; \
@@ -179,6 +182,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     batten_surfaces_release(&surfaces); \
     batten_curves_release(&curves); \
     batten_release(data); \
+    (void)fairness; \
     batten_release(joins.at); \
     batten_curve_unref(curve); \
     batten_chain_unref(chain); \

@@ -28,7 +28,7 @@ TEST(the_energies_of_the_nonlinear_splines_are_the_published_ones)
         batten_chain *chain = spline_of(cases[i].family);
         batten_fairness fairness;
         CHECK_OK(batten_chain_fairness(
-            chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &fairness));
+            chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, NULL, &fairness));
         CHECK_NEAR(fairness.energy, cases[i].energy, cases[i].digits);
         CHECK_INT(fairness.inflections, 0);
         CHECK_INT(fairness.corners + fairness.curvature_jumps, 0);
@@ -46,7 +46,7 @@ TEST(a_clothoid_has_the_energy_of_its_integral_and_one_inflection_at_zero)
     batten_fairness fairness;
     CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0, &chain));
     CHECK_OK(batten_chain_fairness(
-        chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &fairness));
+        chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, NULL, &fairness));
     CHECK_NEAR(fairness.energy, 0.25 * 3 - 0.2 * 9 + 0.16 * 27 / 3, 1e-14);
     CHECK_NEAR(fairness.variation, 0.16 * 3, 1e-14);
     CHECK_NEAR(fairness.max_curvature, 0.7, 1e-15);
@@ -69,7 +69,7 @@ TEST(steps_of_curvature_over_zero_are_inflections)
     CHECK_OK(
         batten_chain_create(&(batten_chain_parts){2, 2, spans, NULL, false}, 1e-12, &chain));
     CHECK_OK(batten_chain_fairness(
-        chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &fairness));
+        chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, NULL, &fairness));
     CHECK_INT(fairness.inflections, 1);
     CHECK_INT(fairness.corners, 0);
     CHECK_INT(fairness.curvature_jumps, 1);
@@ -87,9 +87,9 @@ TEST(a_chain_and_its_curve_are_judged_alike)
         batten_fairness one, other;
         CHECK_OK(batten_chain_to_curve(chain, 1e-10, NULL, &curve));
         CHECK_OK(batten_chain_fairness(
-            chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &one));
+            chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, NULL, &one));
         CHECK_OK(batten_curve_fairness(
-            curve, (batten_points){batten_curve_dimension(curve), 0, NULL}, &other));
+            curve, (batten_points){batten_curve_dimension(curve), 0, NULL}, NULL, &other));
         CHECK_NEAR(one.energy, other.energy, 1e-7 * other.energy);
         CHECK_INT(one.inflections, other.inflections);
         CHECK_NEAR(one.max_curvature, other.max_curvature, 0.01 * other.max_curvature);
@@ -117,9 +117,30 @@ TEST(a_chain_in_space_has_no_inflections_and_its_points_require_none)
     batten_fairness fairness;
     CHECK_OK(
         batten_chain_create(&(batten_chain_parts){3, 1, &span, NULL, false}, 1e-12, &chain));
-    CHECK_OK(batten_chain_fairness(chain, (batten_points){3, 6, &points[0][0]}, &fairness));
+    CHECK_OK(
+        batten_chain_fairness(chain, (batten_points){3, 6, &points[0][0]}, NULL, &fairness));
     CHECK_INT(fairness.inflections, 0);
     CHECK_INT(fairness.excess_inflections, 0);
     CHECK(fairness.fair && fairness.max_curvature > 1);
     batten_chain_unref(chain);
+}
+
+/* With P'' = m at the start and 0 at the end of a function over [0, 1] the second derivative is
+ * m sinh(s (1 - t)) / sinh(s) for a tension s: for large ones m exp(-s t), of energy m^2 / (2 s)
+ * and variation m^2 s / 2, within a strip as thin as the tension is large. */
+TEST(the_energy_of_a_span_in_tension_is_right_however_tight)
+{
+    for (double s = 50; s < 1e9; s *= 3) {
+        const batten_span span = {
+            .kind = BATTEN_SPAN_TENSION, .length = 1, .tension = s, .bend = {{3}, {0}}};
+        const double energy = 4.5 / s, variation = 4.5 * s;
+        batten_chain *chain = NULL;
+        batten_fairness found;
+        CHECK_OK(batten_chain_create(&(batten_chain_parts){1, 1, &span, NULL, false}, 1e-12,
+                                     &chain));
+        CHECK_OK(batten_chain_fairness(chain, (batten_points){1, 0, NULL}, NULL, &found));
+        CHECK_NEAR(found.energy, energy, 1e-12 * energy);
+        CHECK_NEAR(found.variation, variation, 1e-12 * variation);
+        batten_chain_unref(chain);
+    }
 }

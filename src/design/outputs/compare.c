@@ -24,7 +24,7 @@ typedef struct {
     const batten_feature_result *feature;
     int curves, inflections, extrema, corners, jumps;
     bool in_space; /* inflections and extrema have no meaning for one of them */
-    double length, energy, variation, sharpest;
+    double length, energy, energy_error, variation, variation_error, sharpest;
     char lines[3][160];
     const char *shown[3];
 } column;
@@ -42,7 +42,9 @@ static void add_compare(const batten_fairness *fairness, double length, bool in_
     c->in_space = c->in_space || in_space;
     c->length += length;
     c->energy += fairness->energy;
+    c->energy_error += fairness->energy_error;
     c->variation += fairness->variation;
+    c->variation_error += fairness->variation_error;
     c->sharpest = c->sharpest > fairness->max_curvature ? c->sharpest : fairness->max_curvature;
 }
 
@@ -53,7 +55,7 @@ static batten_status add_chain(const batten_object *object, column *c)
     double length = 0;
     const batten_chain *chain = object->chain;
     batten_status status = batten_chain_fairness(
-        chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, &fairness);
+        chain, (batten_points){batten_chain_dimension(chain), 0, NULL}, NULL, &fairness);
     if (status == BATTEN_OK)
         status = batten_chain_length(chain, NULL, &length);
     if (status == BATTEN_OK)
@@ -76,7 +78,7 @@ static batten_status add_curve(const batten_object *object, column *c)
     batten_status status = bat_curve_in_plane(object->curve, flat ? 2 : axis, &plane);
     if (status == BATTEN_OK)
         status = batten_curve_fairness(
-            plane, (batten_points){batten_curve_dimension(plane), 0, NULL}, &fairness);
+            plane, (batten_points){batten_curve_dimension(plane), 0, NULL}, NULL, &fairness);
     if (status == BATTEN_OK)
         status =
             /* For a table of four digits; the bound grows with the number of spans. */
@@ -96,18 +98,25 @@ static void count_text(const column *c, int count, char *text, size_t size)
         snprintf(text, size, "%d", count);
 }
 
+/* What is printed with five digits is known to them. */
+#define KNOWN 5e-6
+
 /* "energy 5.5 1/m   variation 3 1/m^3", or why they are infinite. */
 static void describe_bending(column *c, const char *unit)
 {
     char energy[64], variation[64];
     if (c->corners > 0)
         snprintf(energy, sizeof energy, "infinite (corners: %d)", c->corners);
+    else if (c->energy_error > KNOWN * c->energy)
+        snprintf(energy, sizeof energy, "not known (infinite, or nearly so)");
     else
         snprintf(energy, sizeof energy, "%.5g 1/%s", c->energy, unit);
     if (c->jumps > 0)
         snprintf(variation, sizeof variation, "infinite (jumps of curvature: %d)", c->jumps);
     else if (c->corners > 0)
         snprintf(variation, sizeof variation, "infinite");
+    else if (c->variation_error > KNOWN * c->variation)
+        snprintf(variation, sizeof variation, "not known (infinite, or nearly so)");
     else
         snprintf(variation, sizeof variation, "%.4g 1/%s\xC2\xB3", c->variation, unit);
     snprintf(c->lines[0], sizeof c->lines[0], "energy %s   variation %s", energy, variation);

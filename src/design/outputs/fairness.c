@@ -101,6 +101,20 @@ static batten_status add_knots(const bat_check *check, bat_checked *checked)
     return BATTEN_OK;
 }
 
+static void add_unfairness(bat_unfairness *sum, const batten_fairness *f)
+{
+    sum->corners += f->corners;
+    sum->curvature_jumps += f->curvature_jumps;
+    sum->inflections += f->excess_inflections;
+    sum->largest_turn = bat_max(sum->largest_turn, f->largest_turn);
+}
+
+bool bat_check_is_fair(const bat_check *check)
+{
+    const bat_unfairness *u = &check->unfairness;
+    return u->corners == 0 && u->curvature_jumps == 0 && u->inflections == 0;
+}
+
 static batten_status check_curve(bat_check *check, bat_checked *checked)
 {
     const batten_object *object = checked->object;
@@ -115,10 +129,10 @@ static batten_status check_curve(bat_check *check, bat_checked *checked)
                                        (batten_points){batten_curve_dimension(curve),
                                                        object->point_count,
                                                        object->point_count ? data : NULL},
-                                       &checked->fairness);
+                                       NULL, &checked->fairness);
     checked->has_fairness = status == BATTEN_OK;
     if (checked->has_fairness && axis >= 0) {
-        check->fair &= checked->fairness.excess_inflections == 0;
+        add_unfairness(&check->unfairness, &checked->fairness);
         check->judged_count++;
     }
     bat_release(data);
@@ -189,7 +203,7 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
                             bat_check *out)
 {
     bat_objects objects = {0, NULL};
-    *out = (bat_check){.run = run, .within = within, .ok = true, .fair = true};
+    *out = (bat_check){.run = run, .within = within, .ok = true};
     batten_status status = bat_gather(run, parameter, BAT_ALL, &objects);
     if (status != BATTEN_OK)
         return status;

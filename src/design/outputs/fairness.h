@@ -66,6 +66,13 @@ typedef struct {
     int parametric, geometric; /* of curves: C and G of the join; -1 of surfaces */
 } bat_join;
 
+/* What keeps a result from being fair, over all that was judged. */
+typedef struct {
+    int corners, curvature_jumps; /* of curves; cusps are corners */
+    int inflections;              /* in excess: of curves; visible ones of sections */
+    double largest_turn;          /* the sharpest corner, radians */
+} bat_unfairness;
+
 typedef struct {
     const bat_run *run;
     bat_arena arena;
@@ -80,7 +87,7 @@ typedef struct {
     bool
         ok; /* no point given is farther than the bound, which was measured when there is one */
     int judged_count; /* plane curves through points, and sections, that were judged */
-    bool fair;        /* none of them has inflections in excess, no section visible ones */
+    bat_unfairness unfairness;
 } bat_check;
 
 /* Look at everything in the argument `parameter` of the run. Release it, also after a failure.
@@ -88,6 +95,8 @@ typedef struct {
 batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
                             bat_check *out);
 void bat_check_release(bat_check *check);
+
+bool bat_check_is_fair(const bat_check *check);
 
 /* Sign changes of the turning of points [count][2], without bulges lower than `height`. */
 int bat_visible_inflections(int count, const double *points, double height);

@@ -63,6 +63,9 @@ static void text_feature(batten_text *out, const bat_check *check,
     }
 }
 
+/* An energy is stated when four digits of it are known. */
+#define KNOWN 5e-5
+
 static void text_fairness(batten_text *out, const batten_fairness *f)
 {
     add_plural(out, f->inflections, "inflection");
@@ -70,11 +73,13 @@ static void text_fairness(batten_text *out, const batten_fairness *f)
     batten_text_add(out, "curvature extrema %d, largest curvature ", f->curvature_extrema);
     add_rounded(out, f->max_curvature);
     batten_text_add(out, ", energy ");
-    if (isfinite(f->energy)) {
-        add_rounded(out, f->energy);
-    } else {
+    if (f->corners) {
         batten_text_add(out, "infinite: ");
         add_plural(out, f->corners, "corner");
+    } else if (f->energy_error > KNOWN * f->energy) {
+        batten_text_add(out, "not known (infinite, or nearly so)");
+    } else {
+        add_rounded(out, f->energy);
     }
     if (f->curvature_jumps > 0) {
         batten_text_add(out, ", ");
@@ -200,6 +205,31 @@ static void text_join(batten_text *out, const bat_check *check, const bat_join *
     batten_text_add(out, "\n");
 }
 
+static void text_reasons(batten_text *out, const bat_check *check)
+{
+    const bat_unfairness *u = &check->unfairness;
+    const char *separator = "";
+    batten_text_add(out, "\nVerdict: %s", bat_check_is_fair(check) ? "fair" : "not fair: ");
+    if (u->corners) {
+        add_plural(out, u->corners, "corner");
+        batten_text_add(out, u->corners > 1 ? ", the sharpest of " : " of ");
+        add_rounded(out, u->largest_turn * 180 / BAT_PI);
+        batten_text_add(out, " degrees");
+        separator = ", ";
+    }
+    if (u->curvature_jumps) {
+        batten_text_add(out, "%s", separator);
+        add_plural(out, u->curvature_jumps, "jump");
+        batten_text_add(out, " of curvature");
+        separator = ", ";
+    }
+    if (u->inflections) {
+        batten_text_add(out, "%s", separator);
+        add_plural(out, u->inflections, "inflection");
+        batten_text_add(out, " in excess");
+    }
+}
+
 /* Without a curve that was judged there is no verdict, but what would make one. */
 static void text_verdict(batten_text *out, const bat_check *check)
 {
@@ -209,8 +239,7 @@ static void text_verdict(batten_text *out, const bat_check *check)
                      check->objects[i].object->triangles || check->objects[i].object->body ||
                      check->objects[i].object->mesh;
     if (check->judged_count)
-        batten_text_add(out, "\nVerdict: %s",
-                        check->fair ? "fair" : "there are inflections in excess");
+        text_reasons(out, check);
     else if (has_shape)
         batten_text_add(
             out,

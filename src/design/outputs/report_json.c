@@ -35,8 +35,17 @@ static void json_fairness(batten_text *out, const batten_fairness *f)
     json_number(out, "variation", f->variation);
     batten_text_add(out, ", ");
     json_number(out, "max_curvature", f->max_curvature);
-    batten_text_add(out, ", \"corners\": %d, \"curvature_jumps\": %d}", f->corners,
-                    f->curvature_jumps);
+    batten_text_add(
+        out, ", \"corners\": %d, \"curvature_jumps\": %d, \"halts\": %d, \"cusps\": %d, ",
+        f->corners, f->curvature_jumps, f->halts, f->cusps);
+    json_number(out, "energy_error", f->energy_error);
+    batten_text_add(out, ", ");
+    json_number(out, "variation_error", f->variation_error);
+    batten_text_add(out, ", ");
+    json_number(out, "largest_turn", f->largest_turn);
+    batten_text_add(out, ", ");
+    json_number(out, "largest_jump", f->largest_jump);
+    batten_text_add(out, "}");
 }
 
 static void json_moves(batten_text *out, const batten_feature_result *r)
@@ -220,9 +229,9 @@ void bat_report_json(const bat_check *check, batten_text *out)
     const bat_document *d = check->run->document;
     batten_text_add(out, "{\n  \"ok\": %s, \"fair\": %s, \"unit\": \"%s\", ",
                     check->ok ? "true" : "false",
-                    check->judged_count == 0 ? "null"
-                    : check->fair            ? "true"
-                                             : "false",
+                    check->judged_count == 0   ? "null"
+                    : bat_check_is_fair(check) ? "true"
+                                               : "false",
                     bat_check_unit(check));
     json_number(out, "within", check->within);
     batten_text_add(out, ",\n  \"features\": [");

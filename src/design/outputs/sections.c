@@ -95,7 +95,7 @@ static batten_status judge(const batten_polyline *line, int axis, const bat_row 
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = batten_curve_fairness(
-            curve, (batten_points){batten_curve_dimension(curve), row->count, data},
+            curve, (batten_points){batten_curve_dimension(curve), row->count, data}, NULL,
             &section->fairness);
     section->found = status == BATTEN_OK;
     section->visible = bat_visible_inflections(count, plane, tolerance);
@@ -128,7 +128,7 @@ static batten_status add_section(void *context, const bat_row *row)
     if (line && line->count >= 4)
         status = judge(line, axis, row, bat_tolerance(c->check->run), section);
     if (section->found) {
-        c->check->fair &= section->excess == 0;
+        c->check->unfairness.inflections += section->excess;
         c->check->judged_count++;
     }
     batten_polylines_release(&lines);

@@ -1,0 +1,120 @@
+#include "fair/fairness.h"
+
+#include "support/test.h"
+
+/* ---- corners where the curve stands still ---- */
+
+TEST(a_polygon_of_cubics_that_halt_at_its_corners_is_no_fair_curve)
+{
+    static const double corners[5][2] = {{0, 0}, {1, 2}, {3, 3}, {5, 0}, {6, 1}};
+    double points[13][2], knots[17];
+    for (int i = 0; i < 13; i++)
+        for (int k = 0; k < 2; k++) /* control points twice at each corner */
+            points[i][k] = corners[(i + 1) / 3][k];
+    for (int i = 0; i < 17; i++)
+        knots[i] = i < 4 ? 0 : i > 12 ? 4 : (i - 1) / 3;
+    batten_curve *curve = NULL;
+    batten_fairness found;
+    CHECK_OK(
+        batten_curve_create((batten_points){2, 13, &points[0][0]}, 3, NULL, knots, &curve));
+    CHECK_OK(batten_curve_fairness(curve, (batten_points){2, 5, &corners[0][0]}, NULL, &found));
+    CHECK_INT(found.corners, 3);
+    CHECK_INT(found.halts, 3);
+    CHECK_INT(found.cusps, 0);
+    CHECK(isinf(found.energy) && isinf(found.variation));
+    CHECK(!found.fair);
+    /* The sharpest of them: from (2, -3) to (1, 1). */
+    CHECK_NEAR(found.largest_turn, atan2(3, 2) + BAT_PI / 4, 1e-12);
+    batten_curve_unref(curve);
+}
+
+TEST(a_cusp_inside_a_span_is_found)
+{
+    /* (t^2, t^3) over [-1, 1] */
+    static const double knots[] = {-1, -1, -1, -1, 1, 1, 1, 1};
+    static const double points[] = {1, -1, -1.0 / 3, 1, -1.0 / 3, -1, 1, 1};
+    batten_curve *curve = NULL;
+    batten_fairness found;
+    CHECK_OK(batten_curve_create((batten_points){2, 4, points}, 3, NULL, knots, &curve));
+    CHECK_OK(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, NULL, &found));
+    CHECK_INT(found.cusps, 1);
+    CHECK_INT(found.corners, 1);
+    CHECK_NEAR(found.largest_turn, BAT_PI, 1e-6);
+    CHECK(isinf(found.energy));
+    CHECK(!found.fair);
+    batten_curve_unref(curve);
+}
+
+TEST(cusps_are_found_wherever_they_stand)
+{
+    /* (s^2, s^3) with s = u - a over [0, 1], turned and moved, where a is no simple number */
+    test_random random = test_random_begin("cusps");
+    static const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    for (int n = test_cases(200); n > 0; n--) {
+        const double a = test_random_in(&random, 0.05, 0.95);
+        const double turn = test_random_in(&random, 0, 6), c = cos(turn), s = sin(turn);
+        double points[8];
+        for (int i = 0; i < 4; i++) { /* blossoms of s^2 and s^3 */
+            const double u = -a, v = 1 - a;
+            const double f[3] = {i > 0 ? v : u, i > 1 ? v : u, i > 2 ? v : u};
+            const double x = (f[0] * f[1] + f[1] * f[2] + f[2] * f[0]) / 3;
+            const double y = f[0] * f[1] * f[2];
+            points[2 * i] = 3 + c * x - s * y;
+            points[2 * i + 1] = 5 + s * x + c * y;
+        }
+        batten_curve *curve = NULL;
+        batten_fairness found;
+        CHECK_OK(batten_curve_create((batten_points){2, 4, points}, 3, NULL, knots, &curve));
+        CHECK_OK(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, NULL, &found));
+        CHECK_INT(found.cusps, 1);
+        CHECK_INT(found.corners, 1);
+        CHECK(!found.fair);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(a_straight_line_that_slows_down_has_no_energy_and_no_corner)
+{
+    /* x = t^3: it stands still at 0 and goes on; far from the origin, where rounding is coarse */
+    static const double knots[] = {-1, -1, -1, -1, 1, 1, 1, 1};
+    const double far = 12345.678;
+    const double points[] = {far - 1, far, far + 1, far, far - 1, far, far + 1, far};
+    batten_curve *curve = NULL;
+    batten_fairness found;
+    CHECK_OK(batten_curve_create((batten_points){2, 4, points}, 3, NULL, knots, &curve));
+    CHECK_OK(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, NULL, &found));
+    CHECK_INT(found.halts, 1);
+    CHECK_INT(found.corners, 0);
+    CHECK_NEAR(found.energy, 0, 0);
+    CHECK_NEAR(found.variation, 0, 0);
+    CHECK(found.fair);
+    batten_curve_unref(curve);
+}
+
+TEST(the_bounds_of_the_verdict_are_those_given)
+{
+    /* two lines that turn by 0.01 */
+    static const double knots[] = {0, 0, 1, 2, 2};
+    const double points[] = {-1, 0, 0, 0, cos(0.01), sin(0.01)};
+    batten_curve *curve = NULL;
+    batten_fairness found;
+    batten_fairness_options options = batten_fairness_defaults();
+    CHECK_OK(batten_curve_create((batten_points){2, 3, points}, 1, NULL, knots, &curve));
+    options.angle = 0.0099;
+    CHECK_OK(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, &options, &found));
+    CHECK(found.corners == 1 && !found.fair);
+    CHECK_NEAR(found.largest_turn, 0.01, 1e-12);
+    options.angle = 0.0101;
+    CHECK_OK(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, &options, &found));
+    CHECK(found.corners == 0 && found.fair);
+    options.angle = 0;
+    CHECK_STATUS(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, &options, &found),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("angle");
+    options = batten_fairness_defaults();
+    options.curvature = NAN;
+    CHECK_STATUS(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, &options, &found),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("curvature");
+    batten_curve_unref(curve);
+}
