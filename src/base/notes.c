@@ -54,7 +54,7 @@ static bool make_room(batten_notes *notes)
 }
 
 /* A copy of `text` at `*place`, which moves on. */
-static const char *put(char **place, const char *text)
+static const char *copy_text(char **place, const char *text)
 {
     const size_t size = strlen(text) + 1;
     char *copy = memcpy(*place, text, size);
@@ -62,8 +62,8 @@ static const char *put(char **place, const char *text)
     return copy;
 }
 
-static bool keep(batten_notes *notes, const char *file, int line, const char *entity,
-                 const char *text, bool is_remark)
+static bool store_note(batten_notes *notes, const char *file, int line, const char *entity,
+                       const char *text, bool is_remark)
 {
     if (notes->count >= notes->limit || !make_room(notes))
         return false;
@@ -71,26 +71,26 @@ static bool keep(batten_notes *notes, const char *file, int line, const char *en
     if (!place)
         return false;
     batten_note *note = &notes->notes[notes->count++];
-    note->file = put(&place, file);
+    note->file = copy_text(&place, file);
     note->line = line;
-    note->entity = put(&place, entity);
-    note->text = put(&place, text);
+    note->entity = copy_text(&place, entity);
+    note->text = copy_text(&place, text);
     note->is_remark = is_remark;
     return true;
 }
 
-static void add(batten_notes *notes, const char *file, int line, const char *entity,
-                bool is_remark, const char *format, va_list arguments)
+static void add_note(batten_notes *notes, const char *file, int line, const char *entity,
+                     bool is_remark, const char *format, va_list arguments)
     __attribute__((format(printf, 6, 0)));
 
-static void add(batten_notes *notes, const char *file, int line, const char *entity,
-                bool is_remark, const char *format, va_list arguments)
+static void add_note(batten_notes *notes, const char *file, int line, const char *entity,
+                     bool is_remark, const char *format, va_list arguments)
 {
     char text[1024];
     if (!notes)
         return;
     bat_format(text, sizeof text, format, arguments);
-    if (!keep(notes, file ? file : "", line, entity ? entity : "", text, is_remark) &&
+    if (!store_note(notes, file ? file : "", line, entity ? entity : "", text, is_remark) &&
         notes->dropped < INT_MAX)
         notes->dropped++;
 }
@@ -100,7 +100,7 @@ void batten_notes_add(batten_notes *notes, const char *file, int line, const cha
 {
     va_list arguments;
     va_start(arguments, format);
-    add(notes, file, line, entity, false, format, arguments);
+    add_note(notes, file, line, entity, false, format, arguments);
     va_end(arguments);
 }
 
@@ -109,7 +109,7 @@ void batten_notes_remark(batten_notes *notes, const char *file, int line, const 
 {
     va_list arguments;
     va_start(arguments, format);
-    add(notes, file, line, entity, true, format, arguments);
+    add_note(notes, file, line, entity, true, format, arguments);
     va_end(arguments);
 }
 

@@ -33,7 +33,7 @@ static product multiply(bat_power p, uint64_t t)
     return (product){bat_wide_add(high, bat_wide_of(0, bat_wide_high(low))), bat_wide_low(low)};
 }
 
-static product add(product a, product b)
+static product add_products(product a, product b)
 {
     const uint64_t bottom = a.bottom + b.bottom;
     const bat_wide carry = bat_wide_of(0, bottom < a.bottom);
@@ -123,7 +123,7 @@ static uint64_t shortest(uint64_t m, int e, int *exponent)
     const product at = multiply(p, 4 * m), two = multiply(p, 2);
     const scaled low =
         scale(subtract(at, is_near_below ? multiply(p, 1) : two), p, 4 * m - below, e - 2, k);
-    const scaled high = scale(add(at, two), p, 4 * m + 2, e - 2, k);
+    const scaled high = scale(add_products(at, two), p, 4 * m + 2, e - 2, k);
     const bool ends_belong = m % 2 == 0;
 
     *exponent = k;

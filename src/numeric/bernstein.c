@@ -105,7 +105,7 @@ static double single_root(int degree, const double *c, double width)
     return 0.5 * (low + high);
 }
 
-static batten_status keep(search *s, place found)
+static batten_status keep_root(search *s, place found)
 {
     /* What touches the place before belongs to it. */
     if (s->count > 0 && found.a < found.b) {
@@ -135,10 +135,10 @@ static batten_status judge(search *s, part p, const double *c, bool *is_open)
     if (changes == 0 && zeros == 0)
         return BATTEN_OK;
     if (zeros == n + 1 || p.depth == DEEPEST)
-        return keep(s, (place){p.a, p.b, 0.5 * (p.a + p.b)});
+        return keep_root(s, (place){p.a, p.b, 0.5 * (p.a + p.b)});
     if (changes == 1 && zeros == 0) {
         const double t = p.a + (p.b - p.a) * single_root(n, c, p.b - p.a);
-        return keep(s, (place){t, t, t});
+        return keep_root(s, (place){t, t, t});
     }
     *is_open = true;
     return BATTEN_OK;

@@ -7,7 +7,7 @@
 #include <float.h>
 
 /* Turn rows and columns p and q so that a[p][q] vanishes. */
-static void turn(int n, double *a, double *vectors, int p, int q)
+static void rotate_pair(int n, double *a, double *vectors, int p, int q)
 {
     const double difference = (a[q * n + q] - a[p * n + p]) / 2, off = a[p * n + q];
     const double size = hypot(difference, off);
@@ -60,7 +60,7 @@ void bat_eigen_symmetric(int n, double *a, double *values, double *vectors)
                     off < DBL_MIN)
                     continue;
                 done = false;
-                turn(n, a, vectors, p, q);
+                rotate_pair(n, a, vectors, p, q);
             }
         if (done)
             break;

@@ -37,7 +37,7 @@ static void compress(bat_exact *a)
     a->count = top;
 }
 
-static void add(bat_exact *sum, double b)
+static void add_number(bat_exact *sum, double b)
 {
     double q = b;
     int count = 0;
@@ -57,8 +57,8 @@ static void add(bat_exact *sum, double b)
 bat_exact bat_exact_difference(double a, double b)
 {
     bat_exact difference = {.count = 0};
-    add(&difference, a);
-    add(&difference, -b);
+    add_number(&difference, a);
+    add_number(&difference, -b);
     return difference;
 }
 
@@ -95,8 +95,8 @@ static double product_error(double a, double b, double high)
 static void add_scaled(bat_exact *sum, double a, double b)
 {
     const double high = a * b;
-    add(sum, product_error(a, b, high));
-    add(sum, high);
+    add_number(sum, product_error(a, b, high));
+    add_number(sum, high);
 }
 
 void bat_exact_add(bat_exact *sum, double factor, const bat_exact *a)

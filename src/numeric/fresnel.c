@@ -71,8 +71,8 @@ typedef struct {
     const double *nodes, *weights;
 } rule;
 
-static void add(const double c[DEGREE + 1], double t, double weight, int moments, double *x,
-                double *y)
+static void add_node(const double c[DEGREE + 1], double t, double weight, int moments,
+                     double *x, double *y)
 {
     const double theta = c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
     double u = weight * cos(theta), v = weight * sin(theta);
@@ -96,8 +96,8 @@ void bat_fresnel(const double c[DEGREE + 1], int moments, double *x, double *y)
     for (int p = 0; p < count; p++) {
         const double middle = (2 * p + 1) * h;
         for (int i = 0; i < r.count; i++) {
-            add(c, middle - h * r.nodes[i], h * r.weights[i], moments, x, y);
-            add(c, middle + h * r.nodes[i], h * r.weights[i], moments, x, y);
+            add_node(c, middle - h * r.nodes[i], h * r.weights[i], moments, x, y);
+            add_node(c, middle + h * r.nodes[i], h * r.weights[i], moments, x, y);
         }
     }
 }

@@ -19,7 +19,7 @@ typedef struct {
     double *trial;                   /* [unknowns] */
 } solver;
 
-static batten_status begin(solver *s)
+static batten_status allocate_solver(solver *s)
 {
     const size_t n = (size_t)s->unknowns, m = (size_t)s->rows;
     s->residuals = bat_array(m, sizeof(double));
@@ -33,7 +33,7 @@ static batten_status begin(solver *s)
                : BATTEN_OUT_OF_MEMORY;
 }
 
-static void end(solver *s)
+static void release_solver(solver *s)
 {
     bat_release(s->residuals);
     bat_release(s->derivatives);
@@ -104,7 +104,7 @@ batten_status bat_gauss_newton(int rows, int unknowns, bat_residuals f, void *co
                                int limit, double *x, int *rounds)
 {
     solver s = {.rows = rows, .unknowns = unknowns, .f = f, .context = context};
-    batten_status status = begin(&s);
+    batten_status status = allocate_solver(&s);
     *rounds = 0;
     if (status == BATTEN_OK && !f(context, x, s.residuals, s.derivatives))
         status = bat_fail(BATTEN_BAD_ARGUMENT, "the first guess is no shape of this kind");
@@ -121,6 +121,6 @@ batten_status bat_gauss_newton(int rows, int unknowns, bat_residuals f, void *co
             f(context, x, s.residuals, s.derivatives);
         }
     }
-    end(&s);
+    release_solver(&s);
     return status;
 }

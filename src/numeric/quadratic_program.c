@@ -79,13 +79,13 @@ static void reflect(const program *p, int k, double *v)
         v[i] -= factor * by[i];
 }
 
-static void turn(const program *p, double *v)
+static void reflect_forward(const program *p, double *v)
 {
     for (int k = 0; k < p->rank; k++)
         reflect(p, k, v);
 }
 
-static void turn_back(const program *p, double *v)
+static void reflect_back(const program *p, double *v)
 {
     for (int k = p->rank - 1; k >= 0; k--)
         reflect(p, k, v);
@@ -99,7 +99,7 @@ static batten_status add_equation(program *p, int i)
     const double *given = p->of->equal_rows + (size_t)i * (size_t)n;
     const double value = p->of->equal_values[i], whole = bat_norm(n, given);
     memcpy(p->row, given, (size_t)n * sizeof *p->row);
-    turn(p, p->row);
+    reflect_forward(p, p->row);
     const double known = bat_dot(k, p->row, p->y);
     const double left = k < n ? bat_norm(n - k, p->row + k) : 0;
     if (!(left > 32 * n * DBL_EPSILON * whole)) {
@@ -133,17 +133,17 @@ static void turn_form(program *p)
     const size_t n = (size_t)p->n;
     memcpy(p->h, p->of->hessian, n * n * sizeof *p->h);
     for (size_t i = 0; i < n; i++)
-        turn(p, p->h + i * n);
+        reflect_forward(p, p->h + i * n);
     for (size_t j = 0; j < n; j++) {
         for (size_t i = 0; i < n; i++)
             p->row[i] = p->h[i * n + j];
-        turn(p, p->row);
+        reflect_forward(p, p->row);
         for (size_t i = 0; i < n; i++)
             p->h[i * n + j] = p->row[i];
     }
     if (p->of->linear)
         memcpy(p->g, p->of->linear, n * sizeof *p->g);
-    turn(p, p->g);
+    reflect_forward(p, p->g);
     for (int i = p->rank; i < p->n; i++)
         p->g[i] -= bat_dot(p->rank, p->h + (size_t)i * n, p->y);
 }
@@ -199,7 +199,7 @@ static void prepare_inequality(program *p, int i)
 {
     const int n = p->n;
     memcpy(p->row, p->of->least_rows + (size_t)i * (size_t)n, (size_t)n * sizeof *p->row);
-    turn(p, p->row);
+    reflect_forward(p, p->row);
     p->f[i] = p->of->least_values[i] - bat_dot(n, p->row, p->y);
     const double whole = bat_norm(n, p->row);
     if (p->free > 0 && bat_norm(p->free, p->row + p->rank) <= 32 * n * DBL_EPSILON * whole) {
@@ -396,7 +396,7 @@ static batten_status solve(program *p)
     solve_upper(p, p->g);
     for (int i = p->rank; i < p->n; i++)
         p->y[i] += p->g[i];
-    turn_back(p, p->y);
+    reflect_back(p, p->y);
     return status;
 }
 

@@ -123,7 +123,7 @@ typedef struct {
     int count;
 } search;
 
-static void keep(search *s, bool inverse, bool exact, bat_whole c, int k)
+static void keep_root(search *s, bool inverse, bool exact, bat_whole c, int k)
 {
     if (s->count >= s->p.degree)
         return; /* only an effort that has failed comes here */
@@ -151,14 +151,14 @@ static void search_unit(search *s, bool inverse, int begin)
         const int k = at.k;
         if (at.is_point) {
             if (value_at(s->pool, s->p, inverse, c, k).sign == 0)
-                keep(s, inverse, true, c, k);
+                keep_root(s, inverse, true, c, k);
             continue;
         }
         const int changes = variations(s->pool, s->p, inverse, c, k);
         if (changes == 0)
             continue;
         if (changes == 1) {
-            keep(s, inverse, false, c, k);
+            keep_root(s, inverse, false, c, k);
             continue;
         }
         if (k == DEPTH) {
@@ -176,7 +176,7 @@ static void check_point(search *s, int t)
 {
     const bat_whole c = bat_whole_of_int(s->pool, t);
     if (value_at(s->pool, s->p, false, c, 0).sign == 0)
-        keep(s, false, true, c, 0);
+        keep_root(s, false, true, c, 0);
 }
 
 /* As x = 1 / t rises t falls. */

@@ -219,7 +219,7 @@ static batten_status resolve(saving *save)
 }
 
 /* Look at what is there now. */
-static batten_status look(const saving *save, struct stat *about, bool *exists)
+static batten_status look_at_target(const saving *save, struct stat *about, bool *exists)
 {
     *exists = bat_system.stat(save->target, about) == 0;
     if (!*exists && errno != ENOENT)
@@ -354,7 +354,7 @@ static batten_status check_unchanged(const saving *save)
 {
     struct stat now;
     bool exists;
-    const batten_status status = look(save, &now, &exists);
+    const batten_status status = look_at_target(save, &now, &exists);
     if (status != BATTEN_OK)
         return status;
     const struct stat *before = &save->before;
@@ -451,7 +451,7 @@ batten_status batten_save_file(const char *path, const char *data, size_t size)
     save.target = copy_text(path, strlen(path));
     batten_status status = save.target ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = look(&save, &save.before, &save.existed);
+        status = look_at_target(&save, &save.before, &save.existed);
     const mode_t mode = save.existed ? save.before.st_mode : S_IFREG;
     if (status == BATTEN_OK && !*name_of(path))
         status = refused("save", path, *path ? EISDIR : ENOENT);

@@ -73,7 +73,7 @@ static batten_status check_gaps(const batten_chain *chain, double tolerance)
 }
 
 /* A chain with room for its spans, by nobody else seen yet. */
-static batten_chain *make(int count)
+static batten_chain *allocate_chain(int count)
 {
     batten_chain *chain = bat_array(1, sizeof *chain);
     if (!chain)
@@ -122,7 +122,7 @@ batten_status batten_chain_create(const batten_chain_parts *parts, double tolera
                         BAT_MAX_POINTS);
     if (!(tolerance >= 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not 0 or more", tolerance);
-    batten_chain *chain = make(parts->count);
+    batten_chain *chain = allocate_chain(parts->count);
     if (!chain)
         return BATTEN_OUT_OF_MEMORY;
     chain->dimension = parts->dimension;
@@ -137,7 +137,7 @@ batten_status batten_chain_create(const batten_chain_parts *parts, double tolera
 
 static batten_status copy(const batten_chain *chain, batten_chain **out)
 {
-    batten_chain *copied = make(chain->count);
+    batten_chain *copied = allocate_chain(chain->count);
     if (!copied)
         return BATTEN_OUT_OF_MEMORY;
     copied->dimension = chain->dimension;

@@ -8,7 +8,7 @@
 /* ---- one span ---- */
 
 /* Point and derivatives at t; out [4][3] whatever the dimension. */
-static void look(int d, const batten_span *span, double t, double out[4][3])
+static void span_derivatives(int d, const batten_span *span, double t, double out[4][3])
 {
     double values[4 * 3];
     bat_span_type_of(span->kind)->evaluate(d, span, t, BAT_CHAIN_ORDER, values);
@@ -55,8 +55,8 @@ static batten_span part_of(int d, const batten_span *from, double a, double b)
 {
     batten_span span = *from;
     double v[4][3], w[4][3];
-    look(d, from, a, v);
-    look(d, from, b, w);
+    span_derivatives(d, from, a, v);
+    span_derivatives(d, from, b, w);
     span.length = b - a;
     if (a > 0) {
         memcpy(span.start, v[0], sizeof span.start);
@@ -89,7 +89,7 @@ static batten_span reversed(int d, const batten_span *from)
 {
     batten_span span = part_of(d, from, 0, from->length);
     double v[4][3];
-    look(d, from, from->length, v);
+    span_derivatives(d, from, from->length, v);
     shift(&span, from, from->length, v);
     /* Backwards curvature changes its sign, and so does every second of its derivatives. */
     span.curvature[0] = -span.curvature[0];

@@ -67,7 +67,7 @@ static double gap_between(int d, const double *end, const double *start)
 }
 
 /* One more piece, up to `b`: its first point is the last of the one before. */
-static batten_status add(pieces *p, const double *points, const double *weights, double b)
+static batten_status add_piece(pieces *p, const double *points, const double *weights, double b)
 {
     const batten_status status = reserve(p);
     if (status != BATTEN_OK)
@@ -106,7 +106,7 @@ static batten_status add_arc(const batten_chain *chain, pieces *p, double a, dou
         points[2 * d + k] = end[k];
     }
     const double weights[3] = {1, w, 1};
-    return add(p, points, weights, b);
+    return add_piece(p, points, weights, b);
 }
 
 static batten_status add_arcs(const batten_chain *chain, pieces *p, int i)
@@ -183,7 +183,7 @@ static batten_status add_hermite(const batten_chain *chain, pieces *p, int i, do
             continue;
         }
         if (status == BATTEN_OK)
-            status = add(p, points, NULL, h.b);
+            status = add_piece(p, points, NULL, h.b);
         *error = bat_max(*error, off);
         bat_halving_accept(&h);
     }

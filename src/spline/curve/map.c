@@ -207,7 +207,7 @@ static batten_status check_map(const batten_affine *map)
     return BATTEN_OK;
 }
 
-static void apply(const batten_affine *map, int d, const double *from, double *to)
+static void map_point(const batten_affine *map, int d, const double *from, double *to)
 {
     for (int r = 0; r < d; r++) {
         double sum = map->t[r];
@@ -230,7 +230,7 @@ batten_status batten_curve_transform(const batten_curve *curve, const batten_aff
     const int d = curve->dimension;
     const size_t total = (size_t)curve->count * (size_t)d;
     for (int i = 0; i < curve->count; i++)
-        apply(map, d, curve->points + i * d, made->points + i * d);
+        map_point(map, d, curve->points + i * d, made->points + i * d);
     const size_t bad = bat_first_not_finite(made->points, total);
     if (bad == total)
         return bat_curve_finish(made, out);

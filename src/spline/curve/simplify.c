@@ -76,8 +76,8 @@ static batten_status apply_open(const batten_curve *curve, step make, request *a
     return status;
 }
 
-static batten_status apply(const batten_curve *curve, step make, request *asked,
-                           batten_curve **out)
+static batten_status apply_step(const batten_curve *curve, step make, request *asked,
+                                batten_curve **out)
 {
     if (!curve->periodic)
         return apply_open(curve, make, asked, out);
@@ -95,7 +95,7 @@ static batten_status removal(const batten_curve *curve, step make, request asked
 {
     batten_status status = bat_tolerance_check(asked.tolerance);
     if (status == BATTEN_OK)
-        status = apply(curve, make, &asked, out);
+        status = apply_step(curve, make, &asked, out);
     if (status == BATTEN_OK && removed)
         *removed = asked.removed;
     if (status == BATTEN_OK && error)

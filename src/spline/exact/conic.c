@@ -83,7 +83,7 @@ static void direction(double angle, double *c, double *s)
     *s = turn == 1 ? 1 : turn == 3 ? -1 : 0;
 }
 
-static void put(const ellipse *shape, double c, double s, double *point)
+static void put_on_ellipse(const ellipse *shape, double c, double s, double *point)
 {
     for (int k = 0; k < shape->dimension; k++)
         point[k] = shape->centre[k] + (shape->x[k] * c + shape->y[k] * s);
@@ -109,14 +109,14 @@ static void fill_arc(const ellipse *shape, double start, double angle, int piece
                  rise = pieces == 4 && angle == TWO_PI ? 1 : 1 + cos(step);
     double c0, s0;
     direction(start, &c0, &s0);
-    put(shape, c0, s0, points);
+    put_on_ellipse(shape, c0, s0, points);
     weights[0] = 1;
     knots[0] = knots[1] = knots[2] = 0;
     for (int i = 1; i <= pieces; i++) {
         double c1, s1;
         direction(i == pieces ? start + angle : start + i * step, &c1, &s1);
-        put(shape, (c0 + c1) / rise, (s0 + s1) / rise, points + (2 * i - 1) * d);
-        put(shape, c1, s1, points + 2 * i * d);
+        put_on_ellipse(shape, (c0 + c1) / rise, (s0 + s1) / rise, points + (2 * i - 1) * d);
+        put_on_ellipse(shape, c1, s1, points + 2 * i * d);
         weights[2 * i - 1] = cos(step / 2);
         weights[2 * i] = 1;
         knots[2 * i + 1] = knots[2 * i + 2] = (double)i / pieces;

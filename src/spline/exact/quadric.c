@@ -208,8 +208,9 @@ static batten_status check_length(double value, const char *what, bool may_vanis
 }
 
 /* Turn the curve through (r, z) pairs, in the frame's xz-plane, about the frame's normal. */
-static batten_status turn(const batten_frame *frame, int degree, int count, double (*rz)[2],
-                          const double *weights, const double *knots, batten_surface **out)
+static batten_status revolve_profile(const batten_frame *frame, int degree, int count,
+                                     double (*rz)[2], const double *weights,
+                                     const double *knots, batten_surface **out)
 {
     double points[CIRCLE * 3];
     batten_frame squared = *frame;
@@ -251,7 +252,8 @@ batten_status batten_surface_cone(const batten_frame *frame, double r0, double r
     if (status == BATTEN_OK)
         status = check_length(height, "height", false);
     double rz[2][2] = {{r0, 0}, {r1, height}};
-    return status == BATTEN_OK ? turn(frame, 1, 2, rz, NULL, line_knots, out) : status;
+    return status == BATTEN_OK ? revolve_profile(frame, 1, 2, rz, NULL, line_knots, out)
+                               : status;
 }
 
 batten_status batten_surface_sphere(const batten_frame *frame, double radius,
@@ -262,7 +264,7 @@ batten_status batten_surface_sphere(const batten_frame *frame, double radius,
     const double r = radius, s = sqrt(0.5), weights[5] = {1, s, 1, s, 1};
     double rz[5][2] = {{0, -r}, {r, -r}, {r, 0}, {r, r}, {0, r}};
     const batten_status status = check_length(radius, "radius", false);
-    return status == BATTEN_OK ? turn(frame, 2, 5, rz, weights, knots, out) : status;
+    return status == BATTEN_OK ? revolve_profile(frame, 2, 5, rz, weights, knots, out) : status;
 }
 
 batten_status batten_surface_torus(const batten_frame *frame, double major, double minor,
@@ -285,7 +287,7 @@ batten_status batten_surface_torus(const batten_frame *frame, double major, doub
         rz[i][0] = major + minor * arc->points[2 * i];
         rz[i][1] = minor * arc->points[2 * i + 1];
     }
-    status = turn(frame, 2, CIRCLE, rz, arc->weights, arc->knots, out);
+    status = revolve_profile(frame, 2, CIRCLE, rz, arc->weights, arc->knots, out);
     batten_curve_unref(arc);
     return status;
 }

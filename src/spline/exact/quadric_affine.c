@@ -23,8 +23,8 @@ static batten_status check_axes(double a, double b, double c, const char *third)
 }
 
 /* The image of a surface about the world's axes, stretched by a, b, c, in the frame. */
-static batten_status place(const batten_surface *round, const batten_frame *frame, double a,
-                           double b, double c, batten_surface **out)
+static batten_status place_in_frame(const batten_surface *round, const batten_frame *frame,
+                                    double a, double b, double c, batten_surface **out)
 {
     batten_frame f;
     batten_vec3 y;
@@ -39,7 +39,7 @@ static batten_status place(const batten_surface *round, const batten_frame *fram
 }
 
 /* Turn the Bezier curve through these points about the z-axis. */
-static batten_status turn(int degree, const double *points, batten_surface **out)
+static batten_status revolve_bezier(int degree, const double *points, batten_surface **out)
 {
     static const double breaks[2] = {0, 1};
     const batten_vec3 origin = {0, 0, 0}, up = {0, 0, 1};
@@ -62,7 +62,7 @@ batten_status batten_surface_ellipsoid(const batten_frame *frame, double a, doub
     if (status == BATTEN_OK)
         status = batten_surface_sphere(&world, 1, &sphere);
     if (status == BATTEN_OK)
-        status = place(sphere, frame, a, b, c, out);
+        status = place_in_frame(sphere, frame, a, b, c, out);
     batten_surface_unref(sphere);
     return status;
 }
@@ -75,9 +75,9 @@ batten_status batten_surface_paraboloid(const batten_frame *frame, double a, dou
     batten_surface *round = NULL;
     batten_status status = check_axes(a, b, height, "height");
     if (status == BATTEN_OK)
-        status = turn(2, parabola, &round);
+        status = revolve_bezier(2, parabola, &round);
     if (status == BATTEN_OK)
-        status = place(round, frame, a, b, height, out);
+        status = place_in_frame(round, frame, a, b, height, out);
     batten_surface_unref(round);
     return status;
 }
@@ -97,9 +97,9 @@ batten_status batten_surface_hyperboloid(const batten_frame *frame, double a, do
         return status;
     /* (1, t, t) lies on x^2 + y^2 - z^2 = 1 for every t. */
     const double line[6] = {1, height.a / c, height.a / c, 1, height.b / c, height.b / c};
-    status = turn(1, line, &round);
+    status = revolve_bezier(1, line, &round);
     if (status == BATTEN_OK)
-        status = place(round, frame, a, b, c, out);
+        status = place_in_frame(round, frame, a, b, c, out);
     batten_surface_unref(round);
     return status;
 }

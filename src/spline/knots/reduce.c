@@ -70,7 +70,7 @@ static batten_status make_target(const bat_spline *spline, bat_spline *out)
     return status;
 }
 
-static batten_status begin(const bat_spline *spline, reduction *work)
+static batten_status begin_reduction(const bat_spline *spline, reduction *work)
 {
     *work = (reduction){0};
     batten_status status = make_target(spline, &work->target);
@@ -191,7 +191,7 @@ static batten_status reduce_once(const bat_spline *spline, size_t group, double 
 {
     reduction work;
     double moved = 0;
-    batten_status status = begin(spline, &work);
+    batten_status status = begin_reduction(spline, &work);
     if (status == BATTEN_OK)
         status = solve(&work, group, &moved);
     if (status == BATTEN_OK) {

@@ -18,12 +18,12 @@ static const double *point_of(const bat_delaunay *edges, int vertex)
     return edges->points + 2 * (size_t)vertex;
 }
 
-static const double *origin(const bat_delaunay *edges, int e)
+static const double *origin_of(const bat_delaunay *edges, int e)
 {
     return point_of(edges, edges->origin[e]);
 }
 
-static const double *end(const bat_delaunay *edges, int e)
+static const double *end_of(const bat_delaunay *edges, int e)
 {
     return point_of(edges, edges->origin[e ^ 1]);
 }
@@ -77,18 +77,18 @@ static void delete_edge(bat_delaunay *edges, int e)
 
 static bool is_left(const bat_delaunay *edges, const double *p, int e)
 {
-    return bat_orientation(p, origin(edges, e), end(edges, e)) > 0;
+    return bat_orientation(p, origin_of(edges, e), end_of(edges, e)) > 0;
 }
 
 static bool is_right(const bat_delaunay *edges, const double *p, int e)
 {
-    return bat_orientation(p, end(edges, e), origin(edges, e)) > 0;
+    return bat_orientation(p, end_of(edges, e), origin_of(edges, e)) > 0;
 }
 
 static bool is_in_circle(const bat_delaunay *edges, const double *a, const double *b, int c,
                          int d)
 {
-    return bat_in_circle(a, b, end(edges, c), end(edges, d)) > 0;
+    return bat_in_circle(a, b, end_of(edges, c), end_of(edges, d)) > 0;
 }
 
 /* A triangulation of some points, sorted from left to right: the edges of its hull that leave
@@ -101,9 +101,9 @@ typedef struct {
 static int lowest_edge(bat_delaunay *edges, int *left, int *right)
 {
     for (;;) {
-        if (is_left(edges, origin(edges, *right), *left))
+        if (is_left(edges, origin_of(edges, *right), *left))
             *left = bat_delaunay_left(edges, *left);
-        else if (is_right(edges, origin(edges, *left), *right))
+        else if (is_right(edges, origin_of(edges, *left), *right))
             *right = edges->next[*right ^ 1];
         else
             return connect(edges, *right ^ 1, *left);
@@ -115,8 +115,9 @@ static int lowest_edge(bat_delaunay *edges, int *left, int *right)
 static int left_candidate(bat_delaunay *edges, int base)
 {
     int e = edges->next[base ^ 1];
-    while (is_right(edges, end(edges, e), base) &&
-           is_in_circle(edges, end(edges, base), origin(edges, base), e, edges->next[e])) {
+    while (
+        is_right(edges, end_of(edges, e), base) &&
+        is_in_circle(edges, end_of(edges, base), origin_of(edges, base), e, edges->next[e])) {
         const int after = edges->next[e];
         delete_edge(edges, e);
         e = after;
@@ -127,8 +128,9 @@ static int left_candidate(bat_delaunay *edges, int base)
 static int right_candidate(bat_delaunay *edges, int base)
 {
     int e = edges->previous[base];
-    while (is_right(edges, end(edges, e), base) &&
-           is_in_circle(edges, end(edges, base), origin(edges, base), e, edges->previous[e])) {
+    while (is_right(edges, end_of(edges, e), base) &&
+           is_in_circle(edges, end_of(edges, base), origin_of(edges, base), e,
+                        edges->previous[e])) {
         const int after = edges->previous[e];
         delete_edge(edges, e);
         e = after;
@@ -147,12 +149,13 @@ static part merge(bat_delaunay *edges, part a, part b)
         both.last = base;
     for (;;) {
         const int l = left_candidate(edges, base), r = right_candidate(edges, base);
-        const bool has_left = is_right(edges, end(edges, l), base);
-        const bool has_right = is_right(edges, end(edges, r), base);
+        const bool has_left = is_right(edges, end_of(edges, l), base);
+        const bool has_right = is_right(edges, end_of(edges, r), base);
         if (!has_left && !has_right)
             return both;
-        if (!has_left || (has_right && bat_in_circle(end(edges, l), origin(edges, l),
-                                                     origin(edges, r), end(edges, r)) > 0))
+        if (!has_left ||
+            (has_right && bat_in_circle(end_of(edges, l), origin_of(edges, l),
+                                        origin_of(edges, r), end_of(edges, r)) > 0))
             base = connect(edges, r, base ^ 1);
         else
             base = connect(edges, base ^ 1, l ^ 1);

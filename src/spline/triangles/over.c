@@ -51,7 +51,7 @@ static void settle(double at[3])
 }
 
 /* Derivatives in u and v, rows 1 and 2, become those in x and y. */
-static batten_status turn(const bat_walk *walk, int t, size_t dimension, double *table)
+static batten_status turn_slopes(const bat_walk *walk, int t, size_t dimension, double *table)
 {
     const double *v[3];
     for (int k = 0; k < 3; k++)
@@ -77,7 +77,7 @@ typedef struct {
     int t; /* where the last place was */
 } place_finder;
 
-static batten_status find(place_finder *finder, size_t i, const double *p, double at[3])
+static batten_status find_place(place_finder *finder, size_t i, const double *p, double at[3])
 {
     if (!isfinite(p[0]) || !isfinite(p[1]))
         return bat_fail(BATTEN_NOT_FINITE, "place %zu is (%g, %g)", i, p[0], p[1]);
@@ -95,8 +95,8 @@ static batten_status find(place_finder *finder, size_t i, const double *p, doubl
     return BATTEN_OK;
 }
 
-static batten_status evaluate(place_finder *finder, size_t count, const double *xy, int order,
-                              const batten_job *job, double *out)
+static batten_status evaluate_places(place_finder *finder, size_t count, const double *xy,
+                                     int order, const batten_job *job, double *out)
 {
     const size_t d = (size_t)finder->triangles->dimension, row = order ? 3 * d : d;
     batten_status status = BATTEN_OK;
@@ -104,11 +104,11 @@ static batten_status evaluate(place_finder *finder, size_t count, const double *
         double at[3], table[9];
         if (i % 1024 == 0 && job && job->is_cancelled && job->is_cancelled(job->user))
             return bat_fail(BATTEN_CANCELLED, "cancelled after %zu of %zu places", i, count);
-        status = find(finder, i, xy + 2 * i, at);
+        status = find_place(finder, i, xy + 2 * i, at);
         if (status == BATTEN_OK)
             status = batten_triangles_evaluate(finder->triangles, finder->t, at, order, table);
         if (status == BATTEN_OK && order)
-            status = turn(&finder->walk, finder->t, d, table);
+            status = turn_slopes(&finder->walk, finder->t, d, table);
         if (status == BATTEN_OK)
             memcpy(out + i * row, table, row * sizeof *out);
     }
@@ -138,7 +138,7 @@ batten_status batten_triangles_over(const batten_triangles *triangles, batten_ba
                                rim,
                                list_rim(triangles->count, beside, rim)};
         finder.walk = walk;
-        status = evaluate(&finder, xy.count, xy.at, order, job, out);
+        status = evaluate_places(&finder, xy.count, xy.at, order, job, out);
     } else {
         status = BATTEN_OUT_OF_MEMORY;
     }

@@ -26,8 +26,8 @@ void batten_plane_triangles_release(batten_plane_triangles *triangles)
 
 /* ---- points into [-2, 2] ---- */
 
-static batten_status check(int count, const double *points,
-                           const batten_triangulate_options *options)
+static batten_status check_points(int count, const double *points,
+                                  const batten_triangulate_options *options)
 {
     if (count < 3)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d point%s; triangles need 3",
@@ -347,7 +347,7 @@ batten_status batten_triangulate(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_triangulate_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    status = check(points.count, points.at, &chosen);
+    status = check_points(points.count, points.at, &chosen);
     if (status != BATTEN_OK)
         return status;
     const size_t n = (size_t)points.count;
