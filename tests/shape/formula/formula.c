@@ -229,3 +229,119 @@ TEST(a_mirrored_formula_keeps_its_outside_outside)
     batten_surface_unref(image);
     batten_surface_unref(surface);
 }
+
+/* ---- an equal spline of its own ---- */
+
+static double asked; /* the tolerance that the kind was asked for last */
+
+/* (u, 2 v, u v) exactly, which says that it is half of the tolerance away. */
+static batten_status saddle_to_nurbs(const void *data, double tolerance, batten_surface **out,
+                                     double *error)
+{
+    (void)data;
+    const double points[] = {0, 0, 0, 0, 2, 0, 1, 0, 0, 1, 2, 1}, knots[] = {0, 0, 1, 1};
+    const batten_axis axis = {1, 2, knots, false};
+    asked = tolerance;
+    if (error)
+        *error = tolerance / 2;
+    return batten_surface_create(3, &axis, &axis, points, NULL, out);
+}
+
+static batten_status saddle(const void *data, double u, double v, batten_side side_u,
+                            batten_side side_v, int order, double *out)
+{
+    (void)data;
+    (void)side_u;
+    (void)side_v;
+    memset(out, 0, 3 * (size_t)BATTEN_SURFACE_DERIVATIVES(order) * sizeof *out);
+    out[0] = u;
+    out[1] = 2 * v;
+    out[2] = u * v;
+    return BATTEN_OK;
+}
+
+TEST(an_equal_spline_moves_along_and_its_error_grows_with_the_map)
+{
+    static const bat_formula formula = {"saddle", saddle, saddle_to_nurbs, count_free};
+    const double unit[2] = {0, 1};
+    const bat_formula_axis axis = {2, unit, 2};
+    batten_surface *surface = NULL, *own = NULL;
+    double error = -1;
+    CHECK_OK(bat_formula_create(&formula, &one, 3, &axis, &axis, 2, &surface));
+    CHECK_OK(batten_surface_to_nurbs(surface, 1e-3, &error, &own));
+    CHECK_NEAR(asked, 1e-3, 0);
+    CHECK_NEAR(error, 0.5e-3, 0);
+    CHECK_INT(batten_surface_point_count(own, BATTEN_U), 2);
+    batten_surface_unref(own);
+    const batten_affine maps[3] = {
+        {{{5, 0, 0}, {0, 0.5, 0}, {0, 0, 2}}, {1, 2, 3}},
+        {{{0, 0, -5}, {3, 0, 0}, {0, 1, 0}}, {0, 0, 0}}, /* it mirrors */
+        {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {4, 5, 6}}};
+    for (int i = 0; i < 3; i++) {
+        batten_surface *moved = NULL, *nurbs = NULL;
+        CHECK_OK(i < 2 ? batten_surface_transform_sides(surface, &maps[i], &moved)
+                       : batten_surface_transform(surface, &maps[i], &moved));
+        CHECK_OK(batten_surface_to_nurbs(moved, 1e-3, &error, &nurbs));
+        CHECK(farthest(moved, nurbs, 1, 1) <= 1e-14 * 10);
+        /* No vector grows by more than the root of the sum of the squares, 5.4 and 5.9. */
+        double squares = 0;
+        for (int k = 0; k < 9; k++)
+            squares += (&maps[i].m[0][0])[k] * (&maps[i].m[0][0])[k];
+        CHECK_NEAR(asked, squares > 0 ? 1e-3 / sqrt(squares) : 1e-3, 1e-17);
+        CHECK_NEAR(error, asked / 2 * sqrt(squares), 1e-17);
+        batten_surface_unref(nurbs);
+        nurbs = NULL;
+        CHECK_OK(batten_surface_to_nurbs(moved, 1e-3, NULL, &nurbs));
+        batten_surface_unref(nurbs);
+        batten_surface_unref(moved);
+    }
+    batten_surface_unref(surface);
+}
+
+TEST(breaks_that_rounding_would_join_are_negated_when_a_surface_is_mirrored)
+{
+    const double u[3] = {0, 1e-300, 1}, v[2] = {0, 2};
+    const bat_formula_axis axes[2] = {{3, u, 2}, {2, v, 2}};
+    const batten_affine mirror =
+        batten_affine_mirror((batten_vec3){0, 0, 0}, (batten_vec3){0, 1, 0});
+    batten_surface *surface = NULL, *image = NULL;
+    double spans[3], p[3];
+    CHECK_OK(bat_formula_create(&wave_formula, &one, 3, &axes[0], &axes[1], 2, &surface));
+    CHECK_OK(batten_surface_transform_sides(surface, &mirror, &image));
+    CHECK_INT(batten_surface_spans(image, BATTEN_U, spans), 3);
+    CHECK(spans[0] == -1 && spans[1] == -1e-300 && spans[2] == 0);
+    CHECK_OK(batten_surface_evaluate(image, -1e-300, 1, 0, p));
+    CHECK(p[0] == 1e-300);
+    CHECK_OK(batten_surface_evaluate(image, -0.25, 1, 0, p));
+    CHECK(p[0] == 0.25 && p[1] == -1);
+    batten_surface_unref(image);
+    batten_surface_unref(surface);
+}
+
+TEST(a_formula_that_is_refused_leaves_its_data_to_the_caller)
+{
+    freed = 0;
+    double *breaks = test_array(4001, sizeof *breaks);
+    for (int i = 0; i < 4001; i++)
+        breaks[i] = i;
+    const double unit[] = {0, 1};
+    const bat_formula_axis many = {4001, breaks, 1}, axis = {2, unit, 1};
+    batten_surface *surface = NULL;
+    CHECK_STATUS(bat_formula_create(&wave_formula, &one, 3, &axis, &many, 1, &surface),
+                 BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("4001 breaks in v");
+    double endless = INFINITY; /* no box */
+    CHECK_STATUS(bat_formula_create(&wave_formula, &endless, 3, &axis, &axis, 1, &surface),
+                 BATTEN_OVERFLOW);
+    CHECK(freed == 0 && !surface);
+    batten_surface *wave_surface = make_wave(), *moved = NULL;
+    batten_affine map = batten_affine_identity();
+    map.t[2] = NAN;
+    CHECK_STATUS(batten_surface_transform(wave_surface, &map, &moved), BATTEN_NOT_FINITE);
+    map = batten_affine_identity();
+    map.m[0][0] = INFINITY;
+    CHECK_STATUS(batten_surface_transform(wave_surface, &map, &moved), BATTEN_NOT_FINITE);
+    CHECK(!moved);
+    batten_surface_unref(wave_surface);
+    CHECK_INT(freed, 1);
+}

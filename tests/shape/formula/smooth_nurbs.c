@@ -1,0 +1,98 @@
+/* NURBS surfaces with the normals of another along their edges. */
+#include "numeric/jet.h"
+#include "shape/formula/formula.h"
+#include "support/test.h"
+
+#include <batten/fill.h>
+
+static void keep(void *data)
+{
+    (void)data;
+}
+
+/* (u, v, sin(4 u + 3 v)), of which the data say how many coordinates are wanted */
+static batten_status ripple(const void *data, double u, double v, batten_side side_u,
+                            batten_side side_v, int order, double *out)
+{
+    (void)side_u;
+    (void)side_v;
+    const int d = *(const int *)data;
+    const bat_jet a = bat_jet_u(u), b = bat_jet_v(v);
+    const double at = 4 * u + 3 * v, s = sin(at), c = cos(at);
+    const bat_jet z = bat_jet_compose((const double[4]){s, c, -s, -c},
+                                      bat_jet_add(bat_jet_scale(4, a), bat_jet_scale(3, b)));
+    const bat_jet xyz[3] = {a, b, z};
+    for (int i = 0; i < BATTEN_SURFACE_DERIVATIVES(order); i++)
+        for (int k = 0; k < d; k++)
+            out[d * i + k] = xyz[k].d[i];
+    return BATTEN_OK;
+}
+
+static batten_surface *make_ripple(int *dimension)
+{
+    static const double unit[] = {0, 1};
+    const bat_formula formula = {"ripple", ripple, NULL, keep};
+    const bat_formula_axis axis = {2, unit, 2};
+    batten_surface *surface = NULL;
+    CHECK_OK(bat_formula_create(&formula, dimension, *dimension, &axis, &axis, 2, &surface));
+    return surface;
+}
+
+TEST(normals_along_the_edges_are_as_near_as_the_angle_asks)
+{
+    int dimension = 3;
+    batten_surface *surface = make_ripple(&dimension);
+    double last = 1;
+    for (double angle = 1e-2; angle > 1e-7; angle /= 30) {
+        batten_surface *made = NULL;
+        double error = -1, reached = -1, worst = 0, far = 0;
+        CHECK_OK(batten_surface_to_smooth_nurbs(surface, 1e-2, angle, &error, &reached, &made));
+        CHECK(error >= 0 && error <= 1e-2 && reached > 0 && reached <= angle);
+        for (int k = 0; k <= 400; k++)
+            for (int edge = 0; edge < 4; edge++) {
+                const double t = k / 400.0, u = edge < 2 ? edge : t,
+                             v = edge < 2 ? t : edge - 2;
+                batten_vec3 n, m;
+                double p[3], q[3];
+                CHECK_OK(batten_surface_normal(surface, u, v, NULL, &n));
+                CHECK_OK(batten_surface_normal(made, u, v, NULL, &m));
+                CHECK_OK(batten_surface_evaluate(surface, u, v, 0, p));
+                CHECK_OK(batten_surface_evaluate(made, u, v, 0, q));
+                worst = fmax(worst, hypot(hypot(n.x - m.x, n.y - m.y), n.z - m.z));
+                far = fmax(far, hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]));
+            }
+        /* 129 places of an edge, these 401 among and beside them. */
+        CHECK(worst <= 1.5 * reached && worst >= 0.5 * reached);
+        CHECK(far <= error && reached <= last);
+        last = reached;
+        batten_surface_unref(made);
+        made = NULL;
+        CHECK_OK(batten_surface_to_smooth_nurbs(surface, 1e-2, angle, NULL, NULL, &made));
+        batten_surface_unref(made);
+    }
+    batten_surface_unref(surface);
+}
+
+TEST(angles_that_cannot_be_kept_are_refused)
+{
+    int dimension = 3, plane = 2;
+    batten_surface *surface = make_ripple(&dimension), *flat = make_ripple(&plane),
+                   *made = NULL;
+    static const double bad[] = {0, -1, NAN, INFINITY};
+    for (int i = 0; i < COUNT(bad); i++) {
+        CHECK_STATUS(batten_surface_to_smooth_nurbs(surface, 1, bad[i], NULL, NULL, &made),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("the angle");
+    }
+    CHECK_STATUS(batten_surface_to_smooth_nurbs(flat, 1, 1, NULL, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("dimension 2");
+    CHECK_STATUS(batten_surface_to_smooth_nurbs(surface, 1, 1e-13, NULL, NULL, &made),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("degrees");
+    CHECK_STATUS(batten_surface_to_smooth_nurbs(surface, -1, 0.1, NULL, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK(!made);
+    batten_surface_unref(flat);
+    batten_surface_unref(surface);
+}
