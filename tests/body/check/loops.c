@@ -5,6 +5,7 @@
 #include "support/test.h"
 
 #include <batten/body.h>
+#include <batten/standard.h>
 
 static int crossing_loops(const batten_body *body)
 {
@@ -102,4 +103,29 @@ TEST(of_two_loops_that_cross_the_shorter_is_in_doubt)
     HAND_LOOP(&m, -circle);
     CHECK_NEAR(doubt_of(&m), 2 * length * length / acos(-1),
                0.06 * 2 * length * length / acos(-1));
+}
+
+/* Two arcs that end in each other: each follows the other, and both ends are joints. */
+TEST(a_lens_of_two_edges_does_not_cross_at_its_ends)
+{
+    for (int k = 0; k < 2; k++) {
+        hand m = hand_begin();
+        const double apart = k ? 1 : 0.1; /* of the centres; the circles have radius 2 */
+        const double h = sqrt(4 - apart * apart), angle = 2 * atan2(h, apart);
+        batten_frame left = hand_world, right = hand_world;
+        batten_curve *arcs[2] = {NULL, NULL};
+        batten_body *body = NULL;
+        left.origin.x = -apart;
+        right.origin.x = apart;
+        CHECK_OK(batten_curve_arc_in(&left, 2, -angle / 2, angle, &arcs[0]));
+        CHECK_OK(batten_curve_arc_in(&right, 2, acos(-1) - angle / 2, angle, &arcs[1]));
+        hand_edge(&m, arcs[0]);
+        hand_edge(&m, arcs[1]);
+        hand_plate(&m, -9, -9, 9, 9, 0);
+        HAND_LOOP(&m, 1, 2);
+        CHECK_OK(batten_body_create(&m.builder.parts, &body));
+        bat_builder_end(&m.builder);
+        CHECK_INT(crossing_loops(body), 0);
+        batten_body_unref(body);
+    }
 }
