@@ -54,7 +54,8 @@ size_t method_length(const char *word)
 bool method_choose(const char *asker, const char *word, size_t length, method *out)
 {
     if (!read_method(word, length, out)) {
-        complain("batten %s: unknown method '%.60s'", asker, word);
+        complain("batten %s: unknown method '%.*s'", asker, length < 60 ? (int)length : 60,
+                 word);
         return false;
     }
     if (batten_feature_find(out->operation))

@@ -1,6 +1,6 @@
 #include "spline/spline.h"
 
-#include "support/test.h"
+#include "support/splines.h"
 
 static batten_status uniform(bat_spline *out)
 {
@@ -49,4 +49,46 @@ TEST(parts_are_clamped_and_share_the_row_at_the_cut)
     bat_spline_free(&high);
     bat_spline_free(&low);
     bat_spline_free(&spline);
+}
+
+TEST(parts_and_pieces_are_the_same_function)
+{
+    test_random random = test_random_begin(__func__);
+    for (int c = 0; c < test_cases(60); c++) {
+        const int p = test_random_int(&random, 1, 5);
+        bat_spline s = {0}, low = {0}, high = {0}, part = {0}, bezier = {0};
+        CHECK_OK(random_spline(&random, p, 2, &s));
+        const double a = s.knots[p], b = s.knots[s.count];
+        /* Cut at a knot as often as between two. */
+        const double inner = s.knots[p + (s.count - p) / 2];
+        const double u = c % 2 && inner > a && inner < b
+                             ? inner
+                             : a + test_random_in(&random, 0.3, 0.7) * (b - a);
+        const double from = a + 0.3 * (u - a), to = u + 0.6 * (b - u);
+        CHECK_OK(bat_spline_split(&s, u, &low, &high));
+        CHECK_OK(bat_spline_subrange(&s, from, to, &part));
+        CHECK_OK(bat_spline_to_bezier(&s, &bezier));
+        const bat_spline *const parts[4] = {&low, &high, &part, &bezier};
+        for (int k = 0; k < 4; k++) {
+            const bat_spline *q = parts[k];
+            const double ends[2] = {q->knots[p], q->knots[q->count]};
+            CHECK_OK(bat_knots_check(p, q->count, q->knots, "knot"));
+            CHECK_BITS(q->knots[0], ends[0]);
+            CHECK_BITS(q->knots[q->count + p], ends[1]);
+            CHECK_BITS(ends[0], k == 1 ? u : k == 2 ? from : a);
+            CHECK_BITS(ends[1], k == 0 ? u : k == 2 ? to : b);
+            for (int i = 1; i < 12; i++) {
+                const double t = ends[0] + (ends[1] - ends[0]) * i / 12;
+                for (size_t x = 0; x < 2; x++)
+                    CHECK_NEAR(spline_by_definition(q, x, t, BATTEN_FROM_RIGHT, 0),
+                               spline_by_definition(&s, x, t, BATTEN_FROM_RIGHT, 0), 1e-11);
+            }
+        }
+        CHECK_INT((bezier.count - 1) % p, 0);
+        for (int i = p + 1; i < bezier.count; i++)
+            CHECK((i - p - 1) % p == 0 || bezier.knots[i] == bezier.knots[i - 1]);
+        bat_spline_free(&s);
+        for (int k = 0; k < 4; k++)
+            bat_spline_free((bat_spline *[4]){&low, &high, &part, &bezier}[k]);
+    }
 }

@@ -137,6 +137,7 @@ static batten_status fit_again(const bat_run *run, const batten_object *object,
     const bool periodic = batten_curve_is_periodic(object->curve);
     double *given = NULL;
     options.degree = batten_curve_degree(object->curve);
+    options.knots_at_data &= options.degree % 2 == 1; /* of even degrees they are averaged */
     options.closed = periodic;
     if (object->parameters) {
         given = bat_array((size_t)count + 1, sizeof *given);
