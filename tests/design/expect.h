@@ -44,6 +44,9 @@ void expect_rows(const char *before, const expect_row *rows, int count);
 /* The same for each of some features, whose name is written @. */
 void expect_each(const char *before, const char *const *names, int name_count,
                  const expect_row *rows, int row_count);
+/* Make each output, as "m.txt: {measure: ring}", which must have all words between '|'; none behind '!'. */
+void expect_outputs(const char *before, const expect_row *rows, int count);
 #define EXPECT(before, rows) expect_rows(before, rows, COUNT(rows))
+#define EXPECT_OUTPUTS(before, rows) expect_outputs(before, rows, COUNT(rows))
 
 #endif
