@@ -16,7 +16,7 @@ static bool ends(const char *text, const char *end)
 }
 
 /* All notes, but for those that `message` ends with. */
-static void show(const batten_notes *notes, const char *message)
+static void show_notes(const batten_notes *notes, const char *message)
 {
     job_end();
     for (int i = 0; i < batten_notes_count(notes); i++) {
@@ -39,12 +39,12 @@ static void show(const batten_notes *notes, const char *message)
 
 void notes_show(const batten_notes *notes)
 {
-    show(notes, NULL);
+    show_notes(notes, NULL);
 }
 
 void failed_show(const batten_notes *notes)
 {
-    show(notes, batten_message());
+    show_notes(notes, batten_message());
 }
 
 void notes_json(batten_text *text, const batten_notes *notes)

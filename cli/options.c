@@ -37,7 +37,7 @@ static bool unknown(const char *command, const arguments *read, const char *word
     return false;
 }
 
-static bool keep(const char *command, arguments *read, int index, const char *value)
+static bool keep_option(const char *command, arguments *read, int index, const char *value)
 {
     const option *found = &read->options[index];
     if (found->kind != OPTION_MANY && arguments_get(read, found->name)) {
@@ -64,19 +64,19 @@ static bool read_option(const char *command, arguments *read, const char *word,
     const char *attached = equals ? equals + 1 : !is_long && name[1] ? name + 1 : NULL;
     if (read->options[index].kind == OPTION_FLAG) {
         if (!attached)
-            return keep(command, read, index, "");
+            return keep_option(command, read, index, "");
         complain("batten %s: --%s takes no value", command, read->options[index].name);
         return false;
     }
     if (read->options[index].kind == OPTION_SWITCH)
-        return keep(command, read, index, attached ? attached : "yes");
+        return keep_option(command, read, index, attached ? attached : "yes");
     *taken = !attached;
     if (!attached && !next) {
         complain("batten %s: --%s needs a value: %s", command, read->options[index].name,
                  read->options[index].value);
         return false;
     }
-    return keep(command, read, index, attached ? attached : next);
+    return keep_option(command, read, index, attached ? attached : next);
 }
 
 static bool read_words(const char *command, int most, int count, char **words, arguments *read)

@@ -267,7 +267,7 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
     return reported == EXIT_DONE ? exit : reported;
 }
 
-static int run(const arguments *given)
+static int run_build(const arguments *given)
 {
     batten_notes *notes = NULL;
     batten_design *design = NULL;
@@ -301,5 +301,5 @@ const command command_build = {
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],
     .options = options,
-    .run = run,
+    .run = run_build,
 };

@@ -84,7 +84,7 @@ static int run_design(const arguments *given)
     return exit;
 }
 
-static int run(const arguments *given)
+static int run_check(const arguments *given)
 {
     if (ends_in(given->files[0], ".yaml") || ends_in(given->files[0], ".yml"))
         return run_design(given);
@@ -112,5 +112,5 @@ const command command_check = {
     .option_count = sizeof options / sizeof options[0],
     .options = options,
     .feature = "check",
-    .run = run,
+    .run = run_check,
 };

@@ -224,7 +224,7 @@ static int run_on(comparison *c)
     return exit;
 }
 
-static int run(const arguments *given)
+static int run_compare(const arguments *given)
 {
     const char *output = arguments_get(given, "output");
     const char *list = arguments_get(given, "methods");
@@ -267,5 +267,5 @@ const command command_compare = {
     .option_count = sizeof options / sizeof options[0],
     .options = options,
     .feature = "compare",
-    .run = run,
+    .run = run_compare,
 };

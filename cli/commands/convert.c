@@ -409,7 +409,7 @@ static int convert(const arguments *given, batten_format format, const double un
     return exit;
 }
 
-static int run(const arguments *given)
+static int run_convert(const arguments *given)
 {
     double units[2] = {0, 0};
     batten_write_options write = batten_write_defaults();
@@ -452,5 +452,5 @@ const command command_convert = {
     .most_files = 2,
     .option_count = sizeof options / sizeof options[0],
     .options = options,
-    .run = run,
+    .run = run_convert,
 };

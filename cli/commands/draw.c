@@ -13,7 +13,7 @@ static const option options[] = {
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 
-static int run(const arguments *given)
+static int run_draw(const arguments *given)
 {
     const char *output = arguments_get(given, "output");
     batten_picture_format format;
@@ -46,5 +46,5 @@ const command command_draw = {
     .option_count = sizeof options / sizeof options[0],
     .options = options,
     .feature = "picture",
-    .run = run,
+    .run = run_draw,
 };

@@ -140,7 +140,7 @@ static bool read_beyond(const arguments *given, batten_beyond *beyond)
     return !word;
 }
 
-static int run(const arguments *given)
+static int run_eval(const arguments *given)
 {
     request asked = {.json = arguments_has(given, "json")};
     batten_format format = BATTEN_FORMAT_AUTO;
@@ -198,5 +198,5 @@ const command command_eval = {
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],
     .options = options,
-    .run = run,
+    .run = run_eval,
 };

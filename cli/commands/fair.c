@@ -14,7 +14,7 @@ static const option options[] = {
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 
-static int run(const arguments *given)
+static int run_fair(const arguments *given)
 {
     const char *output = arguments_get(given, "output");
     if (!output || !arguments_has(given, "within")) {
@@ -48,5 +48,5 @@ const command command_fair = {
     .option_count = sizeof options / sizeof options[0],
     .options = options,
     .feature = "fair",
-    .run = run,
+    .run = run_fair,
 };

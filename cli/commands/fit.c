@@ -16,7 +16,7 @@ static const option options[] = {
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 
-static int run(const arguments *given)
+static int run_fit(const arguments *given)
 {
     const char *output = arguments_get(given, "output");
     const char *name = arguments_get(given, "method");
@@ -55,5 +55,5 @@ const command command_fit = {
     .option_count = sizeof options / sizeof options[0],
     .options = options,
     .feature = "interpolate",
-    .run = run,
+    .run = run_fit,
 };

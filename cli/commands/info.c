@@ -278,8 +278,8 @@ static facts *facts_of_all(const batten_model *model)
     return found;
 }
 
-static int tell(const arguments *given, const batten_model *model, batten_notes *notes,
-                int exit)
+static int tell_facts(const arguments *given, const batten_model *model, batten_notes *notes,
+                      int exit)
 {
     const bool json = arguments_has(given, "json");
     facts *found = facts_of_all(model);
@@ -297,7 +297,7 @@ static int tell(const arguments *given, const batten_model *model, batten_notes 
     return exit;
 }
 
-static int run(const arguments *given)
+static int run_info(const arguments *given)
 {
     batten_notes *notes = NULL;
     batten_model *model = NULL;
@@ -310,7 +310,7 @@ static int run(const arguments *given)
     if (exit != EXIT_FAILED)
         exit = flatten(&model, notes, exit);
     if (exit != EXIT_FAILED)
-        exit = tell(given, model, notes, exit);
+        exit = tell_facts(given, model, notes, exit);
     batten_model_unref(model);
     batten_notes_free(notes);
     return exit;
@@ -331,5 +331,5 @@ const command command_info = {
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],
     .options = options,
-    .run = run,
+    .run = run_info,
 };

@@ -9,7 +9,7 @@ static const option options[] = {
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no remarks"},
 };
 
-static int run(const arguments *given)
+static int run_measure(const arguments *given)
 {
     const single s = {
         .command = "measure",
@@ -35,5 +35,5 @@ const command command_measure = {
     .option_count = sizeof options / sizeof options[0],
     .options = options,
     .feature = "measure",
-    .run = run,
+    .run = run_measure,
 };

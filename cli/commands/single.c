@@ -115,8 +115,8 @@ static int failed(const single *s, batten_status status)
     return output_failed(s->command, status);
 }
 
-static int apply(const single *s, const arguments *given, const batten_model *model,
-                 batten_notes *notes)
+static int apply_single(const single *s, const arguments *given, const batten_model *model,
+                        batten_notes *notes)
 {
     batten_design *design = NULL;
     char *data = NULL;
@@ -152,7 +152,7 @@ int single_run(const single *s, const arguments *given)
         return output_failed(s->command, BATTEN_OUT_OF_MEMORY);
     int exit = input_read(given->files[0], format, notes, &model);
     if (exit != EXIT_FAILED) {
-        const int applied = apply(s, given, model, notes);
+        const int applied = apply_single(s, given, model, notes);
         exit = applied == EXIT_DONE ? exit : applied;
     }
     batten_model_unref(model);

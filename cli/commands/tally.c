@@ -81,7 +81,7 @@ static batten_status keep_row(counting *c, const batten_model *model, const tall
     return BATTEN_OK;
 }
 
-static void add(long long *to, long long more)
+static void add_up_to_most(long long *to, long long more)
 {
     const long long most = 1000000000000000;
     *to = *to + more < most ? *to + more : most;
@@ -105,8 +105,8 @@ static batten_status count_placed(counting *c, const batten_model *model, tally 
                 status = count_placed(c, object->definition, &held);
         }
         for (int k = 0; k < TALLY_KINDS; k++)
-            add(&all.count[k], held.count[k]);
-        add(&all.solids, held.solids);
+            add_up_to_most(&all.count[k], held.count[k]);
+        add_up_to_most(&all.solids, held.solids);
     }
     *out = all;
     return status == BATTEN_OK ? keep_row(c, model, &all) : status;

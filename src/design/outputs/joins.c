@@ -34,14 +34,14 @@ static double gap(batten_vec3 p, batten_vec3 q)
 /* ---- what surfaces compare ---- */
 
 /* The angle by which a way out of one shape turns on its way into the other. */
-static double turn(batten_vec3 out_of, batten_vec3 into)
+static double turn_between(batten_vec3 out_of, batten_vec3 into)
 {
     return atan2(norm(bat_vec3_cross(out_of, into)), bat_vec3_dot(out_of, into));
 }
 
 /* |a - b| of two curvatures as a part of the larger one; what bulges by less than the tolerance
  * over the size of the shapes counts as straight. */
-static double part(batten_vec3 a, batten_vec3 b, double straight)
+static double share_of_larger(batten_vec3 a, batten_vec3 b, double straight)
 {
     const double larger = bat_max(norm(a), norm(b));
     return gap(a, b) / bat_max(larger, straight);
@@ -112,26 +112,32 @@ static batten_status edge_curve(const batten_surface *surface, int side, batten_
     return batten_surface_isocurve(surface, direction, side % 2 ? domain.b : domain.a, out);
 }
 
+/* A surface, one of its sides, and the edge there. */
+typedef struct {
+    const batten_surface *surface;
+    int side;
+    batten_curve *curve;
+} surface_side;
+
 /* Both surfaces at one place of the edge of the first. */
-static batten_status compare_at(const batten_surface *a, int side_a, const batten_curve *edge_a,
-                                double t, const batten_surface *b, int side_b,
-                                const batten_curve *edge_b, double straight, bat_join *join)
+static batten_status compare_at(const surface_side *a, double t, const surface_side *b,
+                                double straight, bat_join *join)
 {
     batten_vec3 into_a, into_b, curvature_a, curvature_b;
     batten_deviation foot;
     double p[3];
-    batten_status status = batten_curve_evaluate(edge_a, t, 0, p);
+    batten_status status = batten_curve_evaluate(a->curve, t, 0, p);
     if (status == BATTEN_OK)
-        status = batten_curve_deviation(edge_b,
-                                        (batten_points){batten_curve_dimension(edge_b), 1, p},
+        status = batten_curve_deviation(b->curve,
+                                        (batten_points){batten_curve_dimension(b->curve), 1, p},
                                         NULL, NULL, NULL, &foot);
     if (status != BATTEN_OK)
         return status;
     join->g0 = bat_max(join->g0, foot.max);
-    if (leave_surface(a, side_a, t, &into_a, &curvature_a) &&
-        leave_surface(b, side_b, foot.at[0], &into_b, &curvature_b)) {
-        join->g1 = fmax(join->g1, turn(bat_vec3_scale(into_a, -1), into_b));
-        join->g2 = fmax(join->g2, part(curvature_a, curvature_b, straight));
+    if (leave_surface(a->surface, a->side, t, &into_a, &curvature_a) &&
+        leave_surface(b->surface, b->side, foot.at[0], &into_b, &curvature_b)) {
+        join->g1 = fmax(join->g1, turn_between(bat_vec3_scale(into_a, -1), into_b));
+        join->g2 = fmax(join->g2, share_of_larger(curvature_a, curvature_b, straight));
     }
     return BATTEN_OK;
 }
@@ -144,28 +150,28 @@ static batten_status compare_surfaces(const batten_surface *a, int side_a,
                                       const batten_surface *b, int side_b, double tolerance,
                                       double straight, bat_join *join)
 {
-    batten_curve *edge_a = NULL, *edge_b = NULL;
-    batten_status status = edge_curve(a, side_a, &edge_a);
+    surface_side first = {a, side_a, NULL}, second = {b, side_b, NULL};
+    batten_status status = edge_curve(a, side_a, &first.curve);
     if (status == BATTEN_OK)
-        status = edge_curve(b, side_b, &edge_b);
-    const int spans = status == BATTEN_OK ? batten_curve_spans(edge_a, NULL) - 1 : 0;
+        status = edge_curve(b, side_b, &second.curve);
+    const int spans = status == BATTEN_OK ? batten_curve_spans(first.curve, NULL) - 1 : 0;
     const int steps = spans > 0 ? bat_max_int(SPAN_POINTS, (JOIN_POINTS - 1) / spans) : 0;
     double *breaks = bat_array((size_t)spans + 1, sizeof *breaks);
     if (status == BATTEN_OK)
         status = breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        batten_curve_spans(edge_a, breaks);
+        batten_curve_spans(first.curve, breaks);
     join->g1 = join->g2 = join->g3 = NAN;
     join->g0 = 0;
     for (int i = 0; i <= spans * steps && status == BATTEN_OK && join->g0 <= tolerance; i++) {
         const int k = bat_min_int(i / steps, spans - 1);
         const double share = (double)(i - k * steps) / steps;
         const double t = (1 - share) * breaks[k] + share * breaks[k + 1];
-        status = compare_at(a, side_a, edge_a, t, b, side_b, edge_b, straight, join);
+        status = compare_at(&first, t, &second, straight, join);
     }
     bat_release(breaks);
-    batten_curve_unref(edge_a);
-    batten_curve_unref(edge_b);
+    batten_curve_unref(first.curve);
+    batten_curve_unref(second.curve);
     return status;
 }
 

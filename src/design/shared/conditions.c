@@ -21,7 +21,7 @@ static void project(const bat_data *data, const double *given, double out[3])
             out[k++] = given[c];
 }
 
-static batten_condition *next(asking *a, batten_condition_kind kind)
+static batten_condition *next_condition(asking *a, batten_condition_kind kind)
 {
     batten_condition *condition = &a->conditions[a->count++];
     *condition = (batten_condition){.kind = kind, .index = -1};
@@ -60,7 +60,7 @@ static batten_status ask_points(asking *a, const char *parameter, batten_conditi
                         parameter);
     for (int i = 0; i < given->count; i++) {
         double point[3];
-        batten_condition *condition = next(a, kind);
+        batten_condition *condition = next_condition(a, kind);
         project(a->data, given->items[i].number, point);
         if (function) {
             condition->parameter = point[0];
@@ -88,7 +88,7 @@ static batten_status ask_direction(asking *a, const char *parameter, bool at_end
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "'%s' must go forward along the abscissa of the function", parameter);
     batten_condition *condition =
-        next(a, function ? BATTEN_CONDITION_EQUAL : BATTEN_CONDITION_DIRECTION);
+        next_condition(a, function ? BATTEN_CONDITION_EQUAL : BATTEN_CONDITION_DIRECTION);
     condition->index = at_end ? a->data->count - 1 : 0;
     condition->order = 1;
     memcpy(condition->value, along, sizeof along);

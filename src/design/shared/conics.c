@@ -4,7 +4,8 @@
 
 #include <string.h>
 
-static void tell(bat_run *run, const char *name, const batten_curve_conics_report *report)
+static void note_conics(bat_run *run, const char *name,
+                        const batten_curve_conics_report *report)
 {
     if (report->inflections > 0)
         bat_note(run, "'%s' bends to both sides in %d of its spans; curvature jumps there",
@@ -33,7 +34,7 @@ batten_status bat_conics_make(bat_run *run, const bat_data *data,
         (batten_points){2, data->count, data->points}, options, t, &report, &made->curve);
     if (status == BATTEN_OK) {
         memcpy(made->parameters, t, (size_t)data->count * sizeof *t);
-        tell(run, data->name, &report);
+        note_conics(run, data->name, &report);
     }
     bat_release(t);
     return status;

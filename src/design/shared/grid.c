@@ -32,7 +32,7 @@ static batten_status add_rows(const batten_object *object, bat_rows *all)
 }
 
 /* The points are turned: u runs along the rows. */
-static batten_status turn(const bat_rows *all, bat_grid *out)
+static batten_status transpose_rows(const bat_rows *all, bat_grid *out)
 {
     const int count_u = all->rows[0].count, count_v = all->count;
     double *points = bat_array3((size_t)count_u, (size_t)count_v, 3 * sizeof *points);
@@ -57,7 +57,7 @@ batten_status bat_grid_of(const bat_run *run, const char *parameter, bat_grid *o
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
         status = add_rows(objects.at[i], &all);
     if (status == BATTEN_OK)
-        status = turn(&all, out);
+        status = transpose_rows(&all, out);
     if (status == BATTEN_OK)
         status = bat_points_check_size(out->count_u * out->count_v, out->points);
     bat_rows_release(&all);

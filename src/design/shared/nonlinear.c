@@ -13,8 +13,8 @@ batten_nonlinear_end bat_nonlinear_end_of(const bat_run *run, bool start, double
     return kind;
 }
 
-static void note(bat_run *run, const bat_data *data,
-                 const batten_chain_nonlinear_report *report)
+static void note_turns_and_bends(bat_run *run, const bat_data *data,
+                                 const batten_chain_nonlinear_report *report)
 {
     const double degree = BAT_PI / 180;
     if (report->turn > 120 * degree)
@@ -40,6 +40,6 @@ batten_status bat_nonlinear_make(bat_run *run, const bat_data *data, batten_span
         batten_chain_nonlinear((batten_points){2, data->count, data->points}, &options, NULL,
                                made->parameters, &report, &made->chain);
     if (status == BATTEN_OK)
-        note(run, data, &report);
+        note_turns_and_bends(run, data, &report);
     return status;
 }

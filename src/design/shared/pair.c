@@ -9,7 +9,8 @@ static const batten_curve_end pairs[4][2] = {{BATTEN_CURVE_END, BATTEN_CURVE_STA
                                              {BATTEN_CURVE_START, BATTEN_CURVE_START},
                                              {BATTEN_CURVE_START, BATTEN_CURVE_END}};
 
-static batten_status turn(const batten_curve *curve, bool reverse, batten_curve **out)
+static batten_status reverse_or_keep(const batten_curve *curve, bool reverse,
+                                     batten_curve **out)
 {
     if (reverse)
         return batten_curve_reverse(curve, out);
@@ -35,7 +36,7 @@ batten_status bat_pair_take(const bat_run *run, const char *parameter, batten_cu
         if (word > 0)
             ends[k] = pairs[word - 1][k];
         const bool reverse = ends[k] == (k ? BATTEN_CURVE_END : BATTEN_CURVE_START);
-        status = turn(all.at[k]->curve, reverse, &made[k]);
+        status = reverse_or_keep(all.at[k]->curve, reverse, &made[k]);
     }
     bat_objects_release(&all);
     for (int k = 0; k < 2; k++) {
@@ -57,8 +58,8 @@ static batten_status rest_of(const batten_curve *curve, double a, double b, batt
 }
 
 /* `made` and `more`, which may be NULL, as one; both are given back. */
-static batten_status add(batten_status status, batten_curve *made, batten_curve *more,
-                         double within, batten_curve **out)
+static batten_status join_rest(batten_status status, batten_curve *made, batten_curve *more,
+                               double within, batten_curve **out)
 {
     if (status == BATTEN_OK && made && more)
         status = batten_curve_join(made, more, within, out);
@@ -74,8 +75,8 @@ batten_status bat_pair_join(const batten_curve *const curves[2], const double u[
 {
     batten_curve *before = NULL, *behind = NULL, *half = NULL;
     batten_status status = rest_of(curves[0], batten_curve_domain(curves[0]).a, u[0], &before);
-    status = add(status, before, batten_curve_ref(link), within, &half);
+    status = join_rest(status, before, batten_curve_ref(link), within, &half);
     if (status == BATTEN_OK)
         status = rest_of(curves[1], u[1], batten_curve_domain(curves[1]).b, &behind);
-    return add(status, half, behind, within, out);
+    return join_rest(status, half, behind, within, out);
 }

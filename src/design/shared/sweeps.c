@@ -54,7 +54,7 @@ batten_status bat_sweep_law(const bat_run *run, const char *parameter, batten_cu
     return status;
 }
 
-static void say(bat_run *run, const batten_surface_sweep_report *report)
+static void report_sweep(bat_run *run, const batten_surface_sweep_report *report)
 {
     bat_report_error(run, report->error, report->error);
     if (report->turn != 0)
@@ -88,6 +88,6 @@ batten_status bat_put_sweep(bat_run *run, batten_status status, int count,
     }
     bat_release(surfaces);
     if (status == BATTEN_OK)
-        say(run, report);
+        report_sweep(run, report);
     return status;
 }

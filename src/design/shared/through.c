@@ -156,7 +156,7 @@ static batten_status place_curve(const task *t, batten_curve **curve)
 }
 
 /* The curve of a chain is far nearer to it than anybody asks of the design. */
-static batten_status place(task *t)
+static batten_status place_made(task *t)
 {
     bat_made *made = &t->made;
     if (!made->chain)
@@ -171,7 +171,7 @@ static batten_status place(task *t)
     return status;
 }
 
-static batten_status put(task *t, const batten_object *from)
+static batten_status put_made(task *t, const batten_object *from)
 {
     bat_made *made = &t->made;
     const batten_object like = {
@@ -201,9 +201,9 @@ static batten_status make_row(bat_run *run, const bat_method *method, const bat_
     if (status == BATTEN_OK)
         status = method->make(run, &t.data, &t.made);
     if (status == BATTEN_OK)
-        status = place(&t);
+        status = place_made(&t);
     if (status == BATTEN_OK)
-        status = put(&t, from);
+        status = put_made(&t, from);
     batten_curve_unref(t.made.curve);
     batten_chain_unref(t.made.chain);
     bat_release(t.made.parameters);

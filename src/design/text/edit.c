@@ -138,17 +138,24 @@ static bool only_value_differs(const bat_tree *before, const bat_tree *after, co
     return true;
 }
 
-static batten_status splice(const char *text, size_t length, const bat_tree *tree, int nesting,
-                            const place *p, const char *value, bool quoted, char **out,
-                            size_t *out_length)
+/* What is edited: the text of a document, and what it means. */
+typedef struct {
+    const char *text;
+    size_t length;
+    const bat_tree *tree;
+    int nesting;
+} edited;
+
+static batten_status splice(const edited *e, const place *p, const char *value, bool quoted,
+                            char **out, size_t *out_length)
 {
     batten_text made = BATTEN_TEXT;
     size_t resume = 0;
-    add_before(&made, text, length, tree, p, &resume);
+    add_before(&made, e->text, e->length, e->tree, p, &resume);
     const size_t begin = made.length;
     add_word(&made, value, quoted);
     const size_t end = made.length;
-    batten_text_bytes(&made, text + resume, length - resume);
+    batten_text_bytes(&made, e->text + resume, e->length - resume);
     char *bytes = NULL;
     size_t size = 0;
     batten_status status = batten_text_take(&made, &bytes, &size);
@@ -156,8 +163,8 @@ static batten_status splice(const char *text, size_t length, const bat_tree *tre
         return status;
     bat_tree after;
     bat_place where;
-    status = bat_tree_parse(bytes, size, nesting, &after, &where);
-    if (status == BATTEN_OK && !only_value_differs(tree, &after, p, begin, end))
+    status = bat_tree_parse(bytes, size, e->nesting, &after, &where);
+    if (status == BATTEN_OK && !only_value_differs(e->tree, &after, p, begin, end))
         status =
             bat_fail(BATTEN_BAD_FORMAT, "\"%.100s\" is not a value for '%s'", value, p->path);
     bat_tree_free(&after);
@@ -173,6 +180,7 @@ static batten_status splice(const char *text, size_t length, const bat_tree *tre
 batten_status bat_edit(const char *text, size_t length, const bat_tree *tree, int nesting,
                        const char *path, const char *value, char **out, size_t *out_length)
 {
+    const edited e = {text, length, tree, nesting};
     place p;
     batten_status status = find_place(tree, path, &p);
     if (status != BATTEN_OK)
@@ -180,8 +188,8 @@ batten_status bat_edit(const char *text, size_t length, const bat_tree *tree, in
     if (!*value || strpbrk(value, "\r\n"))
         return bat_fail(BATTEN_BAD_FORMAT, "the value of '%s' must be one line, and not empty",
                         path);
-    status = splice(text, length, tree, nesting, &p, value, false, out, out_length);
+    status = splice(&e, &p, value, false, out, out_length);
     if (status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY)
-        status = splice(text, length, tree, nesting, &p, value, true, out, out_length);
+        status = splice(&e, &p, value, true, out, out_length);
     return status;
 }

@@ -22,7 +22,7 @@ typedef struct {
     polygon *shape; /* [2]: one in the plane, and one as it is on the sheet */
 } drawing;
 
-static void add(polygon *p, double x, double y)
+static void add_corner(polygon *p, double x, double y)
 {
     if (p->count == MOST_CORNERS)
         return;
@@ -46,7 +46,7 @@ static void add_curve(polygon *p, double (*f)(double), double from, double to)
 {
     for (int i = 0; i <= STEPS; i++) {
         const double x = from + (to - from) * i / STEPS;
-        add(p, x, f(x));
+        add_corner(p, x, f(x));
     }
 }
 
@@ -55,7 +55,7 @@ static void add_curve_up(polygon *p, double (*f)(double), double from, double to
 {
     for (int i = 0; i <= STEPS; i++) {
         const double y = from + (to - from) * i / STEPS;
-        add(p, f(y), y);
+        add_corner(p, f(y), y);
     }
 }
 
@@ -121,10 +121,10 @@ static const bat_colour regular = {0.78, 0.91, 0.78}, plain = {0.93, 0.95, 0.93}
 static void rectangle(polygon *p, double x0, double y0, double x1, double y1)
 {
     p->count = 0;
-    add(p, x0, y0);
-    add(p, x1, y0);
-    add(p, x1, y1);
-    add(p, x0, y1);
+    add_corner(p, x0, y0);
+    add_corner(p, x1, y0);
+    add_corner(p, x1, y1);
+    add_corner(p, x0, y1);
 }
 
 /* Beyond (1, 1): loops, and below the hyperbola two inflections. */
@@ -141,7 +141,7 @@ static void fill_first_quadrant(const drawing *d)
     p->count = 0;
     add_curve(p, hyperbola, beyond, 2);
     add_curve(p, hyperbola, 2, far);
-    add(p, far, far);
+    add_corner(p, far, far);
     fill(d, loop);
 }
 
@@ -162,7 +162,7 @@ static void fill_other_quadrants(const drawing *d)
     fill_both(d, loop);
     p->count = 0; /* two inflections: from lambda = 1 to the hyperbola */
     add_curve_up(p, hyperbola, 0, deep);
-    add(p, 1, deep);
+    add_corner(p, 1, deep);
     fill_both(d, two);
 }
 
@@ -189,13 +189,13 @@ static void draw_lines(const drawing *d)
     polygon *p = &d->shape[0];
     for (int i = 0; i < 3; i++) {
         p->count = 0;
-        add(p, at[i], d->low);
-        add(p, at[i], d->high);
+        add_corner(p, at[i], d->low);
+        add_corner(p, at[i], d->high);
         stroke_both(d, pens[i]);
     }
     /* R is the rectangle that is safe. */
     rectangle(p, 0, 0, 1, 1);
-    add(p, 0, 0);
+    add_corner(p, 0, 0);
     stroke(d, (bat_pen){{0.1, 0.45, 0.15}, 2.6, BAT_SOLID});
 }
 

@@ -119,8 +119,8 @@ typedef struct {
 } half;
 
 /* The box of the half hull, and on which side of the centre plane it lies. */
-static batten_status measure(const batten_model *model, batten_notes *notes, bat_hull *hull,
-                             half *out)
+static batten_status measure_half(const batten_model *model, batten_notes *notes,
+                                  bat_hull *hull, half *out)
 {
     for (int k = 0; k < 3; k++) {
         hull->low[k] = HUGE_VAL;
@@ -387,7 +387,7 @@ batten_status bat_hull_cut(const batten_model *model,
 {
     bat_hull hull = {.edges = {0, 0, NULL}};
     half h = {1, 0};
-    batten_status status = measure(model, notes, &hull, &h);
+    batten_status status = measure_half(model, notes, &hull, &h);
     if (status == BATTEN_OK)
         status = place_cuts(&hull, plan, notes);
     for (int f = 0; f < BAT_FAMILIES && status == BATTEN_OK; f++)

@@ -32,7 +32,7 @@ static batten_status evaluate(const isoline *line, double at, bool from_left, sp
     return status;
 }
 
-static batten_status add(isoline *line, const double point[3])
+static batten_status add_point(isoline *line, const double point[3])
 {
     if (line->count == line->capacity) {
         const size_t capacity = 2 * line->capacity + 32;
@@ -84,17 +84,17 @@ static batten_status subdivide(isoline *line, spot here, spot end)
         depth--;
         here = next;
         if (status == BATTEN_OK)
-            status = add(line, here.point);
+            status = add_point(line, here.point);
     }
     return status;
 }
 
-static batten_status run(isoline *line, int count, const double *knots)
+static batten_status trace_isoline(isoline *line, int count, const double *knots)
 {
     spot here, next;
     batten_status status = evaluate(line, knots[0], false, &here);
     if (status == BATTEN_OK)
-        status = add(line, here.point);
+        status = add_point(line, here.point);
     for (int i = 0; i + 1 < count; i++)
         for (int k = 1; k <= PARTS && status == BATTEN_OK; k++) {
             const bool last = k == PARTS;
@@ -125,7 +125,7 @@ batten_status bat_stroke_isoline_within(const batten_surface *surface,
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
     batten_surface_spans(surface, along, knots);
-    const batten_status status = run(&line, count, knots);
+    const batten_status status = trace_isoline(&line, count, knots);
     bat_release(knots);
     if (status == BATTEN_OK)
         *out = (bat_stroke){line.count, line.points};

@@ -1,7 +1,8 @@
 /* Strokes: polylines in space, with room for their parameters; and curves as strokes. */
 #include "picture/lines/stroke.h"
 
-int bat_stroke_steps(const batten_curve *curve)
+/* Steps into which each span of a curve is divided. */
+static int stroke_steps(const batten_curve *curve)
 {
     if (batten_curve_degree(curve) == 1 && !batten_curve_is_rational(curve))
         return 1;
@@ -35,7 +36,7 @@ static batten_status parameters_of(const batten_curve *curve, size_t *count, dou
         return BATTEN_OUT_OF_MEMORY;
     batten_curve_spans(curve, knots);
     const batten_status status =
-        bat_divide_spans(knot_count, knots, bat_stroke_steps(curve), count, out);
+        bat_divide_spans(knot_count, knots, stroke_steps(curve), count, out);
     bat_release(knots);
     return status;
 }

@@ -62,7 +62,4 @@ void bat_strokes_free(bat_strokes *list);
 batten_status bat_divide_spans(int knot_count, const double *knots, int steps, size_t *count,
                                double **out);
 
-/* Steps into which each span of a curve is divided. */
-int bat_stroke_steps(const batten_curve *curve);
-
 #endif

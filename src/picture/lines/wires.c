@@ -17,8 +17,9 @@ bool bat_wires_shows(const batten_object *object)
 
 /* ---- the list ---- */
 
-batten_status bat_wires_add(bat_wires *w, bat_wire_kind kind, int object, double value,
-                            bat_stroke stroke)
+/* A line more, which is taken over. */
+static batten_status add_wire(bat_wires *w, bat_wire_kind kind, int object, double value,
+                              bat_stroke stroke)
 {
     if (w->count == w->capacity) {
         const size_t capacity = 2 * w->capacity + 64;
@@ -114,7 +115,7 @@ static batten_status add_isoline(bat_wires *w, bat_wire_kind kind, int object,
         bat_stroke_free(&stroke);
         return BATTEN_OK;
     }
-    return bat_wires_add(w, kind, object, 0, stroke);
+    return add_wire(w, kind, object, 0, stroke);
 }
 
 /* A normal, not of unit length; (0, 0, 0) where there is none. */
@@ -216,7 +217,7 @@ batten_status bat_wires_add_contour(bat_wires *w, bat_wire_kind kind, int object
     memcpy(stroke.points, line->points, 3 * (size_t)line->count * sizeof(double));
     if (line->closed)
         memcpy(stroke.points + 3 * (count - 1), line->points, 3 * sizeof(double));
-    return bat_wires_add(w, kind, object, value, stroke);
+    return add_wire(w, kind, object, value, stroke);
 }
 
 static batten_status add_contours(bat_wires *w, int object, int level_count,
@@ -342,7 +343,7 @@ static batten_status gather_object(bat_wires *w, int i, int surfaces)
     bat_stroke stroke = {0, NULL};
     if (object->kind == BATTEN_OBJECT_CURVE) {
         const batten_status status = bat_stroke_curve(object->curve, &stroke);
-        return status == BATTEN_OK ? bat_wires_add(w, BAT_WIRE_CURVE, i, 0, stroke) : status;
+        return status == BATTEN_OK ? add_wire(w, BAT_WIRE_CURVE, i, 0, stroke) : status;
     }
     if (!bat_wires_shows(object))
         return BATTEN_OK;
@@ -363,7 +364,7 @@ batten_status bat_wires_add_mesh(bat_wires *w, bat_wire_kind kind, int object,
     batten_status status =
         bat_stroke_mesh(batten_model_object(w->model, object)->mesh, which, eye, &lines);
     for (size_t i = 0; i < lines.count && status == BATTEN_OK; i++) {
-        status = bat_wires_add(w, kind, object, 0, lines.strokes[i]);
+        status = add_wire(w, kind, object, 0, lines.strokes[i]);
         lines.strokes[i] = (bat_stroke){0, NULL}; /* taken over */
     }
     bat_strokes_free(&lines);

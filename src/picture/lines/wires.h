@@ -59,9 +59,7 @@ batten_status bat_wires_gather(bat_wires *wires, double scale);
 batten_status bat_wires_add_silhouettes(bat_wires *wires, const bat_eye *eye);
 void bat_wires_free(bat_wires *wires);
 
-/* A line more, which is taken over; a contour more; those after the first `count` no more. */
-batten_status bat_wires_add(bat_wires *wires, bat_wire_kind kind, int object, double value,
-                            bat_stroke stroke);
+/* A contour more; those after the first `count` no more. */
 batten_status bat_wires_add_contour(bat_wires *wires, bat_wire_kind kind, int object,
                                     double value, const batten_polyline *line);
 void bat_wires_drop(bat_wires *wires, size_t count);

@@ -3,7 +3,7 @@
 
 /* ---- colours of samples ---- */
 
-static void put(bat_light light, float colour[3])
+static void set_sample(bat_light light, float colour[3])
 {
     colour[0] = (float)light.red;
     colour[1] = (float)light.green;
@@ -34,13 +34,13 @@ static void shade_solid(const void *user, const bat_fragment *f, float colour[3]
     const bat_light light =
         bat_light_of_sample(s->scene, s->albedo, f->value[BAT_SAMPLE_CURVATURE], n);
     const double ink = is_on_line(s, f, 0) || is_on_line(s, f, 1) ? 0.12 : 1;
-    put((bat_light){ink * light.red, ink * light.green, ink * light.blue}, colour);
+    set_sample((bat_light){ink * light.red, ink * light.green, ink * light.blue}, colour);
 }
 
 static void shade_flat(const void *user, const bat_fragment *f, float colour[3])
 {
     (void)f;
-    put(*(const bat_light *)user, colour);
+    set_sample(*(const bat_light *)user, colour);
 }
 
 /* ---- filling ---- */

@@ -293,8 +293,8 @@ double bat_canvas_text_width(bat_canvas *canvas, double size, const char *text)
     return advance(canvas, text);
 }
 
-static void show(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
-                 double x, double y, const char *text)
+static void show_text(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
+                      double x, double y, const char *text)
 {
     char letters[LONGEST_TEXT];
     clean(text, letters);
@@ -310,14 +310,14 @@ void bat_canvas_text(bat_canvas *canvas, bat_colour colour, double size, bat_anc
                      double x, double y, const char *text)
 {
     set_font(canvas, size, CAIRO_FONT_WEIGHT_NORMAL);
-    show(canvas, colour, size, anchor, x, y, text);
+    show_text(canvas, colour, size, anchor, x, y, text);
 }
 
 void bat_canvas_bold(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
                      double x, double y, const char *text)
 {
     set_font(canvas, size, CAIRO_FONT_WEIGHT_BOLD);
-    show(canvas, colour, size, anchor, x, y, text);
+    show_text(canvas, colour, size, anchor, x, y, text);
 }
 
 void bat_canvas_text_up(bat_canvas *canvas, bat_colour colour, double size, double x, double y,

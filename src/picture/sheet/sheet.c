@@ -7,7 +7,7 @@
 
 const bat_colour bat_ink = {0.13, 0.15, 0.18};
 const bat_colour bat_grey = {0.42, 0.45, 0.49};
-const bat_colour bat_pale = {0.86, 0.88, 0.90};
+static const bat_colour pale = {0.86, 0.88, 0.90};
 
 /* ---- numbers ---- */
 
@@ -102,8 +102,8 @@ static void grid_upright(bat_canvas *canvas, const bat_plot *plot, double step)
         const double x = bat_plot_x(plot, k * step);
         char text[BATTEN_NUMBER_SIZE];
         bat_number_text(k * step, bat_decimals_of_step(step), text);
-        bat_canvas_segment(canvas, (bat_pen){bat_pale, k == 0 ? 1.2 : 0.6, BAT_SOLID}, x, f.y,
-                           x, f.y + f.height);
+        bat_canvas_segment(canvas, (bat_pen){pale, k == 0 ? 1.2 : 0.6, BAT_SOLID}, x, f.y, x,
+                           f.y + f.height);
         bat_canvas_label(canvas, bat_grey, 0.85 * em, BAT_MIDDLE, x, f.y + f.height + 0.8 * em,
                          text);
     }
@@ -119,7 +119,7 @@ static void grid_level(bat_canvas *canvas, const bat_plot *plot, double step)
         const double y = bat_plot_y(plot, k * step);
         char text[BATTEN_NUMBER_SIZE];
         bat_number_text(k * step, bat_decimals_of_step(step), text);
-        bat_canvas_segment(canvas, (bat_pen){bat_pale, k == 0 ? 1.2 : 0.6, BAT_SOLID}, f.x, y,
+        bat_canvas_segment(canvas, (bat_pen){pale, k == 0 ? 1.2 : 0.6, BAT_SOLID}, f.x, y,
                            f.x + f.width, y);
         bat_canvas_label(canvas, bat_grey, 0.85 * em, BAT_RIGHT, f.x - 0.4 * em, y, text);
     }

@@ -5,7 +5,7 @@
 #include <batten/text.h>
 
 /* The colours of everything that is not the drawing itself. */
-extern const bat_colour bat_ink, bat_grey, bat_pale;
+extern const bat_colour bat_ink, bat_grey;
 
 /* The smallest of 1, 2, 5, 10 ... times a power of ten that divides `range` into at most
  * `count` parts. */

@@ -124,7 +124,7 @@ TEST(tables_matches_and_comparisons_have_the_numbers_of_their_curves)
          "curve,parameter,length,x,y,z,xx,xy,xz,yx,yy,yz,tx,ty,tz\n1,0,0,0,0,0,0,1,0,0,0,1,1,0,0\n1,0.5,2|\n1,1,4"},
         {"f.csv: {frame-table: [axis, ring], count: 2, kind: fixed}", BATTEN_OK,
          "\n1,1,4|\n2,0,0,2,0,0"},
-        {"f.csv: {frame-table: axis, count: 1}", BATTEN_BAD_ARGUMENT, "1 frames are asked for"},
+        {"f.csv: {frame-table: axis, count: 1}", BATTEN_BAD_ARGUMENT, "1 frame is asked for"},
         {"a.txt: {affine-match: [bow, lifted]}", BATTEN_OK,
          "lifted: an affine image of bow, to |\n  x' = 1 x |+ 1\n  y' = |+ 1 y + 2\n  parameter of bow = 1 v + 0\n"},
         {"a.txt: {affine-match: [bow, big, wave]}", BATTEN_OK,

@@ -37,7 +37,7 @@ static batten_arcs_options options_of(const bat_run *run)
     return options;
 }
 
-static void tell(bat_run *run, const char *name, const batten_arcs_report *report)
+static void remark_arcs(bat_run *run, const char *name, const batten_arcs_report *report)
 {
     bat_remark(
         run,
@@ -60,7 +60,7 @@ static batten_status of_points(bat_run *run, const bat_data *data, bat_made *mad
         return status;
     made->has_error = true;
     made->error_max = made->error_rms = report.error;
-    tell(run, data->name, &report);
+    remark_arcs(run, data->name, &report);
     return BATTEN_OK;
 }
 
@@ -82,8 +82,8 @@ static batten_status flatten(const batten_object *object, batten_frame *frame,
     return BATTEN_OK;
 }
 
-static batten_status put(bat_run *run, const batten_object *from, const batten_frame *frame,
-                         const batten_chain *arcs)
+static batten_status put_arcs(bat_run *run, const batten_object *from,
+                              const batten_frame *frame, const batten_chain *arcs)
 {
     batten_chain *placed = NULL;
     batten_curve *curve = NULL;
@@ -113,9 +113,9 @@ static batten_status of_curve(bat_run *run, const batten_object *object)
     if (status == BATTEN_OK)
         status = batten_arcs_from_curve(flat, &options, &report, &arcs);
     if (status == BATTEN_OK) {
-        tell(run, object->name, &report);
+        remark_arcs(run, object->name, &report);
         bat_report_error(run, report.error, report.error);
-        status = put(run, object, &frame, arcs);
+        status = put_arcs(run, object, &frame, arcs);
     } else if (status != BATTEN_OUT_OF_MEMORY) {
         status = bat_fail(status, "%s: %s", object->name, batten_message());
     }

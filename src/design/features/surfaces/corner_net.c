@@ -51,7 +51,7 @@ static batten_status net_begin(net *n)
 }
 
 /* Vectors as they are given, row by row, in the order of the net. */
-static batten_status take(const bat_run *run, const char *parameter, net *n, int which)
+static batten_status take_vectors(const bat_run *run, const char *parameter, net *n, int which)
 {
     const bat_argument *given = bat_argument_of(run, parameter);
     const int count_u = n->grid.count_u, count_v = n->grid.count_v, count = count_u * count_v;
@@ -73,15 +73,15 @@ static batten_status make_corner_net(bat_run *run, net *n, batten_surface **out)
     if (status == BATTEN_OK)
         status = net_begin(n);
     if (status == BATTEN_OK)
-        status = take(run, "tangents-u", n, 1);
+        status = take_vectors(run, "tangents-u", n, 1);
     if (status == BATTEN_OK)
-        status = take(run, "tangents-v", n, 2);
+        status = take_vectors(run, "tangents-v", n, 2);
     if (status != BATTEN_OK)
         return status;
     const int count_u = n->grid.count_u, count_v = n->grid.count_v, count = count_u * count_v;
     const size_t step = 3 * (size_t)count;
     if (bat_has(run, "twists"))
-        status = take(run, "twists", n, 3);
+        status = take_vectors(run, "twists", n, 3);
     else
         status = batten_net_twists((batten_twists)bat_word(run, "estimate"),
                                    &(batten_net){3, count_u, count_v, n->at, n->at, n->values,

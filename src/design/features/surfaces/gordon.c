@@ -195,7 +195,8 @@ static void tell_changes(bat_run *run, const network *n, const batten_surface_go
                    bat_plural(r->pole_count));
 }
 
-static void tell(bat_run *run, const network *n, const batten_surface_gordon_report *r)
+static void remark_network(bat_run *run, const network *n,
+                           const batten_surface_gordon_report *r)
 {
     char names[2][LABEL];
     bat_remark(run, "%d profile%s and %d guide%s: %d by %d control points", n->profiles.count,
@@ -236,7 +237,7 @@ static batten_status make_gordon(bat_run *run, const network *n)
                               run->job, &report, &surface);
     if (status != BATTEN_OK)
         return status;
-    tell(run, n, &report);
+    remark_network(run, n, &report);
     bat_report_error(run, report.error, report.error);
     return bat_put_surface(run, status, surface);
 }

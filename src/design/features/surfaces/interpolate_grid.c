@@ -1,4 +1,5 @@
 /* The feature 'interpolate-grid': the surface through a grid of points. */
+#include "base/plural.h"
 #include "design/shared/grid.h"
 #include "design/shared/place.h"
 #include "design/shared/through.h"
@@ -89,7 +90,8 @@ static void report_interpolate_grid(bat_run *run,
                  "'skin' will follow other points better",
                  bat_max(report->spread_u, report->spread_v));
     if (report->filled > 0)
-        bat_remark(run, "%d gaps are filled with the points of least energy", report->filled);
+        bat_remark(run, "%d gap%s %s filled with the points of least energy", report->filled,
+                   bat_plural(report->filled), bat_one_or_many(report->filled, "is", "are"));
     bat_report_error(run, report->error, report->error);
 }
 

@@ -45,7 +45,7 @@ static void measure_skin_rows(const bat_rows *rows, all_rows *all)
         all->room += (size_t)rows->rows[i].count;
 }
 
-static void take(const bat_rows *rows, all_rows *all)
+static void take_rows(const bat_rows *rows, all_rows *all)
 {
     for (int i = 0; i < rows->count; i++) {
         const bat_row *row = &rows->rows[i];
@@ -72,7 +72,7 @@ static batten_status gather(const bat_objects *objects, all_rows *all)
     }
     for (int i = 0; rows && i < objects->count; i++) {
         if (status == BATTEN_OK)
-            take(&rows[i], all);
+            take_rows(&rows[i], all);
         bat_rows_release(&rows[i]);
     }
     bat_release(rows);

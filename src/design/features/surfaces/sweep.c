@@ -48,7 +48,7 @@ static batten_status find_places(const bat_run *run, int sections, double **at)
     return *at ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static batten_status set(const bat_run *run, int sections, settings *s)
+static batten_status read_settings(const bat_run *run, int sections, settings *s)
 {
     batten_surface_sweep_options *o = &s->options;
     *o = batten_surface_sweep_defaults();
@@ -88,7 +88,7 @@ static batten_status sweep(bat_run *run, int count, const batten_curve *const *s
     batten_surface_sweep_report report;
     batten_status status = bat_one_curve(run, "spine", &spine);
     if (status == BATTEN_OK)
-        status = set(run, count, &s);
+        status = read_settings(run, count, &s);
     if (status == BATTEN_OK)
         status = batten_surfaces_sweep((batten_curve_row){count, sections}, spine, &s.options,
                                        run->job, &report, &made);

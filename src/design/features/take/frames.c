@@ -1,5 +1,6 @@
 /* The feature 'frames': frames along curves, as crosses or as a ribbon. */
 #include "design/features/take/frames.h"
+#include "base/plural.h"
 
 #include <batten/interpolate.h>
 #include <batten/measure.h>
@@ -30,8 +31,8 @@ batten_status bat_frames_of(const bat_run *run, const batten_object *object, bat
     const batten_curve *curve = object->curve;
     const int count = bat_count(run, "count");
     if (count < 2)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d frames are asked for, at least 2 are needed",
-                        count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d frame%s asked for; at least 2 are needed",
+                        count, bat_one_or_many(count, " is", "s are"));
     const size_t n = (size_t)count;
     const double tolerance = bat_tolerance(run) / 1000;
     double length = 0;
@@ -60,7 +61,7 @@ batten_status bat_frames_of(const bat_run *run, const batten_object *object, bat
 
 /* ---- drawing ---- */
 
-static void go(batten_vec3 from, double step, batten_vec3 along, double *to)
+static void step_along(batten_vec3 from, double step, batten_vec3 along, double *to)
 {
     to[0] = from.x + step * along.x;
     to[1] = from.y + step * along.y;
@@ -85,11 +86,11 @@ static batten_status put_crosses(bat_run *run, const batten_object *like, const 
     for (int k = 0; k < all->count; k++) {
         const batten_frame *f = &all->frames[k];
         double *stop = points + (size_t)k * STOPS * 3;
-        go(f->origin, 0, f->x, stop);
-        go(f->origin, size, f->x, stop + 3);
-        go(f->origin, 0, f->x, stop + 6);
-        go(f->origin, size / 2, second_axis(f), stop + 9);
-        go(f->origin, 0, f->x, stop + 12);
+        step_along(f->origin, 0, f->x, stop);
+        step_along(f->origin, size, f->x, stop + 3);
+        step_along(f->origin, 0, f->x, stop + 6);
+        step_along(f->origin, size / 2, second_axis(f), stop + 9);
+        step_along(f->origin, 0, f->x, stop + 12);
     }
     const batten_status status =
         batten_curve_polyline((batten_points){3, all->count * STOPS, points}, &crosses);
@@ -106,7 +107,7 @@ static batten_status make_rail(const bat_frames *all, double side, batten_curve 
     if (!points)
         return BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < all->count; k++)
-        go(all->frames[k].origin, side, all->frames[k].x, points + 3 * k);
+        step_along(all->frames[k].origin, side, all->frames[k].x, points + 3 * k);
     const batten_status status =
         batten_curve_interpolate((batten_points){3, all->count, points}, &options, NULL, out);
     bat_release(points);

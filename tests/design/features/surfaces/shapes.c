@@ -110,7 +110,7 @@ TEST(surfaces_of_grids_keep_planes_and_close_where_they_are_asked_to)
         {"{interpolate-grid: net, degree-u: 2, degree-v: 2, weights: [1, 2]}",
          BATTEN_BAD_ARGUMENT, "'weights' has 2 numbers for 9 points"},
         {"{interpolate-grid: big, gaps: [5]}", BATTEN_OK,
-         "within 1e-7;on -1 -1 1 0;notes 1 gaps are filled"},
+         "within 1e-7;on -1 -1 1 0;notes 1 gap is filled"},
         {"{interpolate-grid: big, gaps: [16]}", BATTEN_BAD_ARGUMENT,
          "gap 16: the points are counted 0 to 15"},
         {"{interpolate-grid: big, knots: data, ends: natural}", BATTEN_OK,

@@ -128,7 +128,7 @@ TEST(frames_stand_across_their_curve)
          "within 1e-6;control 1 1 0 0;control 0 2 0 0;control 3 2 0 0.5"},
         {"{frames: one, kind: frenet}", BATTEN_SINGULAR_HERE, "one: "},
         {"{frames: one, count: 1}", BATTEN_BAD_ARGUMENT,
-         "1 frames are asked for, at least 2 are needed"},
+         "1 frame is asked for; at least 2 are needed"},
         {"{frames: one, size: 0}", BATTEN_BAD_ARGUMENT, "the size of frames is 0, not above 0"},
         {"{frames: one, size: -1}", BATTEN_BAD_ARGUMENT,
          "the size of frames is -1, not above 0"},
