@@ -70,4 +70,5 @@ TEST(the_box_of_a_parabola_is_too_large_by_the_margin_of_one_sample_alone)
     const batten_box box = box_with_breaks(2, two, 2, two);
     CHECK_NEAR(box.high.z, 0.49 + 2.0 / 32 / 32 / 8, 1e-13);
     CHECK(box.low.z <= 0 && box.low.z >= -2.0 / 32 / 32 / 8);
+    CHECK(box.high.y >= 0 && box.high.y < 2.0 / 32 / 8);
 }

@@ -197,6 +197,14 @@ TEST(roundoff_is_that_of_the_span_on_the_side_that_is_asked)
     CHECK_NEAR(at.largest, 100, 0);
     CHECK_INT(at.degree[0], BAT_FORMULA_LIKE_DEGREE);
     CHECK_INT(at.degree[1], BAT_FORMULA_LIKE_DEGREE);
+    /* Coordinates up to 100 become up to 300 by a map that makes nothing longer than by
+     * sqrt(14), and are moved by 50. */
+    const batten_affine map = {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, {0, -50, 0}};
+    batten_surface *moved = NULL;
+    CHECK_OK(batten_surface_transform(surface, &map, &moved));
+    bat_formula_local(moved, 1, 2, BATTEN_FROM_LEFT, BATTEN_FROM_LEFT, &at);
+    CHECK_NEAR(at.largest, 100 * sqrt(14) + 50, 1e-10);
+    batten_surface_unref(moved);
     CHECK_INT(bat_formula_smoothness(surface, BATTEN_U), 1);
     CHECK_INT(bat_formula_smoothness(surface, BATTEN_V), 2);
     batten_surface_unref(surface);

@@ -45,6 +45,11 @@ static double waves(double u, double v)
     return sin(9 * u) * cos(5 * v);
 }
 
+static double ripples(double u, double v)
+{
+    return sin(70 * u) * cos(70 * v);
+}
+
 static double jump(double u, double v)
 {
     return (u + v > 0.7123) + v;
@@ -160,6 +165,18 @@ TEST(a_surface_that_jumps_is_given_up_early)
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("graph surface");
     CHECK(!made);
+    batten_surface_unref(surface);
+}
+
+TEST(short_waves_are_not_given_up_before_they_are_found)
+{
+    height f =
+        ripples; /* eleven periods: the errors of the first few hundred points do not fall */
+    batten_surface *surface = graph_of(&f, false, 2), *made = NULL;
+    CHECK_OK(bat_surface_approximate(surface, 1e-3, 1000000, &made, NULL));
+    CHECK(farthest(surface, made) <= 1e-3);
+    CHECK(batten_surface_point_count(made, BATTEN_U) < 150);
+    batten_surface_unref(made);
     batten_surface_unref(surface);
 }
 

@@ -107,6 +107,44 @@ TEST(G4_corners_and_cusps_stay_where_they_are)
     batten_curve_unref(cusp);
 }
 
+/* How often the knot at arc length s stands there, to 1e-9. */
+static int multiplicity(const batten_curve *curve, double s)
+{
+    const int count = batten_curve_point_count(curve) + batten_curve_degree(curve) + 1;
+    int times = 0;
+    for (int i = 0; i < count; i++)
+        times += fabs(batten_curve_knots(curve)[i] - s) < 1e-9;
+    return times;
+}
+
+TEST(quintics_join_with_curvature_but_where_the_curve_has_none_in_common)
+{
+    /* Two half circles of one radius, of two, and with a corner: knots of degree 5 that stand
+     * three times leave two derivatives, and five times the point alone. */
+    for (int c = 0; c < 3; c++) {
+        const double r = c == 1 ? 2 : 1, x = c == 2 ? 1 : 0;
+        const double points[] = {0, 0,  1, 0,  1,     1,  1,         2, 0,
+                                 2, -r, 2, -r, 2 - r, -r, 2 - 2 * r, 0, 2 - 2 * r};
+        double moved[18];
+        memcpy(moved, points, sizeof points);
+        moved[10] += 2 * r * x; /* a corner: back to the other side */
+        moved[12] += 2 * r * x;
+        moved[14] += 2 * r * x;
+        const double w = sqrt(0.5), weights[] = {1, w, 1, w, 1, w, 1, w, 1};
+        const double breaks[] = {0, 1, 2, 3, 4};
+        batten_curve *curve = NULL, *even = NULL;
+        CHECK_OK(
+            batten_curve_from_bezier(2, (batten_pieces){2, 4, breaks}, moved, weights, &curve));
+        CHECK_OK(batten_curve_even_speed(curve, 1e-6, NULL, &even));
+        CHECK_INT(multiplicity(even, PI / 2), 3);
+        CHECK_INT(multiplicity(even, PI), c == 0 ? 3 : 5);
+        CHECK_INT(multiplicity(even, PI + r * PI / 2), 3);
+        CHECK_INT(multiplicity(even, 0), 6);
+        batten_curve_unref(even);
+        batten_curve_unref(curve);
+    }
+}
+
 TEST(curves_whose_end_stands_still_are_followed_to_it)
 {
     /* x = 2 s on a line of speed 3 t^2, and a cubic whose first two points are one: its arc length
