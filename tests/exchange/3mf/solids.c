@@ -1,0 +1,124 @@
+/* What is a solid and what a surface, and how objects share their numbers. */
+#include "exchange/meshes/meshes.h"
+
+#include "exchange/3mf/3mf.h"
+
+/* The text of the model, which is stored as it is. */
+static const char *xml_of(const batten_model *model, batten_notes *notes)
+{
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(write_form(model, BATTEN_FORMAT_3MF, false, notes, &data, &size));
+    char *copy = test_array(size + 1, 1);
+    for (size_t i = 0; i < size; i++)
+        copy[i] = data[i] ? data[i] : ' ';
+    batten_release(data);
+    const char *xml = strstr(copy, "<model unit");
+    CHECK(xml != NULL);
+    return xml;
+}
+
+static int count_of(const char *text, const char *part)
+{
+    int count = 0;
+    for (; (text = strstr(text, part)); text += strlen(part))
+        count++;
+    return count;
+}
+
+TEST(a_mesh_inside_out_or_open_is_a_surface)
+{
+    static const int turned[] = {0, 1, 2, 0, 3, 1, 1, 3, 2, 0, 2, 3};
+    batten_model *model = NULL;
+    batten_mesh_parts parts = tetrahedron();
+    CHECK_OK(batten_model_create(0.001, &model));
+    add_mesh(model, "solid", &parts);
+    parts.corners = turned;
+    add_mesh(model, "turned", &parts);
+    parts.corners = tetrahedron_corners;
+    parts.triangle_count = 3;
+    add_mesh(model, "open", &parts);
+    const char *xml = xml_of(model, NULL);
+    CHECK_CONTAINS(xml, "type=\"model\" name=\"solid\"");
+    CHECK_CONTAINS(xml, "type=\"surface\" name=\"turned\"");
+    CHECK_CONTAINS(xml, "type=\"surface\" name=\"open\"");
+    batten_model_unref(model);
+}
+
+TEST(each_vertex_has_its_three_coordinates_in_the_unit_of_the_file)
+{
+    static const struct {
+        double metres;
+        const char *unit;
+        double scale;
+    } cases[] = {{1e-6, "micron", 1},      {0.001, "millimeter", 1}, {0.01, "centimeter", 1},
+                 {0.0254, "inch", 1},      {0.3048, "foot", 1},      {1, "meter", 1},
+                 {0.5, "millimeter", 500}, {0, "millimeter", 1}};
+    static const double points[] = {1, 2, 3, 5, 7, 11, 13, 17, 19};
+    const batten_mesh_parts parts = {.vertex_count = 3,
+                                     .points = points,
+                                     .triangle_count = 1,
+                                     .corners = (const int[]){0, 1, 2}};
+    for (int i = 0; i < COUNT(cases); i++) {
+        batten_model *model = NULL;
+        char words[400];
+        const double s = cases[i].scale;
+        CHECK_OK(batten_model_create(cases[i].metres, &model));
+        add_mesh(model, "m", &parts);
+        const char *xml = xml_of(model, NULL);
+        snprintf(words, sizeof words, "<model unit=\"%s\"", cases[i].unit);
+        CHECK_CONTAINS(xml, words);
+        snprintf(words, sizeof words,
+                 "<vertices>\n<vertex x=\"%g\" y=\"%g\" z=\"%g\"/>\n<vertex x=\"%g\" y=\"%g\" "
+                 "z=\"%g\"/>\n<vertex x=\"%g\" y=\"%g\" z=\"%g\"/>\n</vertices>\n<triangles>\n"
+                 "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>\n</triangles>\n",
+                 s, 2 * s, 3 * s, 5 * s, 7 * s, 11 * s, 13 * s, 17 * s, 19 * s);
+        CHECK_CONTAINS(xml, words);
+        batten_model_unref(model);
+    }
+}
+
+TEST(a_definition_of_open_meshes_is_a_surface_at_every_depth)
+{
+    for (int open = 0; open < 2; open++) {
+        batten_model *inner = NULL, *middle = NULL, *model = NULL;
+        batten_mesh_parts parts = tetrahedron();
+        CHECK_OK(batten_model_create(1, &inner));
+        CHECK_OK(batten_model_create(1, &middle));
+        CHECK_OK(batten_model_create(1, &model));
+        add_mesh(inner, "first", &parts);
+        parts.triangle_count = 4 - open;
+        add_mesh(inner, "last", &parts);
+        CHECK_OK(batten_model_add(middle, &(batten_object){.name = "i",
+                                                           .kind = BATTEN_OBJECT_INSTANCE,
+                                                           .definition = inner,
+                                                           .place = batten_affine_identity()}));
+        for (int k = 0; k < 2; k++)
+            CHECK_OK(batten_model_add(
+                model, &(batten_object){.name = "j",
+                                        .kind = BATTEN_OBJECT_INSTANCE,
+                                        .definition = middle,
+                                        .place = batten_affine_translation(k, 2, 3)}));
+        const char *xml = xml_of(model, NULL);
+        CHECK_INT(count_of(xml, "<mesh>"), 2); /* however often they are placed */
+        CHECK_INT(count_of(xml, "<components>"), 2);
+        CHECK_INT(count_of(xml, "<component "), 3);
+        CHECK_INT(count_of(xml, "<item "), 2);
+        CHECK_INT(count_of(xml, "type=\"surface\""), open ? 3 : 0);
+        CHECK_CONTAINS(xml, "transform=\"1 0 0 0 1 0 0 0 1 1 2 3\"");
+        batten_model_unref(inner);
+        batten_model_unref(middle);
+        batten_model_unref(model);
+    }
+}
+
+TEST(an_archive_of_more_than_4_GiB_is_refused_before_it_is_written)
+{
+    batten_text text = BATTEN_TEXT;
+    const bat_zip_member members[2] = {{"a", "x", (size_t)1 << 31},
+                                       {"b", "x", (size_t)1 << 31}};
+    CHECK_STATUS(bat_zip(2, members, &text), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("a zip archive of 4294969344 bytes; it can have 4 GiB");
+    CHECK_INT((long long)text.length, 0);
+    batten_text_free(&text);
+}
