@@ -78,3 +78,26 @@ TEST(small_angles_keep_their_relative_precision)
         CHECK_NEAR(x[j] * (j + 1), 1, 4 * DBL_EPSILON);
     }
 }
+
+TEST(phases_of_each_power_about_the_middle_are_resolved)
+{
+    /* a3 s^3 + a4 s^4 with s = t - 1/2, of any proportion, from one node rule to the next. */
+    const double shares[][2] = {{1, 0}, {0, 1}, {4, 1}, {-4, 1}, {1, -4}, {2, 1}};
+    for (int i = 0; i < COUNT(shares); i++)
+        for (double size = 8; size < 6000; size *= 3) {
+            const double a3 = shares[i][0] * size / 4, a4 = shares[i][1] * size / 4;
+            const double c[5] = {-a3 / 8 + a4 / 16, 0.75 * a3 - a4 / 2, -1.5 * a3 + 1.5 * a4,
+                                 a3 - 2 * a4, a4};
+            check_moments(c, 1e-12);
+        }
+}
+
+TEST(phases_of_each_power_alone_are_resolved)
+{
+    for (int k = 1; k <= 4; k++)
+        for (double size = 8; size < 600; size *= 2.5) {
+            double c[5] = {0.3};
+            c[k] = k % 2 ? size : -size;
+            check_moments(c, 1e-12);
+        }
+}

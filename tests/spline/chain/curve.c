@@ -291,3 +291,24 @@ TEST(the_error_of_a_conversion_bounds_the_true_one_and_is_of_its_size)
             batten_chain_unref(chain);
         }
 }
+
+TEST(the_error_of_a_beam_near_a_right_angle_is_bounded)
+{
+    /* Sines of 0.6 to 0.9 against the chord, whose rate changes on the span. */
+    test_random random = test_random_begin(__func__);
+    for (int round = 0; round < 60; round++) {
+        const double sine = test_random_in(&random, 0.6, 0.85) * (round % 2 ? 1 : -1);
+        batten_span span = {.kind = BATTEN_SPAN_GEOMETRIC, .length = 1, .chord = -asin(sine)};
+        span.curvature[0] = test_random_in(&random, -0.05, 0.05);
+        span.curvature[1] = (sine > 0 ? -1 : 1) * test_random_in(&random, 0.2, 1.2);
+        batten_chain *chain = NULL;
+        batten_curve *curve = NULL;
+        double error = 0;
+        CHECK_OK(
+            batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0, &chain));
+        CHECK_OK(batten_chain_to_curve(chain, 1e-9, &error, &curve));
+        CHECK(distance(chain, curve, 2000) <= error && error <= 1e-9);
+        batten_curve_unref(curve);
+        batten_chain_unref(chain);
+    }
+}

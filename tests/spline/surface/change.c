@@ -189,3 +189,30 @@ TEST(N2_a_change_that_overflows_is_a_status)
     CHECK(made == NULL);
     batten_surface_unref(surface);
 }
+
+TEST(a_surface_is_cut_inside_its_domain_alone)
+{
+    const double knots[] = {0, 0, 1, 1}, points[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 2};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *patch = NULL, *low = NULL, *high = NULL;
+    CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &patch));
+    for (int k = 0; k < 2; k++) {
+        const batten_direction direction = k ? BATTEN_V : BATTEN_U;
+        const double outside[4] = {0, 1, -0.5, 1.5};
+        for (int i = 0; i < 4; i++) {
+            CHECK_STATUS(batten_surface_split(patch, direction, outside[i], &low, &high),
+                         BATTEN_OUT_OF_DOMAIN);
+            CHECK_MESSAGE("a surface with the domain [0, 1] cannot be cut at");
+        }
+        CHECK_STATUS(batten_surface_split(patch, direction, NAN, &low, &high),
+                     BATTEN_NOT_FINITE);
+        CHECK(!low && !high);
+        CHECK_OK(batten_surface_split(patch, direction, 0.25, &low, &high));
+        CHECK_NEAR(batten_surface_domain(low, direction).b, 0.25, 0);
+        CHECK_NEAR(batten_surface_domain(high, direction).a, 0.25, 0);
+        batten_surface_unref(low);
+        batten_surface_unref(high);
+        low = high = NULL;
+    }
+    batten_surface_unref(patch);
+}
