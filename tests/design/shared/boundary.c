@@ -1,0 +1,36 @@
+#include "design/expect.h"
+
+/* Patches between boundary curves, in any direction and in any number on a side. */
+
+static const char curves[] = "  s: {line: [[0, 0], [4, 0]]}\n"
+                             "  e: {line: [[4, 0], [4, 3]]}\n"
+                             "  n: {line: [[4, 3], [0, 3]]}\n"
+                             "  w: {line: [[0, 3], [0, 0]]}\n"
+                             "  back: {line: [[0, 3], [4, 3]]}\n"
+                             "  e1: {line: [[4, 0], [4, 1]]}\n"
+                             "  e2: {line: [[4, 1], [4, 3]]}\n"
+                             "  gap: {line: [[0, 3], [0, 0.5]]}\n"
+                             "  beside: {bilinear: [[0, 0], [4, 0], [4, -2], [0, -2]]}\n"
+                             "  far: {bilinear: [[0, 10], [4, 10], [4, 12], [0, 12]]}\n";
+
+TEST(sides_of_a_patch_may_run_either_way_and_have_parts)
+{
+    static const expect_row rows[] = {
+        {"{coons: [s, e, n, w]}", BATTEN_OK, "area 12;on 0 0 1 0;box 0 0 0 4 3 0"},
+        {"{coons: [s, e, back, w]}", BATTEN_OK,
+         "area 12;notes 'back' runs against the first curve and is reversed"},
+        {"{coons: [s, e1, e2, n, w], sides: [1, 2, 1, 1]}", BATTEN_OK, "area 12;on 0 0 1 0"},
+        {"{coons: [s, e, n, w], sides: [1, 1, 1, 1]}", BATTEN_OK, "area 12"},
+        {"{coons: [s, e1, e2, n, w]}", BATTEN_BAD_ARGUMENT, "the number on each side is given"},
+        {"{coons: [s, e, n, w], sides: [1, 1, 2]}", BATTEN_BAD_ARGUMENT,
+         "'sides' has 3 counts, not 4"},
+        {"{coons: [s, e, n, gap]}", BATTEN_NOT_COMPATIBLE, "is open by 0.5"},
+        {"{coons: [s, e, n, w], kind: second, along: beside}", BATTEN_OK,
+         "area 12;on 0 0 1 0;notes side 1 lies along 'beside'"},
+        {"{coons: [s, e, n, w], kind: second, along: far}", BATTEN_NOT_FOUND,
+         "'far' has no edge along a side of the patch within"},
+        {"{coons: [s, e, n, w], kind: first, along: beside}", BATTEN_BAD_ARGUMENT,
+         "a patch of the first kind takes no slopes from 'along'"},
+    };
+    EXPECT(curves, rows);
+}

@@ -1,0 +1,41 @@
+#include "design/expect.h"
+
+/* Sweeps along a straight spine: what the laws for scale and twist do to a circle and a line. */
+
+static const char shapes[] = "  ring: {circle: 1}\n"
+                             "  bar: {line: [[0, 0], [1, 0]]}\n"
+                             "  raised: {line: [[0, 0, 0], [1, 0, 0.5]]}\n"
+                             "  spine: {line: [[0, 0, 0], [0, 0, 6]]}\n"
+                             "  round: {circle: 3}\n"
+                             "  bend: {polyline: [[0, 0, 0], [4, 0, 0], [4, 3, 0]]}\n"
+                             "  thin: {circle: 0.1}\n"
+                             "  tight: {circle: 0.5}\n";
+
+TEST(laws_hold_at_the_ends_and_between)
+{
+    static const expect_row rows[] = {
+        {"{sweep: ring, spine: spine}", BATTEN_OK,
+         "objects 1;named a;within 1e-3;along 1 0 0 0 0 0 1;area 37.69911184307752;notes sections"},
+        {"{sweep: ring, spine: spine, scale: 2}", BATTEN_OK, "within 1e-3;along 2 0 0 0 0 0 1"},
+        {"{sweep: ring, spine: spine, scale: [2, 2, 2]}", BATTEN_OK,
+         "within 1e-3;along 2 0 0 0 0 0 1"},
+        /* A cone from radius 1 to 3 over a height of 6: pi (1 + 3) times the root of 40. */
+        {"{sweep: ring, spine: spine, scale: [1, 3]}", BATTEN_OK,
+         "within 1e-2;area 79.4767179"},
+        {"{sweep: bar, spine: spine, twist: [0, 90 deg]}", BATTEN_OK, "error 0.001"},
+        {"{sweep: raised, spine: spine}", BATTEN_OK,
+         "notes the section is a space curve in the moving frame: its z, from 0 to 0.5, is taken along the spine"},
+        {"{sweep: thin, spine: round, frames: closing}", BATTEN_OK,
+         "within 1e-3;area 11.8435252813"},
+        {"{sweep: thin, spine: bend, corners: split}", BATTEN_OK,
+         "objects 2;named a 1;object 1;named a 2"},
+        {"{sweep: thin, spine: bend, corners: mitre}", BATTEN_OK, "error 0.001"},
+        {"{sweep: thin, spine: bend}", BATTEN_NOT_COMPATIBLE,
+         "the spine has a corner of 90 degrees at 4: ask for a mitre, or split it there"},
+        {"{sweep: ring, spine: tight}", BATTEN_NOT_COMPATIBLE,
+         "the sections run into each other"},
+        {"{sweep: ring, spine: tight, folds: yes}", BATTEN_OK,
+         "notes the sections run into each other around"},
+    };
+    EXPECT(shapes, rows);
+}
