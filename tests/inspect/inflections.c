@@ -1,5 +1,7 @@
 #include "inspect/shapes.h"
 
+#include <batten/nearest.h>
+
 static void check_parameters(const batten_parameters *found, int count, const double *expected,
                              double tolerance)
 {
@@ -278,4 +280,32 @@ TEST(logarithmic_and_euler_spirals_have_no_vertices)
         batten_release(found.at);
         batten_curve_unref(curve);
     }
+}
+
+TEST(turns_are_where_a_curve_is_farthest_along_a_direction_that_is_one)
+{
+    static const batten_vec3 bad[] = {{0, 0, 0}, {NAN, 1, 0}, {1, INFINITY, 0}, {0, 0, 1}};
+    batten_curve *ellipse = NULL;
+    batten_parameters at = {0, NULL};
+    CHECK_OK(shape_ellipse(3, 2, 0, 0, &ellipse));
+    for (int i = 0; i < COUNT(bad); i++) {
+        CHECK_STATUS(batten_curve_turns(ellipse, bad[i], &at), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("the direction is (");
+        CHECK(at.at == NULL);
+    }
+    for (int scale = -1; scale <= 1; scale += 2) {
+        /* (3 cos t, 2 sin t) is farthest along (c, s) where tan t = 2 s / (3 c). */
+        const double c = scale * 1e-3 * cos(0.7), s = scale * 1e-3 * sin(0.7);
+        CHECK_OK(batten_curve_turns(ellipse, (batten_vec3){c, s, 0}, &at));
+        CHECK_INT(at.count, 2);
+        for (int i = 0; i < at.count; i++) {
+            double p[4];
+            CHECK_OK(batten_curve_evaluate(ellipse, at.at[i], 1, p));
+            CHECK_NEAR(p[2] * c + p[3] * s, 0, 1e-13);
+            CHECK_NEAR(fabs(p[0] * c + p[1] * s), hypot(3 * c, 2 * s), 1e-15);
+        }
+        batten_release(at.at);
+        at = (batten_parameters){0, NULL};
+    }
+    batten_curve_unref(ellipse);
 }

@@ -124,6 +124,25 @@ TEST(parameters_are_those_of_the_feet)
     }
 }
 
+/* On the axis both sides are alike: up to the centre of curvature at the vertex, b^2 / a or 2 a from it, the vertex
+ * is the foot, beyond it one of two. */
+TEST(points_on_the_axis_of_a_conic_have_the_nearest_foot)
+{
+    for (int kind = BAT_ELLIPSE; kind <= BAT_HYPERBOLA; kind++)
+        for (int i = -20; i <= 40; i++) {
+            const bat_conic conic = {
+                (bat_conic_kind)kind, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, 2, 1};
+            const double point[3] = {0.25 * i, 0, 0};
+            double foot[3], other[3], least = HUGE_VAL;
+            bat_conic_point(&conic, bat_conic_parameter(&conic, point), foot);
+            for (int k = -400; k <= 400; k++) {
+                bat_conic_point(&conic, 0.008 * k, other);
+                least = fmin(least, bat_distance(3, point, other));
+            }
+            CHECK(bat_distance(3, point, foot) <= least + 1e-12);
+        }
+}
+
 TEST(N2_parameters_are_found_at_any_size)
 {
     static const double sizes[] = {1e-80, 1, 1e80};

@@ -265,3 +265,54 @@ TEST(a_box_of_a_surface_needs_a_tolerance)
     CHECK_NEAR(box.high.z, 1, 1e-15);
     batten_surface_unref(ball);
 }
+
+/* A polyline through the corners of a box that is turned anyhow: no smaller box holds them, and along the axes it is found. */
+TEST(the_box_of_the_corners_of_a_box_is_no_smaller_and_no_larger_than_the_upright_one)
+{
+    static const double sides[][3] = {
+        {1, 2, 3}, {3, 2, 1}, {2, 3, 1}, {5, 0.1, 4}, {0.2, 0.3, 7}};
+    const double knots[] = {0, 0, 1, 2, 3, 4, 5, 6, 7, 7};
+    test_random random = test_random_begin("boxes");
+    for (int i = 0; i < test_cases(25); i++) {
+        const double *half = sides[i % COUNT(sides)];
+        const batten_affine turn = batten_affine_rotation(
+            (batten_vec3){1, 2, 3},
+            (batten_vec3){i % 3 == 0 ? 1 : test_random_in(&random, -1, 1),
+                          i % 3 == 0 ? 0 : test_random_in(&random, -1, 1),
+                          i % 3 == 0 ? 0 : test_random_in(&random, -1, 1)},
+            i < 3 ? 0 : test_random_in(&random, -3, 3));
+        double points[8][3], sorted[3] = {half[0], half[1], half[2]};
+        for (int k = 0; k < 8; k++) {
+            const batten_vec3 p =
+                batten_affine_apply(turn, (batten_vec3){5 + (k & 1 ? half[0] : -half[0]),
+                                                        6 + (k & 2 ? half[1] : -half[1]),
+                                                        7 + (k & 4 ? half[2] : -half[2])});
+            points[k][0] = p.x;
+            points[k][1] = p.y;
+            points[k][2] = p.z;
+        }
+        for (int a = 0; a < 2; a++)
+            for (int b = 0; b < 2; b++)
+                if (sorted[b] < sorted[b + 1]) {
+                    const double other = sorted[b];
+                    sorted[b] = sorted[b + 1];
+                    sorted[b + 1] = other;
+                }
+        batten_curve *curve = NULL;
+        batten_oriented_box box;
+        CHECK_OK(batten_curve_create((batten_points){3, 8, points[0]}, 1, NULL, knots, &curve));
+        CHECK_OK(batten_curve_oriented_box(curve, 1e-9, &box));
+        check_box(curve, &box, 1e-9);
+        CHECK(box.half[0] >= box.half[1] && box.half[1] >= box.half[2]);
+        const double volume = box.half[0] * box.half[1] * box.half[2];
+        const double least = half[0] * half[1] * half[2];
+        const batten_box upright = batten_curve_box(curve);
+        CHECK(volume >= (1 - 1e-9) * least);
+        CHECK(8 * volume <= (1 + 1e-9) * (upright.high.x - upright.low.x) *
+                                (upright.high.y - upright.low.y) *
+                                (upright.high.z - upright.low.z));
+        for (int k = 0; i < 3 && k < 3; k++)
+            CHECK_NEAR(box.half[k], sorted[k], 1e-9);
+        batten_curve_unref(curve);
+    }
+}

@@ -161,3 +161,35 @@ TEST(corners_and_jumps_of_curvature_divide_spirals)
     batten_release(at.at);
     batten_curve_unref(curve);
 }
+
+TEST(functions_and_curves_in_space_have_the_pieces_that_mean_something)
+{
+    const double values[] = {0, 1, 0, 2}, knots[] = {0, 0, 1, 2, 3, 3};
+    const double corners[] = {0, 0, 0, 1, 1, 1, 2, 0, 0};
+    batten_curve *function = NULL, *space = NULL;
+    batten_parameters at = {0, NULL};
+    CHECK_OK(batten_curve_create((batten_points){1, 4, values}, 1, NULL, knots, &function));
+    CHECK_STATUS(batten_curve_divide_pieces(function, BATTEN_PIECES_SPIRAL, NULL, &at),
+                 BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("make its graph");
+    CHECK_STATUS(batten_curve_divide_pieces(function, BATTEN_PIECES_CONVEX, NULL, &at),
+                 BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("make its graph");
+    for (int k = 0; k < 2; k++) { /* it rises, falls and rises in three spans */
+        CHECK_OK(batten_curve_divide_pieces(
+            function, k ? BATTEN_PIECES_MONOTONE : BATTEN_PIECES_SPANS, NULL, &at));
+        CHECK_INT(at.count, 4);
+        for (int i = 0; i < at.count; i++)
+            CHECK_NEAR(at.at[i], i, 1e-12);
+        batten_release(at.at);
+        at = (batten_parameters){0, NULL};
+    }
+    CHECK_OK(batten_curve_create((batten_points){3, 3, corners}, 1, NULL,
+                                 (double[]){0, 0, 1, 2, 2}, &space));
+    CHECK_STATUS(batten_curve_divide_pieces(space, BATTEN_PIECES_CONVEX, NULL, &at),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("this one has 3 dimensions");
+    CHECK(at.at == NULL);
+    batten_curve_unref(space);
+    batten_curve_unref(function);
+}

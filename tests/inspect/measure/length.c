@@ -165,6 +165,18 @@ TEST(lengths_outside_the_curve_or_out_of_order_are_refused)
     CHECK_STATUS(batten_curve_length_between(circle, 0.7, 2, 1e-9, NULL, &length),
                  BATTEN_OUT_OF_DOMAIN);
     CHECK_NEAR(u[0], 9, 0);
+    const double before[2] = {-1, 0.5}, far[2] = {0.5, 6.4};
+    CHECK_STATUS(batten_curve_at_length(circle, 2, before, 1e-9, u), BATTEN_OUT_OF_DOMAIN);
+    CHECK_MESSAGE("length 0 is -1");
+    CHECK_STATUS(batten_curve_at_length(circle, 2, far, 1e-9, u), BATTEN_OUT_OF_DOMAIN);
+    CHECK_MESSAGE("length 1 is 6.4");
+    CHECK_NEAR(u[0], 9, 0);
+    /* Within the tolerance an end is meant. */
+    const double nearly[2] = {-0.9e-3, 2 * acos(-1) + 0.9e-3}, off[1] = {-1.1e-3};
+    CHECK_OK(batten_curve_at_length(circle, 2, nearly, 1e-3, u));
+    CHECK_BITS(u[0], batten_curve_domain(circle).a);
+    CHECK_BITS(u[1], batten_curve_domain(circle).b);
+    CHECK_STATUS(batten_curve_at_length(circle, 1, off, 1e-3, u), BATTEN_OUT_OF_DOMAIN);
     batten_curve_unref(circle);
 }
 
