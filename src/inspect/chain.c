@@ -112,18 +112,20 @@ typedef struct {
     double a, b;
     bat_span_sums sums;
     int depth;
-} part;
+} chain_part;
 
 /* Halve until both halves give what the whole gave, of all in `total`. */
-static void halve(int d, const batten_span *span, const bat_ruler *r, part first,
+static void halve(int d, const batten_span *span, const bat_ruler *r, chain_part first,
                   bat_span_sums all, bat_span_sums *total)
 {
-    part stack[DEPTH + 2] = {first};
+    chain_part stack[DEPTH + 2] = {first};
     for (int waiting = 1; waiting > 0;) {
-        const part whole = stack[--waiting];
+        const chain_part whole = stack[--waiting];
         const double middle = whole.a + (whole.b - whole.a) / 2;
-        const part low = {whole.a, middle, rule(d, span, r, whole.a, middle), whole.depth + 1};
-        const part high = {middle, whole.b, rule(d, span, r, middle, whole.b), whole.depth + 1};
+        const chain_part low = {whole.a, middle, rule(d, span, r, whole.a, middle),
+                                whole.depth + 1};
+        const chain_part high = {middle, whole.b, rule(d, span, r, middle, whole.b),
+                                 whole.depth + 1};
         const bat_span_sums both = add_sums(low.sums, high.sums);
         if (whole.depth == DEPTH || agree(whole.sums, both, all)) {
             *total = add_sums(*total, both);
@@ -152,11 +154,11 @@ static int cut_span(const batten_span *span, double at[4])
 void bat_span_integrate(int d, const batten_span *span, const bat_ruler *r, bat_span_sums *out)
 {
     double at[4];
-    part parts[3];
+    chain_part parts[3];
     bat_span_sums all = {0}, total = {0};
     const int count = cut_span(span, at);
     for (int i = 0; i < count; i++) {
-        parts[i] = (part){at[i], at[i + 1], rule(d, span, r, at[i], at[i + 1]), 0};
+        parts[i] = (chain_part){at[i], at[i + 1], rule(d, span, r, at[i], at[i + 1]), 0};
         all = add_sums(all, parts[i].sums);
     }
     *out = all;

@@ -15,9 +15,9 @@ enum { STEPS_PER_SPAN = 64, MOST_STEPS = 1 << 14 };
 
 typedef struct {
     batten_vec3 point, tangent, second;
-} place;
+} spine_place;
 
-static batten_status place_at(const batten_curve *spine, double u, place *out)
+static batten_status place_at(const batten_curve *spine, double u, spine_place *out)
 {
     const int d = batten_curve_dimension(spine);
     double values[9];
@@ -28,8 +28,8 @@ static batten_status place_at(const batten_curve *spine, double u, place *out)
     const double speed = bat_vec3_norm(first);
     if (!(speed > 0))
         return bat_fail(BATTEN_SINGULAR_HERE, "the spine has no tangent at %.17g", u);
-    *out = (place){bat_vec3_of(d, values), bat_vec3_scale(first, 1 / speed),
-                   bat_vec3_scale(bat_vec3_of(d, values + 2 * d), 1 / speed)};
+    *out = (spine_place){bat_vec3_of(d, values), bat_vec3_scale(first, 1 / speed),
+                         bat_vec3_scale(bat_vec3_of(d, values + 2 * d), 1 / speed)};
     return BATTEN_OK;
 }
 
@@ -71,19 +71,19 @@ batten_vec3 bat_frame_carry(batten_vec3 from, batten_vec3 from_tangent, batten_v
     return across(carried, to_tangent); /* rounding does not add up */
 }
 
-static batten_vec3 carry(const place *from, const place *to, batten_vec3 x)
+static batten_vec3 carry(const spine_place *from, const spine_place *to, batten_vec3 x)
 {
     return bat_frame_carry(from->point, from->tangent, to->point, to->tangent, x);
 }
 
 /* Walk from *at to `to` in equal steps, so many in each part of a span; `x` turns with it. */
 static batten_status walk(const batten_curve *spine, const double *knots, int knot_count,
-                          int steps, double from, double to, place *here, batten_vec3 *x)
+                          int steps, double from, double to, spine_place *here, batten_vec3 *x)
 {
     for (int span = 0; span + 1 < knot_count; span++) {
         const double a = bat_max(from, knots[span]), b = bat_min(to, knots[span + 1]);
         for (int i = 1; i <= steps && a < b; i++) {
-            place next;
+            spine_place next;
             const double s = (double)i / steps;
             const batten_status status = place_at(spine, (1 - s) * a + s * b, &next);
             if (status != BATTEN_OK)
@@ -104,7 +104,7 @@ static batten_status minimising(const batten_curve *spine, int steps, int count,
         return BATTEN_OUT_OF_MEMORY;
     batten_curve_spans(spine, knots);
     double u = knots[0];
-    place here;
+    spine_place here;
     batten_status status = place_at(spine, u, &here);
     batten_vec3 x = {0, 0, 0};
     if (status == BATTEN_OK)
@@ -120,7 +120,7 @@ static batten_status minimising(const batten_curve *spine, int steps, int count,
 
 static batten_status frenet(const batten_curve *spine, double u, batten_frame *frame)
 {
-    place here;
+    spine_place here;
     const batten_status status = place_at(spine, u, &here);
     if (status != BATTEN_OK)
         return status;
@@ -138,7 +138,7 @@ static batten_status frenet(const batten_curve *spine, double u, batten_frame *f
 static batten_status fixed(const batten_curve *spine, int count, const double *at,
                            batten_frame *frames)
 {
-    place first, here;
+    spine_place first, here;
     batten_status status = place_at(spine, batten_curve_domain(spine).a, &first);
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
         status = place_at(spine, at[k], &here);
@@ -169,7 +169,7 @@ static batten_status check_round(const batten_curve *spine)
     const int d = batten_curve_dimension(spine);
     const double size =
         bat_largest(batten_curve_point_count(spine) * d, batten_curve_points(spine));
-    place a, b;
+    spine_place a, b;
     batten_status status = place_at(spine, domain.a, &a);
     if (status == BATTEN_OK)
         status = place_at(spine, domain.b, &b);

@@ -48,7 +48,7 @@ static void number_vertices(welding *w)
 }
 
 /* [made][width] of [vertex_count][width]; NULL when memory is exhausted. */
-static double *take(const welding *w, const double *values, size_t width)
+static double *take_firsts(const welding *w, const double *values, size_t width)
 {
     double *taken = bat_array3((size_t)w->made, width, sizeof *taken);
     for (int i = 0; taken && i < w->made; i++)
@@ -62,7 +62,7 @@ static batten_status take_attributes(const welding *w, batten_mesh_attribute *ma
 {
     for (int k = 0; k < w->parts->attribute_count; k++) {
         const batten_mesh_attribute *source = &w->parts->attributes[k];
-        made[k] = (batten_mesh_attribute){source->name, take(w, source->values, 1)};
+        made[k] = (batten_mesh_attribute){source->name, take_firsts(w, source->values, 1)};
         if (!made[k].values)
             return BATTEN_OUT_OF_MEMORY;
     }
@@ -74,8 +74,8 @@ static batten_status make_welded(const welding *w, batten_mesh **out)
     batten_mesh_parts parts = *w->parts;
     const size_t corner_count = 3 * (size_t)parts.triangle_count;
     const size_t attribute_count = (size_t)parts.attribute_count;
-    double *points = take(w, parts.points, 3);
-    double *colours = parts.colours ? take(w, parts.colours, 3) : NULL;
+    double *points = take_firsts(w, parts.points, 3);
+    double *colours = parts.colours ? take_firsts(w, parts.colours, 3) : NULL;
     int *corners = bat_array(corner_count, sizeof *corners);
     batten_mesh_attribute *attributes = bat_array(attribute_count, sizeof *attributes);
     batten_status status = points && corners && attributes && (colours || !parts.colours)

@@ -58,11 +58,11 @@ int bat_definitions_index(const bat_definitions *d, const batten_model *model)
 typedef struct {
     const batten_object *object;
     int mesh, number;
-} looking;
+} object_look;
 
 static int compare_looks(const void *left, const void *right)
 {
-    const looking *a = left, *b = right;
+    const object_look *a = left, *b = right;
     if (a->mesh != b->mesh)
         return a->mesh < b->mesh ? -1 : 1;
     if (a->object->has_colour != b->object->has_colour)
@@ -77,11 +77,11 @@ static int compare_numbered(const void *left, const void *right)
 {
     const int by_look = compare_looks(left, right);
     return by_look ? by_look
-                   : ((const looking *)left)->number - ((const looking *)right)->number;
+                   : ((const object_look *)left)->number - ((const object_look *)right)->number;
 }
 
 /* The first object of each mesh; all objects as they are to be sorted. */
-static batten_status find_meshes(const bat_definitions *d, int *mesh, looking *all)
+static batten_status find_meshes(const bat_definitions *d, int *mesh, object_look *all)
 {
     bat_addresses meshes = {0};
     batten_status status = BATTEN_OK;
@@ -91,7 +91,7 @@ static batten_status find_meshes(const bat_definitions *d, int *mesh, looking *a
             const int number = d->first[i] + k;
             const int first = object->mesh ? bat_addresses_find(&meshes, object->mesh) : -1;
             mesh[number] = first < 0 ? number : first;
-            all[number] = (looking){object, mesh[number], number};
+            all[number] = (object_look){object, mesh[number], number};
             if (object->mesh && first < 0)
                 status = bat_addresses_add(&meshes, object->mesh, number);
         }
@@ -102,7 +102,7 @@ static batten_status find_meshes(const bat_definitions *d, int *mesh, looking *a
 batten_status bat_definitions_meshes(const bat_definitions *d, int *mesh, int *look)
 {
     const int count = d->first[d->count];
-    looking *all = bat_array((size_t)count, sizeof *all);
+    object_look *all = bat_array((size_t)count, sizeof *all);
     const batten_status status = all ? find_meshes(d, mesh, all) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && count)
         qsort(all, (size_t)count, sizeof *all, compare_numbered);

@@ -73,10 +73,10 @@ typedef struct {
     const char *path;
     size_t ends[BAT_GROUPS_DEEPEST];
     int depth;
-} visit;
+} group_visit;
 
 /* Leave the groups that the path does not lie in. */
-static batten_status leave(visit *v, const char *path)
+static batten_status leave(group_visit *v, const char *path)
 {
     batten_status status = BATTEN_OK;
     while (status == BATTEN_OK && v->depth > 0) {
@@ -88,7 +88,7 @@ static batten_status leave(visit *v, const char *path)
     return status;
 }
 
-static batten_status enter(visit *v, const char *path)
+static batten_status enter(group_visit *v, const char *path)
 {
     size_t at = v->depth ? v->ends[v->depth - 1] : 0;
     batten_status status = BATTEN_OK;
@@ -110,7 +110,7 @@ static batten_status enter(visit *v, const char *path)
 
 batten_status bat_groups_visit(bat_members *list, const bat_group_visitor *visitor)
 {
-    visit v = {.visitor = visitor, .path = ""};
+    group_visit v = {.visitor = visitor, .path = ""};
     batten_status status = BATTEN_OK;
     bat_members_sort(list);
     for (int i = 0, count; i < list->count && status == BATTEN_OK; i += count) {

@@ -18,7 +18,7 @@ typedef struct {
     batten_table_station *stations;
     batten_table_point *points;
     char (*names)[NAME]; /* of stations, then of lines, where they are made of numbers */
-} table;
+} unit_table;
 
 static double scaled(double value, double factor, bool to_decimal)
 {
@@ -39,7 +39,7 @@ static const char *new_name(const char *name, const char *begin, double old, dou
     return made;
 }
 
-static void scale_lines(table *t, bool to_decimal)
+static void scale_lines(unit_table *t, bool to_decimal)
 {
     char(*names)[NAME] = t->names + batten_offset_table_station_count(t->from);
     for (int i = 0; i < batten_offset_table_line_count(t->from); i++) {
@@ -53,7 +53,7 @@ static void scale_lines(table *t, bool to_decimal)
 }
 
 /* Are the stations still in order? */
-static bool scale_stations(table *t, bool to_decimal)
+static bool scale_stations(unit_table *t, bool to_decimal)
 {
     bool rises = true;
     for (int i = 0, used = 0; i < batten_offset_table_station_count(t->from); i++) {
@@ -86,12 +86,12 @@ static batten_status scale_offsets(const batten_offset_table *offsets, double fa
     size_t points = 0;
     for (size_t i = 0; i < stations; i++)
         points += (size_t)batten_offset_table_station(offsets, (int)i)->point_count;
-    table t = {.from = offsets,
-               .factor = bat_near_decimal(own > 0 ? own / unit_metres : factor),
-               .lines = bat_array(lines + 1, sizeof *t.lines),
-               .stations = bat_array(stations, sizeof *t.stations),
-               .points = bat_array(points, sizeof *t.points),
-               .names = bat_array(stations + lines, sizeof *t.names)};
+    unit_table t = {.from = offsets,
+                    .factor = bat_near_decimal(own > 0 ? own / unit_metres : factor),
+                    .lines = bat_array(lines + 1, sizeof *t.lines),
+                    .stations = bat_array(stations, sizeof *t.stations),
+                    .points = bat_array(points, sizeof *t.points),
+                    .names = bat_array(stations + lines, sizeof *t.names)};
     batten_status status =
         t.lines && t.stations && t.points && t.names ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {

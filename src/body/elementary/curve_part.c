@@ -96,8 +96,9 @@ static batten_status between(const whole *of, double a, double b, bool *turned,
 }
 
 /* From p to q as the curve runs. */
-static batten_status part(const batten_curve *curve, const double p[3], const double q[3],
-                          double tolerance, bool *turned, batten_curve **out, double *miss)
+static batten_status take_part_between(const batten_curve *curve, const double p[3],
+                                       const double q[3], double tolerance, bool *turned,
+                                       batten_curve **out, double *miss)
 {
     whole of;
     double a = 0, b = 0, miss_p = 0, miss_q = 0;
@@ -133,8 +134,8 @@ batten_status bat_curve_part(const batten_curve *curve, const double p[3], const
     batten_curve *running = NULL;
     double largest = 0;
     bool turned = false;
-    batten_status status =
-        part(curve, forward ? p : q, forward ? q : p, tolerance, &turned, &running, &largest);
+    batten_status status = take_part_between(curve, forward ? p : q, forward ? q : p, tolerance,
+                                             &turned, &running, &largest);
     if (status != BATTEN_OK)
         return status;
     if (turned == forward) /* it runs from q to p */

@@ -29,7 +29,7 @@ typedef struct {
     size_t inner_room;
     double *at, *weight, *jets; /* inner nodes; [inner_room][3][3] */
     size_t evaluations;
-} work;
+} face_work;
 
 /* A part of a loop between knot lines of the surface. */
 typedef struct {
@@ -49,7 +49,7 @@ typedef struct {
 
 /* ---- one place ---- */
 
-static void add_integrands(const work *w, const double jet[9], double weight,
+static void add_integrands(const face_work *w, const double jet[9], double weight,
                            double sums[BAT_FACE_INTEGRALS])
 {
     const bat_face_rules *rules = w->rules;
@@ -69,7 +69,7 @@ static void add_integrands(const work *w, const double jet[9], double weight,
 
 /* ---- across: G ---- */
 
-static batten_status make_room(work *w, size_t count)
+static batten_status make_room(face_work *w, size_t count)
 {
     if (count <= w->inner_room)
         return BATTEN_OK;
@@ -86,7 +86,7 @@ static batten_status make_room(work *w, size_t count)
 }
 
 /* The inner knots strictly between a and b: first and how many. */
-static int knots_between(const work *w, double a, double b, int *first)
+static int knots_between(const face_work *w, double a, double b, int *first)
 {
     const double *knots = w->knots[w->inner];
     const int count = w->knot_counts[w->inner];
@@ -105,7 +105,7 @@ static int knots_between(const work *w, double a, double b, int *first)
 }
 
 /* Nodes and weights of both rules on the parts of [a, b]: [part][NODES]. */
-static void put_nodes(work *w, double a, double b, int first, int knots, int fine)
+static void put_nodes(face_work *w, double a, double b, int first, int knots, int fine)
 {
     const double *U = w->knots[w->inner] + first;
     size_t node = 0;
@@ -123,7 +123,7 @@ static void put_nodes(work *w, double a, double b, int first, int knots, int fin
 }
 
 /* G at (other, to): by the short rule and by the long one. */
-static batten_status across(work *w, double other, double to, int fine,
+static batten_status across(face_work *w, double other, double to, int fine,
                             double sums[2][BAT_FACE_INTEGRALS])
 {
     const double sign = to < w->from ? -1 : 1;
@@ -170,7 +170,7 @@ static void note_errors(piece *p, double sums[2][2][BAT_FACE_INTEGRALS])
     }
 }
 
-static batten_status measure_piece(work *w, piece *p)
+static batten_status measure_piece(face_work *w, piece *p)
 {
     double sums[2][2][BAT_FACE_INTEGRALS] = {{{0}}};
     const int inner = w->inner, outer = 1 - inner;
@@ -245,7 +245,7 @@ static batten_status add_cuts(cuts *list, size_t count, const double *at)
 }
 
 /* Where a curve crosses knot lines of the surface. */
-static batten_status cut_at_knots(const work *w, const batten_curve *curve, cuts *list)
+static batten_status cut_at_knots(const face_work *w, const batten_curve *curve, cuts *list)
 {
     const batten_box box = batten_curve_box(curve);
     const double low[2] = {box.low.x, box.low.y}, high[2] = {box.high.x, box.high.y};
@@ -265,7 +265,7 @@ static batten_status cut_at_knots(const work *w, const batten_curve *curve, cuts
     return BATTEN_OK;
 }
 
-static batten_status cut_use(work *w, const batten_body_use *use, pieces *list)
+static batten_status cut_use(face_work *w, const batten_body_use *use, pieces *list)
 {
     const batten_curve *curve = use->parameters;
     const int spans = batten_curve_spans(curve, NULL);
@@ -293,9 +293,9 @@ static batten_status cut_use(work *w, const batten_body_use *use, pieces *list)
 
 static batten_status begin_integral(const batten_body_parts *parts,
                                     const batten_body_face *face, const bat_face_rules *rules,
-                                    work *w)
+                                    face_work *w)
 {
-    *w = (work){.parts = parts, .rules = rules, .surface = face->surface};
+    *w = (face_work){.parts = parts, .rules = rules, .surface = face->surface};
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int l = face->first; l < face->first + face->count; l++)
         for (int u = 0; u < parts->loops[l].count; u++) {
@@ -330,7 +330,7 @@ static batten_status begin_integral(const batten_body_parts *parts,
 }
 
 /* The area between an edge and its curve on the face. */
-static batten_status add_slack(const work *w, const batten_body_use *use, double *slack)
+static batten_status add_slack(const face_work *w, const batten_body_use *use, double *slack)
 {
     enum { PLACES = 4 };
     const batten_curve *edge = w->parts->edges[use->edge].curve, *flat = use->parameters;
@@ -364,7 +364,7 @@ static batten_status add_slack(const work *w, const batten_body_use *use, double
     return status;
 }
 
-static batten_status first_pieces(work *w, const batten_body_face *face, pieces *list,
+static batten_status first_pieces(face_work *w, const batten_body_face *face, pieces *list,
                                   bat_face_sums *out)
 {
     const batten_body_parts *parts = w->parts;
@@ -396,7 +396,7 @@ static void sum_up(const pieces *list, bat_face_sums *out, double gross[2])
 }
 
 /* Halve the piece, or its parts of G, whichever the larger error asks for. */
-static batten_status improve(work *w, pieces *list, size_t index, bool *done)
+static batten_status improve(face_work *w, pieces *list, size_t index, bool *done)
 {
     piece low = list->items[index];
     const double wide = bat_max(low.errors[0][0], low.errors[1][0]),
@@ -427,7 +427,7 @@ static batten_status improve(work *w, pieces *list, size_t index, bool *done)
 }
 
 /* Round after round all pieces whose error is above their share. */
-static batten_status refine(work *w, pieces *list, bat_face_sums *out)
+static batten_status refine(face_work *w, pieces *list, bat_face_sums *out)
 {
     for (;;) {
         double gross[2], target[2];
@@ -462,7 +462,7 @@ batten_status bat_face_integrate(const batten_body_parts *parts, int face,
 {
     const batten_body_face *of = &parts->faces[face];
     pieces list = {0};
-    work w;
+    face_work w;
     bat_face_sums sums = {.is_met = false};
     batten_status status = begin_integral(parts, of, rules, &w);
     if (status == BATTEN_OK)

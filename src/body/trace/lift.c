@@ -8,7 +8,7 @@ enum { MOST_SPANS = 20000, CHECKS = 3 };
 /* One place of S(B): the parameter, the point and its derivative. */
 typedef struct {
     double t, value[6];
-} place;
+} lifted_place;
 
 typedef struct {
     const batten_surface *surface;
@@ -66,7 +66,7 @@ static batten_status make_room(lifting *l)
 }
 
 /* The cubic between two places as the next Bezier piece. */
-static batten_status add_span(lifting *l, const place *a, const place *b)
+static batten_status add_span(lifting *l, const lifted_place *a, const lifted_place *b)
 {
     batten_status status = make_room(l);
     if (status != BATTEN_OK)
@@ -85,7 +85,7 @@ static batten_status add_span(lifting *l, const place *a, const place *b)
 }
 
 /* The cubic between two places, at the share x of the way. */
-static void cubic(const place *a, const place *b, double x, double point[3])
+static void cubic(const lifted_place *a, const lifted_place *b, double x, double point[3])
 {
     const double h = b->t - a->t, y = 1 - x;
     for (int k = 0; k < 3; k++)
@@ -94,8 +94,8 @@ static void cubic(const place *a, const place *b, double x, double point[3])
 }
 
 /* How far the cubic between two places is off. */
-static batten_status miss_between(const lifting *l, const place *a, const place *b,
-                                  double *miss)
+static batten_status miss_between(const lifting *l, const lifted_place *a,
+                                  const lifted_place *b, double *miss)
 {
     *miss = 0;
     for (int i = 1; i <= CHECKS; i++) {
@@ -116,14 +116,14 @@ static batten_status miss_between(const lifting *l, const place *a, const place 
 static batten_status lift_piece(lifting *l, double from, double to)
 {
     enum { DEEPEST = 60 };
-    place stack[DEEPEST], a = {.t = from};
+    lifted_place stack[DEEPEST], a = {.t = from};
     int depth = 1;
     stack[0].t = to;
     batten_status status = evaluate(l, from, BATTEN_FROM_RIGHT, a.value);
     if (status == BATTEN_OK)
         status = evaluate(l, to, BATTEN_FROM_LEFT, stack[0].value);
     while (status == BATTEN_OK && depth > 0) {
-        const place *b = &stack[depth - 1];
+        const lifted_place *b = &stack[depth - 1];
         const double middle = a.t + (b->t - a.t) / 2;
         double miss = 0;
         status = miss_between(l, &a, b, &miss);

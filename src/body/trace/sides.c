@@ -51,7 +51,8 @@ static batten_status use_area(const bat_trace_use *use, const double origin[2], 
     return status;
 }
 
-batten_status bat_trace_area(const bat_trace_loops *loops, int loop, double *area)
+/* Of a loop that makes no turn around the surface. */
+static batten_status find_loop_area(const bat_trace_loops *loops, int loop, double *area)
 {
     const bat_trace_use *uses = loops->uses + loops->loops[loop].first;
     double origin[2], sum = 0;
@@ -163,7 +164,7 @@ static batten_status right_plain(bat_trace *trace, bat_trace_face *face)
     int outer = 0;
     batten_status status = areas ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; status == BATTEN_OK && i < loops->loop_count; i++) {
-        status = bat_trace_area(loops, i, &areas[i]);
+        status = find_loop_area(loops, i, &areas[i]);
         if (status == BATTEN_OK && fabs(areas[i]) > fabs(areas[outer]))
             outer = i;
     }
@@ -333,7 +334,7 @@ batten_status bat_trace_put(bat_trace *trace, bat_trace_face *face)
     int outer = 0;
     batten_status status = areas ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; status == BATTEN_OK && i < n; i++) {
-        status = bat_trace_area(&face->loops, i, &areas[i]);
+        status = find_loop_area(&face->loops, i, &areas[i]);
         outer += areas[i] > 0;
     }
     if (status == BATTEN_OK && outer == 0 && n && !face->chart.complete)

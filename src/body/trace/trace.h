@@ -104,9 +104,8 @@ batten_status bat_trace_close(bat_trace *trace, bat_trace_face *face);
 /* Add what became of the face to the builder; it may have become several. */
 batten_status bat_trace_put(bat_trace *trace, bat_trace_face *face);
 
-/* How many whole turns a loop makes in each direction; its area when it makes none. */
+/* How many whole turns a loop makes in each direction. */
 void bat_trace_winding(const bat_trace_face *face, const bat_trace_loops *loops, int loop,
                        int turns[2]);
-batten_status bat_trace_area(const bat_trace_loops *loops, int loop, double *area);
 
 #endif

@@ -12,11 +12,11 @@ enum { POWERS = BATTEN_MAX_DEGREE + 1, EFFORT = 100000000 };
 typedef struct {
     int n, rows;
     double a[3][POWERS];
-} table;
+} shape_table;
 
 /* ---- dimension ---- */
 
-static double row_norm(const table *t, int row)
+static double row_norm(const shape_table *t, int row)
 {
     return bat_norm(t->n, t->a[row] + 1);
 }
@@ -24,7 +24,7 @@ static double row_norm(const table *t, int row)
 /* Make the rows square to each other and of length one; those that are lost in the tolerance
  * go. Then what is said about columns does not depend on the affine frame. *margin: the
  * shortest row kept, by what it was; *neglected: the longest that went. */
-static void make_square(table *t, double tolerance, double *margin, double *neglected)
+static void make_square(shape_table *t, double tolerance, double *margin, double *neglected)
 {
     double scale[3], largest = 0;
     int kept = 0;
@@ -66,7 +66,7 @@ static void make_square(table *t, double tolerance, double *margin, double *negl
 /* ---- pivots ---- */
 
 /* From the right, each column that does not depend on those found before. */
-static void find_pivots(const table *t, double tolerance, batten_canonical *out)
+static void find_pivots(const shape_table *t, double tolerance, batten_canonical *out)
 {
     double basis[3][3];
     int found = 0;
@@ -93,7 +93,7 @@ static void find_pivots(const table *t, double tolerance, batten_canonical *out)
 }
 
 /* Row k becomes u^(j_k) and lower powers, without those of the other pivots. */
-static batten_status reduce(table *t, const int *pivots)
+static batten_status reduce(shape_table *t, const int *pivots)
 {
     const int r = t->rows;
     double p[9];
@@ -131,7 +131,7 @@ static int row_of_shift(const batten_canonical *c)
     return -1;
 }
 
-static void shift_rows(table *t, const int *pivots, double by)
+static void shift_rows(shape_table *t, const int *pivots, double by)
 {
     for (int k = 0; k < t->rows; k++) {
         for (int r = 0; r < t->n; r++)
@@ -170,7 +170,7 @@ static int common_divisor(int a, int b)
 /* `by`: the shift of u. A power that moves no point of the span by more than the tolerance
  * counts as 0; what went through pivots near to dependence, or a far shift, is as much rougher.
  */
-static void list_invariants(const table *t, int shifted, double by, double tolerance,
+static void list_invariants(const shape_table *t, int shifted, double by, double tolerance,
                             batten_canonical *c)
 {
     for (int k = 0; k < c->dimension; k++) {
@@ -212,7 +212,7 @@ static void scale_invariants(double tolerance, batten_canonical *c)
 
 /* ---- the whole ---- */
 
-static batten_status bring_to_form(table *t, double tolerance, batten_canonical *out)
+static batten_status bring_to_form(shape_table *t, double tolerance, batten_canonical *out)
 {
     batten_canonical c = {.base = -1, .margin = 1};
     make_square(t, tolerance, &c.margin, &c.neglected);
@@ -233,12 +233,12 @@ static batten_status bring_to_form(table *t, double tolerance, batten_canonical 
     return BATTEN_OK;
 }
 
-static batten_status read_table(int dimension, int degree, const double *points, table *t)
+static batten_status read_table(int dimension, int degree, const double *points, shape_table *t)
 {
     bat_effort effort = {BATTEN_OK, EFFORT};
     bat_wholes pool = {&effort, NULL, NULL, 0};
     bat_exact_span span;
-    *t = (table){.rows = dimension};
+    *t = (shape_table){.rows = dimension};
     batten_status status = bat_exact_span_read(&pool, dimension, degree, points, &span);
     if (status == BATTEN_OK) {
         bat_exact_span_centred(&pool, &span, POWERS, t->a[0]);
@@ -264,7 +264,7 @@ batten_status batten_canonical_form(int dimension, int degree, const double *poi
     const size_t bad = bat_first_not_finite(points, all);
     if (bad < all)
         return bat_fail(BATTEN_NOT_FINITE, "point %d is not finite", (int)bad / dimension);
-    table t;
+    shape_table t;
     const batten_status status = read_table(dimension, degree, points, &t);
     return status == BATTEN_OK ? bring_to_form(&t, tolerance, out) : status;
 }

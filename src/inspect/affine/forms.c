@@ -22,7 +22,7 @@ void bat_forms_end(bat_forms *forms)
     *forms = (bat_forms){0};
 }
 
-static bat_form take(bat_forms *forms, int degree)
+static bat_form take_form(bat_forms *forms, int degree)
 {
     assert(forms->used + (size_t)degree + 1 <= forms->room);
     bat_form form = {degree, forms->memory + forms->used, 0};
@@ -50,7 +50,7 @@ static double largest_coefficient(bat_form a)
 bat_form bat_form_product(bat_forms *forms, bat_form a, bat_form b)
 {
     const double large_a = largest_coefficient(a), large_b = largest_coefficient(b);
-    bat_form out = take(forms, a.degree + b.degree);
+    bat_form out = take_form(forms, a.degree + b.degree);
     for (int i = 0; i <= a.degree; i++)
         for (int j = 0; j <= b.degree; j++)
             out.c[i + j] += a.c[i] * b.c[j];
@@ -63,7 +63,7 @@ bat_form bat_form_product(bat_forms *forms, bat_form a, bat_form b)
 /* Times ((1 - t) + t)^by, each power one addition of neighbours. */
 static bat_form elevated(bat_forms *forms, bat_form a, int by)
 {
-    bat_form out = take(forms, a.degree + by);
+    bat_form out = take_form(forms, a.degree + by);
     memcpy(out.c, a.c, ((size_t)a.degree + 1) * sizeof *a.c);
     for (int n = a.degree; n < out.degree; n++)
         for (int k = n + 1; k > 0; k--)
@@ -77,7 +77,7 @@ bat_form bat_form_sum(bat_forms *forms, bat_form a, double factor, bat_form b)
     const int degree = bat_max_int(a.degree, b.degree);
     const bat_form high_a = elevated(forms, a, degree - a.degree);
     const bat_form high_b = elevated(forms, b, degree - b.degree);
-    bat_form out = take(forms, degree);
+    bat_form out = take_form(forms, degree);
     for (int k = 0; k <= degree; k++)
         out.c[k] = high_a.c[k] + factor * high_b.c[k];
     out.error =
@@ -89,7 +89,7 @@ bat_form bat_form_sum(bat_forms *forms, bat_form a, double factor, bat_form b)
 bat_form bat_form_derivative(bat_forms *forms, bat_form a)
 {
     const int n = a.degree;
-    bat_form out = take(forms, bat_max_int(n - 1, 0));
+    bat_form out = take_form(forms, bat_max_int(n - 1, 0));
     for (int k = 0; k < n; k++)
         out.c[k] = (k + 1) * a.c[k + 1] - (n - k) * a.c[k];
     out.error = 2 * n * (a.error + DBL_EPSILON * largest_coefficient(a));
@@ -120,7 +120,7 @@ bool bat_span_forms_next(const batten_curve *curve, int *k, double *rows, const 
     forms->used = 0;
     *out = (bat_span_forms){.a = curve->knots[*k], .b = curve->knots[*k + 1]};
     for (int j = 0; j <= d; j++) {
-        bat_form form = take(forms, j < d || curve->weights ? p : 0);
+        bat_form form = take_form(forms, j < d || curve->weights ? p : 0);
         for (int i = 0; i <= form.degree; i++)
             form.c[i] = (j < (int)width ? rows[(size_t)i * width + (size_t)j] : 1) *
                         bat_binomials[form.degree][i];
@@ -140,7 +140,7 @@ bool bat_span_forms_next(const batten_curve *curve, int *k, double *rows, const 
 /* Deeper than this halves are narrower than the rounding of t. */
 enum { DEPTH = 48 };
 
-static batten_status note(bat_walk *walk, double at, int sign)
+static batten_status note_sign(bat_walk *walk, double at, int sign)
 {
     const bool change = walk->sign != 0 && sign != walk->sign;
     const bool wanted = change && (sign > 0 || !walk->only_rising);
@@ -272,11 +272,11 @@ static batten_status walk_halves(bat_walk *walk, int n, double zero, double a, d
             continue;
         }
         if (s.first != 0)
-            status = note(walk, a + (b - a) * at, s.first);
+            status = note_sign(walk, a + (b - a) * at, s.first);
         if (status == BATTEN_OK && s.first != s.last) {
             clear_roundoff(n, c, zero);
             const double t = s.variations == 1 ? find_root(n, c, zero, work, s.first) : 0.5;
-            status = note(walk, a + (b - a) * (at + size * t), s.last);
+            status = note_sign(walk, a + (b - a) * (at + size * t), s.last);
         }
     }
     return status;
@@ -299,7 +299,7 @@ batten_status bat_walk_piece(bat_walk *walk, bat_form form, double a, double b)
 batten_status bat_walk_close(bat_walk *walk, double start)
 {
     const int before = walk->count;
-    batten_status status = walk->first == 0 ? BATTEN_OK : note(walk, start, walk->first);
+    batten_status status = walk->first == 0 ? BATTEN_OK : note_sign(walk, start, walk->first);
     if (status == BATTEN_OK && walk->count > before) {
         memmove(walk->at + 1, walk->at, (size_t)before * sizeof *walk->at);
         walk->at[0] = start;

@@ -101,20 +101,20 @@ typedef struct {
     double a, b;
     int depth;
     sums sums;
-} part;
+} region_part;
 
 /* One span, halved until both halves agree with the whole. */
 static batten_status halve_span(const ruler *r, double a, double b, goal *g, sums *all)
 {
-    part stack[DEPTH + 2] = {{.a = a, .b = b}};
+    region_part stack[DEPTH + 2] = {{.a = a, .b = b}};
     int waiting = 1;
     batten_status status = rule(r, a, b, &stack[0].sums);
     for (int budget = PARTS; status == BATTEN_OK && waiting > 0; budget--) {
-        const part whole = stack[--waiting];
+        const region_part whole = stack[--waiting];
         const double middle = whole.a + (whole.b - whole.a) / 2;
-        part *left = &stack[waiting], *right = left + 1;
-        *left = (part){.a = whole.a, .b = middle, .depth = whole.depth + 1};
-        *right = (part){.a = middle, .b = whole.b, .depth = whole.depth + 1};
+        region_part *left = &stack[waiting], *right = left + 1;
+        *left = (region_part){.a = whole.a, .b = middle, .depth = whole.depth + 1};
+        *right = (region_part){.a = middle, .b = whole.b, .depth = whole.depth + 1};
         status = rule(r, left->a, left->b, &left->sums);
         if (status == BATTEN_OK)
             status = rule(r, right->a, right->b, &right->sums);

@@ -94,7 +94,7 @@ static void halve(int p, int width, double *rows, double *left)
     }
 }
 
-static batten_status note(batten_parameters *out, int *room, double u)
+static batten_status note_end(batten_parameters *out, int *room, double u)
 {
     if (out->count > MOST_PARTS)
         return bat_fail(BATTEN_TOO_LARGE, "the polyline would have more than %d parts",
@@ -123,7 +123,7 @@ static batten_status cut_piece(int p, int d, double a, double b, const limits *l
         double *top = stack + (waiting - 1) * size;
         const double end = ends[waiting - 1];
         if (waiting > DEPTH || is_good(l, p, d, top)) {
-            status = note(out, room, end);
+            status = note_end(out, room, end);
             a = end;
             waiting--;
             continue;
@@ -144,7 +144,7 @@ static batten_status divide(const batten_curve *curve, const limits *l, batten_p
     batten_status status =
         stack ? batten_curve_to_bezier(curve, &bezier) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = note(&made, &room, batten_curve_domain(curve).a);
+        status = note_end(&made, &room, batten_curve_domain(curve).a);
     for (int k = p; status == BATTEN_OK && k < bezier->count; k += p) {
         for (int i = 0; i <= p; i++) {
             const int at = k - p + i;

@@ -54,8 +54,8 @@ static bat_form beyond(bat_forms *forms, const bat_span_forms *span, int dimensi
 /* The first place after `from`, the point q, that is as far from q as the compasses are open.
  * On the span of `from` the way out is the first one behind it; on the others it is the first.
  */
-static batten_status step(compasses *c, double from, const double *q, double chord, bool *found,
-                          double *to)
+static batten_status step_chord(compasses *c, double from, const double *q, double chord,
+                                bool *found, double *to)
 {
     const batten_curve *curve = c->curve;
     bat_span_forms span;
@@ -89,7 +89,7 @@ static batten_status walk(compasses *c, int count, double chord, double *u, doub
         bool found = false;
         status = batten_curve_evaluate(c->curve, u[i - 1], 0, p);
         if (status == BATTEN_OK)
-            status = step(c, u[i - 1], p, chord, &found, &u[i]);
+            status = step_chord(c, u[i - 1], p, chord, &found, &u[i]);
         if (status != BATTEN_OK)
             return status;
         if (!found) {

@@ -56,7 +56,7 @@ enum { DEPTH = 60, MOST_PARTS = 100000 };
 typedef struct {
     double a, b;
     int depth;
-} part;
+} length_part;
 
 typedef struct {
     double length, error;
@@ -78,12 +78,12 @@ static batten_status integrate(const ruler *r, double a, double b, double span,
                                double tolerance, measure *out)
 {
     const double slip = bat_derivative_roundoff(r->curve, 1, r->size, span);
-    part stack[DEPTH + 2] = {{a, b, 0}};
+    length_part stack[DEPTH + 2] = {{a, b, 0}};
     int waiting = 1;
     measure sum = {0, 0};
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && waiting > 0; k++) {
-        const part whole = stack[--waiting];
+        const length_part whole = stack[--waiting];
         const double middle = whole.a + (whole.b - whole.a) / 2;
         measure m;
         status = measure_part(r, whole.a, whole.b, &m);
@@ -94,8 +94,8 @@ static batten_status integrate(const ruler *r, double a, double b, double span,
             sum.length += m.length;
             sum.error += m.error + DBL_EPSILON * m.length + lost;
         } else {
-            stack[waiting++] = (part){middle, whole.b, whole.depth + 1};
-            stack[waiting++] = (part){whole.a, middle, whole.depth + 1};
+            stack[waiting++] = (length_part){middle, whole.b, whole.depth + 1};
+            stack[waiting++] = (length_part){whole.a, middle, whole.depth + 1};
         }
     }
     if (status == BATTEN_OK)
@@ -117,18 +117,19 @@ typedef struct {
     int count;
     double *breaks;
     measure *sums; /* [count] */
-} table;
+} length_table;
 
-static void table_end(table *t)
+static void table_end(length_table *t)
 {
     bat_release(t->breaks);
     bat_release(t->sums);
 }
 
 /* Lengths of the parts of the spans inside [a, b]. */
-static batten_status tabulate(const ruler *r, double a, double b, double tolerance, table *out)
+static batten_status tabulate(const ruler *r, double a, double b, double tolerance,
+                              length_table *out)
 {
-    table t = {batten_curve_spans(r->curve, NULL), NULL, NULL};
+    length_table t = {batten_curve_spans(r->curve, NULL), NULL, NULL};
     t.breaks = bat_array((size_t)t.count, sizeof *t.breaks);
     t.sums = bat_array((size_t)t.count, sizeof *t.sums);
     batten_status status = t.breaks && t.sums ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -165,7 +166,7 @@ batten_status batten_curve_length_between(const batten_curve *curve, double a, d
     if (status == BATTEN_OK && a > b)
         status = bat_fail(BATTEN_BAD_ARGUMENT, "the part from %g to %g runs backwards", a, b);
     const ruler r = ruler_for(curve);
-    table t;
+    length_table t;
     if (status == BATTEN_OK)
         status = tabulate(&r, a, b, tolerance, &t);
     if (status != BATTEN_OK)
@@ -234,8 +235,8 @@ static batten_status check_lengths(int count, const double *s, double whole, dou
     return BATTEN_OK;
 }
 
-static batten_status invert_all(const ruler *r, const table *t, int count, const double *s,
-                                double tolerance, double *found)
+static batten_status invert_all(const ruler *r, const length_table *t, int count,
+                                const double *s, double tolerance, double *found)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0, k = 0; status == BATTEN_OK && i < count; i++) {
@@ -258,7 +259,7 @@ batten_status batten_curve_at_length(const batten_curve *curve, int count, const
 {
     const batten_interval domain = batten_curve_domain(curve);
     const ruler r = ruler_for(curve);
-    table t = {0};
+    length_table t = {0};
     double *found = NULL;
     batten_status status = check_tolerance(tolerance);
     if (status == BATTEN_OK)

@@ -24,9 +24,9 @@ typedef struct {
     double *boxes;    /* [2 width][2][d]; node 0 is not used, those behind the last are empty */
     double *ends;     /* [count + 1][d], points at the distinct knots */
     double *knots;    /* [count + 1] */
-} boxes;
+} span_boxes;
 
-static void boxes_end(boxes *b)
+static void boxes_end(span_boxes *b)
 {
     bat_release(b->spans);
     bat_release(b->boxes);
@@ -57,7 +57,7 @@ static void widen(int d, double *box, const double *low, const double *high)
 }
 
 /* Boxes of spans become those of all nodes. Those of spans hold the computed end points too. */
-static void gather_boxes(boxes *b, int d)
+static void gather_boxes(span_boxes *b, int d)
 {
     const int size = 2 * d;
     for (int i = 0; i < 2 * b->width; i++)
@@ -74,10 +74,10 @@ static void gather_boxes(boxes *b, int d)
     }
 }
 
-static batten_status boxes_begin(const batten_curve *curve, boxes *out)
+static batten_status boxes_begin(const batten_curve *curve, span_boxes *out)
 {
     const size_t d = (size_t)curve->dimension;
-    boxes b = {.count = batten_curve_spans(curve, NULL) - 1, .width = 1};
+    span_boxes b = {.count = batten_curve_spans(curve, NULL) - 1, .width = 1};
     const size_t n = (size_t)b.count;
     while (b.width < b.count)
         b.width *= 2;
@@ -119,13 +119,13 @@ static double box_distance(int d, const double *box, const double *q)
 
 typedef struct {
     const batten_curve *curve;
-    const boxes *boxes;
+    const span_boxes *boxes;
     bat_forms forms;
     bat_walk walk;
     double *rows; /* [p + 1][width] */
 } finder;
 
-static batten_status finder_begin(const batten_curve *curve, const boxes *b, finder *out)
+static batten_status finder_begin(const batten_curve *curve, const span_boxes *b, finder *out)
 {
     *out = (finder){.curve = curve, .boxes = b, .walk = {.only_rising = true}};
     out->rows = bat_array3((size_t)curve->degree + 1, bat_curve_width(curve), sizeof(double));
@@ -181,7 +181,7 @@ static batten_status search_span(finder *f, int span, const double *q, bat_neare
 }
 
 /* The nearest of the ends of all spans, the first of equals: nearer boxes first. */
-static void search_ends(const boxes *b, int d, const double *q, bat_nearest *best)
+static void search_ends(const span_boxes *b, int d, const double *q, bat_nearest *best)
 {
     int stack[64] = {1}, waiting = 1, found = -1;
     while (waiting > 0) {
@@ -209,7 +209,7 @@ static void search_ends(const boxes *b, int d, const double *q, bat_nearest *bes
 /* All spans that may come nearer than the nearest end, along the curve. */
 static batten_status search_all(finder *f, const double *q, bat_nearest *best)
 {
-    const boxes *b = f->boxes;
+    const span_boxes *b = f->boxes;
     const int d = f->curve->dimension;
     int stack[64] = {1}, waiting = 1;
     batten_status status = BATTEN_OK;
@@ -233,7 +233,7 @@ static batten_status search_all(finder *f, const double *q, bat_nearest *best)
 typedef struct {
     const batten_curve *curve;
     const double *points, *start;
-    boxes boxes;
+    span_boxes boxes;
     bat_nearest *nearest;
 } query;
 

@@ -279,8 +279,8 @@ static batten_status refine(const search *s, const piece *p, const piece *q, dou
     return BATTEN_OK;
 }
 
-static batten_status note(bat_crossings *out, const piece *p, const piece *q, double u,
-                          double v)
+static batten_status note_crossing(bat_crossings *out, const piece *p, const piece *q, double u,
+                                   double v)
 {
     if (BAT_LIST_GROW(out->at, out->count, out->room, 1) != BATTEN_OK)
         return BATTEN_OUT_OF_MEMORY;
@@ -308,7 +308,7 @@ static batten_status solve_crossing(const search *s, const piece *p, const piece
     const double near_u = 1e-9 * (p->b - p->a), near_v = 1e-9 * (q->b - q->a);
     const bool shared = (follows(s, p, q) && p->b - u <= near_u && v - q->a <= near_v) ||
                         (follows(s, q, p) && q->b - v <= near_v && u - p->a <= near_u);
-    return shared ? BATTEN_OK : note(out, p, q, u, v);
+    return shared ? BATTEN_OK : note_crossing(out, p, q, u, v);
 }
 
 static double extent(const piece *p)

@@ -9,12 +9,12 @@
 typedef struct {
     double line, along;
     int seed;
-} place;
+} seed_place;
 
 typedef struct {
-    int d;           /* lines are where this coordinate is the same */
-    int place_count; /* without those at the ends of the box: there nothing is inside */
-    place *places;   /* [place_count] line after line, along each */
+    int d;              /* lines are where this coordinate is the same */
+    int place_count;    /* without those at the ends of the box: there nothing is inside */
+    seed_place *places; /* [place_count] line after line, along each */
     int line_count;
     double *lines;     /* [line_count] rising */
     int *first_place;  /* [line_count + 1] */
@@ -33,7 +33,7 @@ static void sweep_end(sweep *s)
 
 static int compare_places(const void *a, const void *b)
 {
-    const place *p = a, *q = b;
+    const seed_place *p = a, *q = b;
     if (p->line != q->line)
         return p->line < q->line ? -1 : 1;
     if (p->along != q->along)
@@ -64,7 +64,7 @@ static batten_status order_seeds(sweep *s, const bat_lattice *l)
     for (int i = 0; i < l->seed_count; i++) {
         const double at[2] = {l->seeds[i].x, l->seeds[i].y};
         if (at[0] > 0 && at[0] < end[0] && at[1] > 0 && at[1] < end[1])
-            s->places[s->place_count++] = (place){at[s->d], at[1 - s->d], i};
+            s->places[s->place_count++] = (seed_place){at[s->d], at[1 - s->d], i};
     }
     qsort(s->places, (size_t)s->place_count, sizeof *s->places, compare_places);
     for (int i = 0; i < s->place_count; i++)
@@ -148,7 +148,7 @@ static void mark(const sweep *s, bool is_known, bool *keep)
     for (int j = 0; j < s->line_count; j++) {
         int before = s->first_across[j];
         for (int i = s->first_place[j]; i < s->first_place[j + 1]; i++) {
-            const place *p = &s->places[i];
+            const seed_place *p = &s->places[i];
             while (is_known && before < s->first_across[j + 1] && s->across[before] < p->along)
                 before++;
             keep[p->seed] = (!is_known || (before - s->first_across[j]) % 2 == 1) &&

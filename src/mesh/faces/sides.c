@@ -63,7 +63,7 @@ batten_status bat_sides_grow_list(bat_sides *s, int room)
     return BATTEN_OK;
 }
 
-static batten_status take(bat_sides *s, const batten_plane_triangles *made)
+static batten_status take_triangles(bat_sides *s, const batten_plane_triangles *made)
 {
     batten_status status = bat_sides_grow_vertices(s, bat_max_int(64, made->vertex_count));
     if (status == BATTEN_OK)
@@ -98,7 +98,7 @@ batten_status bat_sides_begin(bat_sides *s, int count, const double (*points)[2]
         batten_triangulate((batten_points){2, count, points[0]}, &options, &made);
     if (status != BATTEN_OK)
         return status;
-    status = take(s, &made);
+    status = take_triangles(s, &made);
     memcpy(vertex_of, made.vertex_of, (size_t)count * sizeof *vertex_of);
     batten_plane_triangles_release(&made);
     if (status != BATTEN_OK)
