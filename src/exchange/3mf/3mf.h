@@ -19,7 +19,5 @@ typedef struct {
 
 /* An archive of members as they are, without compression, of 1 January 1980. Source: [ZIP]. */
 batten_status bat_zip(int count, const bat_zip_member *members, batten_text *text);
-/* The CRC-32 of zip archives; that of "123456789" is cbf43926. */
-uint32_t bat_crc32(const char *bytes, size_t length);
 
 #endif

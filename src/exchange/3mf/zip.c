@@ -2,7 +2,8 @@
 #include "exchange/3mf/3mf.h"
 #include "exchange/reading/bytes.h"
 
-uint32_t bat_crc32(const char *bytes, size_t length)
+/* CRC-32; that of "123456789" is cbf43926. */
+static uint32_t checksum_of(const char *bytes, size_t length)
 {
     uint32_t table[256], crc = 0xffffffffu;
     for (uint32_t i = 0; i < 256; i++) {
@@ -54,7 +55,7 @@ batten_status bat_zip(int count, const bat_zip_member *members, batten_text *tex
         return bat_fail(BATTEN_TOO_LARGE, "a zip archive of %.0f bytes; it can have 4 GiB",
                         sum);
     for (int i = 0; i < count; i++) {
-        const uint32_t crc = bat_crc32(members[i].bytes, members[i].length);
+        const uint32_t crc = checksum_of(members[i].bytes, members[i].length);
         put_central(&members[i], crc, text->length, &central);
         batten_text_bytes(text, "PK\3\4", 4);
         put_description(&members[i], crc, text);

@@ -17,7 +17,6 @@ typedef enum {
     BAT_OFFSETS_MATRIX, /* stations against heights; the corner cell says which is which */
     BAT_OFFSETS_LOFT    /* the boat builder's: axis, name, stations; lengths, heights, widths */
 } bat_offsets_dialect;
-bat_offsets_dialect bat_offsets_dialect_of(const bat_separated *table);
 /* "station\\height": does the text say what the rows and columns of a matrix are? */
 bool bat_is_matrix_corner(const char *text);
 /* Is it a table of offsets for sure? Where columns are named by letters alone, one must be of

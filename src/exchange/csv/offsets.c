@@ -2,7 +2,7 @@
 #include "exchange/csv/columns.h"
 #include "exchange/csv/csv.h"
 
-bat_offsets_dialect bat_offsets_dialect_of(const bat_separated *table)
+static bat_offsets_dialect dialect_of(const bat_separated *table)
 {
     bool along = false, breadth = false, height = false;
     for (int k = 0; k < table->count; k++) {
@@ -23,7 +23,7 @@ bat_offsets_dialect bat_offsets_dialect_of(const bat_separated *table)
 
 bool bat_is_offsets_header(const bat_separated *table)
 {
-    const bat_offsets_dialect dialect = bat_offsets_dialect_of(table);
+    const bat_offsets_dialect dialect = dialect_of(table);
     bool is_of_hull = false;
     for (int k = 0; k < table->count; k++)
         is_of_hull |= bat_column_of(table->fields[k].text).is_of_hull;
@@ -36,7 +36,7 @@ static batten_status read_table(bat_separated *table, bat_gathering *gathering)
     batten_status status = bat_separated_next(table, &more);
     if (status != BATTEN_OK)
         return status;
-    switch (more ? bat_offsets_dialect_of(table) : BAT_OFFSETS_NONE) {
+    switch (more ? dialect_of(table) : BAT_OFFSETS_NONE) {
     case BAT_OFFSETS_LONG:
         return bat_offsets_long(table, gathering);
     case BAT_OFFSETS_MATRIX:

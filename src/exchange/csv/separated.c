@@ -8,7 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-char bat_separator_of(bat_span row)
+/* The first that occurs outside quotes of ';' ',' tab; else blanks. */
+static char find_separator(bat_span row)
 {
     static const char candidates[] = ";,\t";
     bool found[sizeof candidates] = {false}, quoted = false, starts = true;
@@ -193,7 +194,7 @@ batten_status bat_separated_next(bat_separated *table, bool *more)
         status = make_room(table);
     if (status == BATTEN_OK && found) {
         if (!table->separator)
-            table->separator = bat_separator_of(table->raw);
+            table->separator = find_separator(table->raw);
         if (table->separator == '\t' && table->tabs_are_blanks)
             table->separator = ' ';
         status = cut_row(table);

@@ -30,9 +30,6 @@ typedef struct {
     size_t capacity;
 } bat_separated;
 
-/* The separator of a row: the first that occurs outside quotes of ';' ',' tab; else blanks. */
-char bat_separator_of(bat_span row);
-
 void bat_separated_begin(bat_separated *table, bat_input *input);
 void bat_separated_end(bat_separated *table);
 /* Go to the next row and cut it into fields. The separator is that of the first row unless it

@@ -12,9 +12,7 @@ bool bat_iges_can_place(const batten_affine *place);
 batten_status bat_write_iges(const batten_model *model, const batten_write_options *options,
                              batten_notes *notes, batten_text *text);
 
-/* The unit of a flag of the global section (2 is mm), 0 when unknown; and the reverse, 3 when
- * the unit has none. */
-double bat_iges_unit_of_flag(int flag);
+/* The flag of a unit in the global section, 2 for mm; 3 when the unit has none. */
 int bat_iges_flag_of_unit(double metres);
 
 #endif

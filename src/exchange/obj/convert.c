@@ -5,8 +5,9 @@
 
 /* ---- control points ---- */
 
-const double bat_obj_cardinal[16] = {0, 1,       0, 0,        -1.0 / 6, 1, 1.0 / 6, 0,
-                                     0, 1.0 / 6, 1, -1.0 / 6, 0,        0, 1,       0};
+/* Bezier points of a Catmull-Rom piece. */
+static const double cardinal[16] = {0, 1,       0, 0,        -1.0 / 6, 1, 1.0 / 6, 0,
+                                    0, 1.0 / 6, 1, -1.0 / 6, 0,        0, 1,       0};
 
 /* From powers, b[i][j] for t^j of point i, to Bezier points. */
 static void matrix_of_powers(int p, const double *b, double *matrix)
@@ -61,7 +62,7 @@ batten_status bat_obj_prepare_direction(bat_obj *obj, int k, bat_obj_axis *d)
         return status;
     if (d->powers)
         matrix_of_powers(d->p, f->matrix[k].items, d->powers);
-    d->matrix = f->basis == BAT_OBJ_CARDINAL ? bat_obj_cardinal : d->powers;
+    d->matrix = f->basis == BAT_OBJ_CARDINAL ? cardinal : d->powers;
     for (size_t i = 0; i < count; i++) {
         const size_t p = (size_t)d->p, last = f->knots[k].count - 1;
         const size_t piece = i == 0 ? 0 : (i - 1) / p;

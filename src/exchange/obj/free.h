@@ -15,8 +15,6 @@ typedef struct {
     double *knots;  /* [count + p + 1] */
 } bat_obj_axis;
 
-/* Bezier points of a Catmull-Rom piece. */
-extern const double bat_obj_cardinal[16];
 /* What is wrong in a direction; NULL when nothing is. */
 const char *bat_obj_check_direction(const bat_obj_free *f, int k, bat_obj_axis *d);
 /* Knots, and for bases of powers the matrix. */

@@ -105,7 +105,7 @@ static batten_status read_facets(bat_stl_solid *solid, size_t count)
     return status;
 }
 
-batten_status bat_stl_read_bytes(bat_input *input, batten_model *model)
+static batten_status read_bytes(bat_input *input, batten_model *model)
 {
     bat_stl_solid solid = {input, {.size = 9 * sizeof(double)}, 0};
     size_t count = 0;
@@ -135,7 +135,7 @@ batten_status bat_read_stl(bat_input *input, batten_model **out)
     if (status == BATTEN_OK)
         status = batten_model_create(0, &model);
     if (status == BATTEN_OK)
-        status = bytes ? bat_stl_read_bytes(input, model) : bat_stl_read_text(input, model);
+        status = bytes ? read_bytes(input, model) : bat_stl_read_text(input, model);
     if (status == BATTEN_OK && batten_model_count(model) == 0 &&
         (input->left_out > 0 || input->is_cut))
         status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "no triangle could be read");

@@ -30,7 +30,6 @@ batten_status bat_stl_add(bat_stl_solid *solid, int line, size_t index, const do
 batten_status bat_stl_end(bat_stl_solid *solid, const char *name, batten_model *model);
 
 batten_status bat_stl_read_text(bat_input *input, batten_model *model);
-batten_status bat_stl_read_bytes(bat_input *input, batten_model *model);
 
 /* The name after "solid" or "endsolid": the rest of the line, or what stands before the first
  * triangle when the whole file is one line. */

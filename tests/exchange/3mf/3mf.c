@@ -2,10 +2,15 @@
 #include "exchange/meshes/meshes.h"
 #include "exchange/reading/bytes.h"
 
-TEST(the_checksum_of_zip_is_that_of_the_standard)
+/* CRC-32 by its definition: the remainder of a division of polynomials, bit by bit. */
+static uint32_t remainder_of(const char *bytes, size_t length)
 {
-    CHECK_INT(bat_crc32("123456789", 9), 0xcbf43926);
-    CHECK_INT(bat_crc32("", 0), 0);
+    uint32_t rest = 0xffffffffu;
+    for (size_t i = 0; i < 8 * length; i++) {
+        const uint32_t bit = (unsigned char)bytes[i / 8] >> i % 8 & 1;
+        rest = (rest ^ bit) & 1 ? rest >> 1 ^ 0xedb88320u : rest >> 1;
+    }
+    return ~rest;
 }
 
 TEST(a_zip_archive_is_written_so)
@@ -37,7 +42,7 @@ static char *model_of_archive(const char *data, size_t size)
     const size_t length = bat_bytes_u32(local + 22);
     char *copy = test_array(length + 1, 1);
     memcpy(copy, local + 30 + bat_bytes_get(local + 26, 2, false), length);
-    CHECK_INT(bat_crc32(copy, length), bat_bytes_u32(local + 14));
+    CHECK_INT(remainder_of(copy, length), bat_bytes_u32(local + 14));
     return copy;
 }
 

@@ -26,8 +26,8 @@ const batten_curve *bat_iges_curves_at(const bat_iges_curves *curves, size_t ind
     return ((batten_curve *const *)curves->at.items)[index];
 }
 
-batten_status bat_iges_curves_add(bat_input *input, bat_iges_curves *curves,
-                                  batten_curve *curve)
+/* Takes the reference over, also on failure. */
+static batten_status add_curve(bat_input *input, bat_iges_curves *curves, batten_curve *curve)
 {
     batten_status status = bat_list_add(input, &curves->at, &curve);
     if (status != BATTEN_OK)
@@ -109,9 +109,8 @@ batten_status bat_iges_members(bat_iges_reading *reading, int id, bat_iges_curve
         return nested_members(reading, entry, curves);
     if (status == BATTEN_OK)
         status = bat_iges_curve(reading, id, &curve);
-    return status == BATTEN_OK
-               ? bat_iges_curves_add(reading->input, curves, batten_curve_ref(curve))
-               : status;
+    return status == BATTEN_OK ? add_curve(reading->input, curves, batten_curve_ref(curve))
+                               : status;
 }
 
 /* ---- one curve of many ---- */

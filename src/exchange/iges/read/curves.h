@@ -21,9 +21,6 @@ void bat_iges_curves_begin(bat_iges_curves *curves);
 void bat_iges_curves_end(bat_iges_curves *curves);
 size_t bat_iges_curves_count(const bat_iges_curves *curves);
 const batten_curve *bat_iges_curves_at(const bat_iges_curves *curves, size_t index);
-/* Takes the reference over, also on failure. */
-batten_status bat_iges_curves_add(bat_input *input, bat_iges_curves *curves,
-                                  batten_curve *curve);
 
 /* Append the curve of an id; of a composite its members, one after another. */
 batten_status bat_iges_members(bat_iges_reading *reading, int id, bat_iges_curves *curves);

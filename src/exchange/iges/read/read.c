@@ -58,7 +58,8 @@ static const struct {
 };
 #define UNITS (sizeof units / sizeof units[0])
 
-double bat_iges_unit_of_flag(int flag)
+/* 0 when the flag is unknown. */
+static double unit_of_flag(int flag)
 {
     for (size_t k = 0; k < UNITS; k++)
         if (units[k].flag == flag)
@@ -134,7 +135,7 @@ static batten_status read_unit(bat_iges_reading *reading)
     if (bat_iges_integer(global, UNIT_FLAG, &flag) != BATTEN_OK)
         return bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "global section, unit: %.200s",
                               batten_message());
-    double unit = said && flag != 3 ? bat_iges_unit_of_flag(flag) : by_name;
+    double unit = said && flag != 3 ? unit_of_flag(flag) : by_name;
     if (unit == 0) {
         unit = 0.0254;
         note_no_unit(input, said, flag, name);

@@ -131,16 +131,20 @@ typedef struct {
     int first_knots; /* the argument of the first list of multiplicities */
 } parts;
 
-/* `own` arguments stand in a B_SPLINE_CURVE or B_SPLINE_SURFACE without its name, `lists` more
- * with knots. */
+/* What B-splines are called: by the kind of their knots, and the parts of a complex instance.
+ * `own` arguments stand in the base without its name, `lists` more with knots. */
+typedef struct {
+    const char *keywords[4], *base, *rational;
+    int own, lists;
+} spline_words;
+
 static batten_status find_parts(const bat_step_file *file, const bat_step_instance *instance,
-                                const char *const keywords[4], const char *base,
-                                const char *rational, int own, int lists, parts *p, bool *is_it)
+                                const spline_words *words, parts *p, bool *is_it)
 {
     const bat_step_record *found = NULL;
     int kind = 0;
     for (; kind < 4 && !found; kind++)
-        found = bat_step_as(file, instance, keywords[kind]);
+        found = bat_step_as(file, instance, words->keywords[kind]);
     *is_it = found != NULL;
     if (!found)
         return BATTEN_OK;
@@ -149,17 +153,19 @@ static batten_status find_parts(const bat_step_file *file, const bat_step_instan
     if (instance->record_count == 1) {
         p->shape = found;
         p->first = 1;
-        p->first_knots = 1 + own;
-        return bat_step_check_arguments(file, found, 1 + own + (kind == GIVEN ? lists : 0));
+        p->first_knots = 1 + words->own;
+        return bat_step_check_arguments(file, found,
+                                        1 + words->own + (kind == GIVEN ? words->lists : 0));
     }
-    p->shape = bat_step_as(file, instance, base);
-    p->weights = bat_step_as(file, instance, rational);
+    p->shape = bat_step_as(file, instance, words->base);
+    p->weights = bat_step_as(file, instance, words->rational);
     if (!p->shape)
-        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "it has no part %s", base);
-    if (bat_step_argument_count(file, p->shape) != own)
+        return bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "it has no part %s",
+                             words->base);
+    if (bat_step_argument_count(file, p->shape) != words->own)
         return bat_step_fail(file, instance, BATTEN_BAD_FORMAT,
-                             "its part %s has %d arguments, not %d", base,
-                             bat_step_argument_count(file, p->shape), own);
+                             "its part %s has %d arguments, not %d", words->base,
+                             bat_step_argument_count(file, p->shape), words->own);
     return BATTEN_OK;
 }
 
@@ -228,15 +234,18 @@ batten_status bat_step_spline_curve(const bat_step_reading *reading,
                                     const bat_step_instance *instance, batten_curve **out,
                                     bool *is_spline)
 {
-    static const char *const keywords[] = {"B_SPLINE_CURVE_WITH_KNOTS", "BEZIER_CURVE",
-                                           "UNIFORM_CURVE", "QUASI_UNIFORM_CURVE"};
+    static const spline_words words = {
+        {"B_SPLINE_CURVE_WITH_KNOTS", "BEZIER_CURVE", "UNIFORM_CURVE", "QUASI_UNIFORM_CURVE"},
+        "B_SPLINE_CURVE",
+        "RATIONAL_B_SPLINE_CURVE",
+        5,
+        3};
     const bat_step_file *file = reading->file;
     parts p;
     int degree = 0, count = 0;
     size_t at = 0;
     double *points = NULL, *weights = NULL, *knots = NULL;
-    batten_status status = find_parts(file, instance, keywords, "B_SPLINE_CURVE",
-                                      "RATIONAL_B_SPLINE_CURVE", 5, 3, &p, is_spline);
+    batten_status status = find_parts(file, instance, &words, &p, is_spline);
     if (status != BATTEN_OK || !*is_spline)
         return status;
     status = bat_step_get_integer(file, p.shape, p.first, &degree);
@@ -270,13 +279,17 @@ batten_status bat_step_spline_curve(const bat_step_reading *reading,
 
 /* ---- surfaces ---- */
 
-static const char *const surfaces[4] = {"B_SPLINE_SURFACE_WITH_KNOTS", "BEZIER_SURFACE",
-                                        "UNIFORM_SURFACE", "QUASI_UNIFORM_SURFACE"};
+static const spline_words surface_words = {{"B_SPLINE_SURFACE_WITH_KNOTS", "BEZIER_SURFACE",
+                                            "UNIFORM_SURFACE", "QUASI_UNIFORM_SURFACE"},
+                                           "B_SPLINE_SURFACE",
+                                           "RATIONAL_B_SPLINE_SURFACE",
+                                           7,
+                                           5};
 
 bool bat_step_is_spline_surface(const bat_step_file *file, const bat_step_instance *instance)
 {
     for (int k = 0; k < 4; k++)
-        if (bat_step_as(file, instance, surfaces[k]))
+        if (bat_step_as(file, instance, surface_words.keywords[k]))
             return true;
     return false;
 }
@@ -362,8 +375,7 @@ batten_status bat_step_spline_surface(const bat_step_reading *reading,
 {
     parts p;
     net n = {.points = NULL};
-    batten_status status = find_parts(reading->file, instance, surfaces, "B_SPLINE_SURFACE",
-                                      "RATIONAL_B_SPLINE_SURFACE", 7, 5, &p, is_spline);
+    batten_status status = find_parts(reading->file, instance, &surface_words, &p, is_spline);
     if (status != BATTEN_OK || !*is_spline)
         return status;
     status = read_net(reading, instance, &p, &n);

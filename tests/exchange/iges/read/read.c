@@ -50,9 +50,19 @@ TEST(the_unit_is_that_of_the_flag_or_of_the_name)
 
 TEST(every_unit_of_IGES_has_a_flag)
 {
-    for (int flag = 1; flag <= 11; flag++)
-        if (flag != 3)
-            CHECK_INT(bat_iges_flag_of_unit(bat_iges_unit_of_flag(flag)), flag);
+    static const double metres[] = {0, 0.0254, 0.001,   0,    0.3048, 1609.344,
+                                    1, 1000,   2.54e-5, 1e-6, 0.01,   2.54e-8};
+    for (int flag = 1; flag <= 11; flag++) {
+        char global[200];
+        if (flag == 3)
+            continue;
+        CHECK_INT(bat_iges_flag_of_unit(metres[flag]), flag);
+        snprintf(global, sizeof global, ",,1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,1.,%d,;", flag);
+        batten_model *model = NULL;
+        CHECK_OK(read_text(with_global(global), BATTEN_FORMAT_AUTO, NULL, &model));
+        CHECK_BITS(batten_model_unit_metres(model), metres[flag]);
+        batten_model_unref(model);
+    }
     CHECK_INT(bat_iges_flag_of_unit(2.5), 3);
 }
 
