@@ -177,7 +177,7 @@ bool bat_arcs_biarc(const bat_node *a, const bat_node *b, double turn, double le
     if (!chord_of(a, b, &l, unit))
         return false;
     const double alpha = bat_turn(unit, a->direction), beta = bat_turn(unit, b->direction);
-    /* Angles are taken up to a turn; a biarc that goes the other way round is none. */
+    /* Angles are taken up to a turn; a biarc that turns the other way does not count. */
     if (fabs(beta - alpha - turn) > 1e-3)
         return false;
     for (int i = 0; i < ROUNDS; i++) {

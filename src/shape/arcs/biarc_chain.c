@@ -77,7 +77,7 @@ static batten_status check_directions(int d, int count, const double *directions
     for (int i = 0; i < count; i++) {
         if (bat_first_not_finite(directions + i * d, (size_t)d) < (size_t)d)
             return bat_fail(BATTEN_NOT_FINITE,
-                            "direction %d has a coordinate that is no number", i);
+                            "direction %d has a coordinate that is not a finite number", i);
         if (bat_largest(d, directions + i * d) == 0)
             return bat_fail(BATTEN_BAD_ARGUMENT, "direction %d is zero", i);
     }

@@ -10,7 +10,7 @@
 
 enum { SPAN_PIECES = 8 };
 
-/* Legs and weights beyond these are no conic that anybody means. */
+/* Legs and weights beyond these do not make a conic that anybody means. */
 static const double longest_leg = 20, most_weight = 50;
 
 /* A conic arc: its ends, where the tangents meet, and the weight there. */

@@ -164,7 +164,7 @@ static void add_span(arc_spans *s, const batten_span *span, double b, double tol
     s->breaks[s->count] = b;
 }
 
-/* All pieces; false at the first that is no line or arc. */
+/* All pieces; false at the first that is neither a line nor an arc. */
 static bool find(const batten_curve *curve, double tolerance, arc_spans *s)
 {
     const double *U = curve->knots;

@@ -12,7 +12,7 @@ typedef struct {
 
 /* How near a curve must be to what it is taken for: 1e-12 of its size, and its rounding. */
 double bat_exact_tolerance(const batten_curve *curve);
-/* A piece of a curve of dimension 2; false when it is no line or arc. */
+/* A piece of a curve of dimension 2; false when it is neither a line nor an arc. */
 bool bat_exact_piece(const batten_curve *curve, const bat_piece *piece, double tolerance,
                      bat_exact *out);
 /* One arc of at most a half circle, or line, in the place of two that follow one another. */

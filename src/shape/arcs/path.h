@@ -31,7 +31,7 @@ batten_status bat_arcs_take(const bat_arcs_path *p, double a, double b, int inne
                             bat_samples *samples);
 /* By how much the curve turns along its samples, all small turns added. */
 double bat_arcs_turn(const bat_samples *samples);
-/* A part as one or two ranges within the domain: a closed curve goes on beyond its end. */
+/* A part as one or two ranges within the domain: a closed curve continues beyond its end. */
 int bat_arcs_ranges(const bat_arcs_path *p, const bat_arcs_part *part, double ranges[2][2]);
 /* The run from one corner to the next as its own lines and arcs, when it is nothing else, has
  * no kinks and no arc below the least radius: then *kept, and they are added to the list. */

@@ -60,7 +60,7 @@ typedef struct {
 
 /* ---- the curve ---- */
 
-/* The row at a place; a closed curve goes on. */
+/* The row at a place; a closed curve continues. */
 static row row_at(const arc_search *s, int place)
 {
     const bool again = place > s->count;

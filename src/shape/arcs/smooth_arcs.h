@@ -17,7 +17,7 @@ typedef struct {
 
 /* Adds the arcs to the list; none when the search found none, or there would be
  * more than 10,000. The last part of a closed curve
- * is a biarc, and the first may begin anywhere: then one part goes on beyond its end. */
+ * is a biarc, and the first may begin anywhere: then one part continues beyond its end. */
 batten_status bat_arcs_smooth_run(const bat_arcs_smooth *task, bat_arcs_list *list);
 
 #endif

@@ -45,7 +45,7 @@ static batten_status check_energy_options(int d, int count, const double *points
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve of least energy in %d dimension%s", d,
                         bat_plural(d));
     if ((int)options->energy < 0 || options->energy > BATTEN_ENERGY_VARIATION)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "energy %d is none", (int)options->energy);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown energy %d", (int)options->energy);
     if (!(options->tension >= 0 && isfinite(options->tension)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tension is %g; it must be 0 or more",
                         options->tension);

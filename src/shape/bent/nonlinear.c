@@ -40,7 +40,7 @@ static const bat_span_family *family_of(batten_span_family family)
 static batten_status check_end(const char *name, batten_nonlinear_end kind, double value)
 {
     if ((int)kind < 0 || kind > BATTEN_NONLINEAR_CURVATURE)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "end condition %d is none", (int)kind);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown end condition %d", (int)kind);
     if (kind >= BATTEN_NONLINEAR_TANGENT && !isfinite(value))
         return bat_fail(BATTEN_NOT_FINITE, "the value at the %s is %g", name, value);
     return BATTEN_OK;
@@ -62,7 +62,7 @@ static batten_status check_nonlinear_data(int count, const double *points,
                                           const batten_chain_nonlinear_options *options)
 {
     if (!family_of(options->family))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "span family %d is none", (int)options->family);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown span family %d", (int)options->family);
     if (options->max_steps < 1)
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d step%s; at least 1 is needed",
                         options->max_steps, bat_plural(options->max_steps));

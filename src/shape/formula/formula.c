@@ -240,7 +240,8 @@ static batten_status formula_transform(const batten_surface *surface, const batt
 {
     const bat_formula_surface *from = bat_formula_of(surface);
     if (bat_first_not_finite(&map->m[0][0], 9) < 9 || bat_first_not_finite(map->t, 3) < 3)
-        return bat_fail(BATTEN_NOT_FINITE, "the affine map has an element that is no number");
+        return bat_fail(BATTEN_NOT_FINITE,
+                        "the affine map has an element that is not a finite number");
     bat_formula_surface *made = copy_of(from);
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
@@ -256,8 +257,8 @@ static batten_status formula_transform(const batten_surface *surface, const batt
     return status;
 }
 
-/* Breaks from the other end, over the same domain, or over [-b, -a] where not all are told
- * apart on it. */
+/* Breaks from the other end, over the same domain, or over [-b, -a] where rounding would
+ * join some on it. */
 static void turn_breaks(int count, const double *from, double *to)
 {
     const double a = from[0], b = from[count - 1];

@@ -1,5 +1,5 @@
 /*
- * The B-spline near a surface that is none: quintic, interpolating at Greville's abscissae, one
+ * The B-spline near a surface of another kind: quintic, interpolating at Greville's abscissae, one
  * direction after the other. Errors are measured along each direction alone, at parameters of
  * the other where the spline is exact, so that only spans that need it are halved.
  */
@@ -366,7 +366,7 @@ typedef struct {
     double points, error;
 } attempt;
 
-/* Would the points that are needed be far too many, when errors go on falling as slowly as they
+/* Would the points that are needed be far too many, when errors keep falling as slowly as they
  * did since there were a sixteenth of them? Where the surface jumps they do not fall at all;
  * where it is smooth and its features are found, to a four-thousandth. */
 static bool is_hopeless(const surface_fit *t, const attempt *attempts, int round)

@@ -5,7 +5,7 @@
 
 /* The box of samples, widened by what they can miss as far as their second differences tell. */
 batten_status bat_formula_find_box(const batten_surface *surface, batten_box *out);
-/* The isocurve of a surface that is no NURBS, within 1e-9 of the size of its box. */
+/* The isocurve of a surface that is not a NURBS, within 1e-9 of the size of its box. */
 batten_status bat_formula_isocurve(const batten_surface *surface, batten_direction direction,
                                    double at, batten_curve **out);
 

@@ -45,7 +45,7 @@ static batten_status check_constraint(int d, int count, int degree, const batten
                                       int i)
 {
     if ((int)c->kind < 0 || c->kind > BATTEN_CONSTRAINT_MEAN)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "constraint %d is of kind %d, which is none", i,
+        return bat_fail(BATTEN_BAD_ARGUMENT, "constraint %d is of the unknown kind %d", i,
                         (int)c->kind);
     if (bat_first_not_finite(c->normal, (size_t)d) < (size_t)d || !isfinite(c->bound) ||
         !isfinite(c->rate))

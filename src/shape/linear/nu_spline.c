@@ -76,8 +76,8 @@ static batten_status find_data(nu_spline *t, const batten_curve_weighted_options
     for (int i = 0; i < t->count; i++) {
         t->nu[i] = (o->nus ? o->nus[i] : o->nu) / mean;
         if (!isfinite(t->nu[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "the nu of point %d is no number, or too large",
-                            i);
+            return bat_fail(BATTEN_NOT_FINITE,
+                            "the nu of point %d is not a finite number, or too large", i);
     }
     return BATTEN_OK;
 }

@@ -103,17 +103,18 @@ static batten_status find_mesh(quadratic_spline *q)
     for (int i = 1; i <= n; i++) {
         q->k[i] = 2 * q->t[i] - q->k[i - 1];
         if (!(q->k[i] > q->t[i] && q->k[i] > q->k[i - 1]))
-            return bat_fail(BATTEN_NOT_COMPATIBLE,
-                            "parameters 1 to %d are no mid-points: knot %d would be %g, and is "
-                            "to lie above %g",
-                            n, i, q->k[i], q->t[i]);
+            return bat_fail(
+                BATTEN_NOT_COMPATIBLE,
+                "parameters 1 to %d are not mid-points: knot %d would be %g, and is "
+                "to lie above %g",
+                n, i, q->k[i], q->t[i]);
     }
     /* Each knot adds two roundings of the size of the largest parameter. */
     const double end = q->t[q->count - 1];
     const double rounding = 4 * DBL_EPSILON * n * bat_max(fabs(q->t[0]), fabs(end));
     if (!(fabs(q->k[n] - end) <= rounding) || !(end > q->t[n]))
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "parameters 1 to %d are no mid-points: the knots end at %g, not %g", n,
+                        "parameters 1 to %d are not mid-points: the knots end at %g, not %g", n,
                         q->k[n], end);
     q->k[n] = end;
     return BATTEN_OK;

@@ -63,7 +63,7 @@ static double blossom(int p, const double *x, int j, const double *s)
 
 /* ---- data ---- */
 
-/* Datum j of a ring goes on in both directions. */
+/* Datum j of a ring, which continues in both directions. */
 static double place_at(const refinement *t, int j, const double **point)
 {
     const int n = t->count, turn = j >= 0 ? j / n : -((n - 1 - j) / n), i = j - turn * n;
@@ -202,8 +202,7 @@ static batten_status begin_refining(refinement *t, const batten_curve_schoenberg
         return bat_fail(BATTEN_BAD_DEGREE, "the degree is %d; it must be in 1..%d", o->degree,
                         most_degree);
     if ((int)o->parameters < 0 || o->parameters > BATTEN_GIVEN)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no parametrization %d",
-                        (int)o->parameters);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown parametrization %d", (int)o->parameters);
     if (o->closed && o->bernstein)
         return bat_fail(BATTEN_BAD_ARGUMENT, "Bernstein's operator makes no closed curves");
     if (o->closed && t->count < 3)

@@ -205,7 +205,7 @@ batten_status batten_slopes(int count, const double *x, const double *y, batten_
 {
     assert(x && y && slopes);
     if ((int)rule < 0 || rule > BATTEN_SLOPE_MAKIMA)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for slopes", (int)rule);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown rule %d for slopes", (int)rule);
     bat_chords chords;
     const batten_status status = bat_chords_make(count, x, y, &chords);
     if (status != BATTEN_OK)

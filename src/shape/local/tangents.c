@@ -47,7 +47,7 @@ static double length(const tangent_rule *t, int span)
 /* ---- chords, and what stands for them beyond an open end ---- */
 
 /* The chord from point i, divided by `scale`; by its length when `scale` is 0. Beyond an end
- * chords are as long as the last one, and their directions go on in equal differences, as
+ * chords are as long as the last one, and their directions continue in equal differences, as
  * Akima's slopes do. */
 static void chord(const tangent_rule *t, int i, double scale, double *q)
 {
@@ -375,14 +375,14 @@ static batten_status check_options(const batten_tangents_options *o, int dimensi
                         "tangents need a plane or space; a function of one "
                         "variable has slopes");
     if ((int)o->rule < 0 || o->rule > BATTEN_TANGENT_GIVEN)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for tangents", (int)o->rule);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown rule %d for tangents", (int)o->rule);
     if ((int)o->length < 0 || o->length > BATTEN_LENGTH_RULE)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for the length of tangents",
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown rule %d for the length of tangents",
                         (int)o->length);
     if (o->rule != BATTEN_TANGENT_GIVEN)
         return BATTEN_OK;
     if (!o->given)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the tangents shall be given, and are not");
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tangents must be given, and are missing");
     return bat_local_check_rows(dimension, count, o->given, "tangent");
 }
 

@@ -128,7 +128,7 @@ static batten_status take_knots(approximation *t)
     if (o->knots != BATTEN_KNOTS_GIVEN)
         return bat_fit_knots(r, t->knots);
     if (!o->given_knots)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the knots shall be given, and are not");
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the knots must be given, and are missing");
     memcpy(t->knots, o->given_knots, count * sizeof *t->knots);
     const size_t bad = bat_first_not_finite(t->knots, count);
     if (bad < count)
@@ -230,10 +230,9 @@ static batten_status check_fit_data(int dimension, int count, const double *poin
         return bat_fail(BATTEN_TOO_LARGE, "%d control points; the limit is %d", o->point_count,
                         BAT_MAX_POINTS);
     if ((int)o->parameters < 0 || o->parameters > BATTEN_GIVEN)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no parametrization %d",
-                        (int)o->parameters);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown parametrization %d", (int)o->parameters);
     if ((int)o->robust < 0 || o->robust > BATTEN_TUKEY)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no robust fit %d", (int)o->robust);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown robust fit %d", (int)o->robust);
     if (!(o->band >= 0 && o->band < HUGE_VAL))
         return bat_fail(isfinite(o->band) ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE,
                         "the band is %g; it must be 0 or more", o->band);

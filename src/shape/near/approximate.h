@@ -98,7 +98,7 @@ typedef struct {
     bool coupled; /* some rows bear on several coordinates */
 } bat_condition_rows;
 
-/* Are there any in the options? The ends alone are none. */
+/* Are there any in the options? The ends alone do not count. */
 bool bat_fit_has_conditions(const batten_curve_least_squares_options *options);
 /* NOT_FINITE, BAD_ARGUMENT, OUT_OF_DOMAIN naming the condition. */
 batten_status bat_fit_conditions(const bat_fit *fit,

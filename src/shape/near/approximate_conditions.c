@@ -213,7 +213,7 @@ static batten_status ask_shape(asking *a)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a shape is for open functions, not for a %s",
                         a->fit->dimension > 1 ? "curve" : "closed one");
     if (shape > 15)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no shape %u", shape);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown shape %u", shape);
     for (int i = 0; i < n - 1; i++) {
         if (shape & BATTEN_INCREASING)
             ask_slope(a, i, false);

@@ -42,7 +42,8 @@ batten_status bat_fit_parameters(int dimension, int count, const double *points,
     const int wanted = count + periodic;
     if (kind == BATTEN_GIVEN) {
         if (!given)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "the parameters shall be given, and are not");
+            return bat_fail(BATTEN_BAD_ARGUMENT,
+                            "the parameters must be given, and are missing");
         const batten_status status = check_given(wanted, given);
         if (status != BATTEN_OK)
             return status;
@@ -158,7 +159,7 @@ batten_status bat_fit_knots(const bat_fit_request *r, double *knots)
 
 /* ---- knots by curvature ---- */
 
-/* How dense knots shall be on each span of the first curve: the (p + 1)th root of the next
+/* How dense knots are to be on each span of the first curve: the (p + 1)th root of the next
  * derivative, which the jumps of the p-th at the knots tell. */
 static batten_status find_density(const batten_curve *first, int spans, const double *breaks,
                                   double *density)

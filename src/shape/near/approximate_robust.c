@@ -13,7 +13,7 @@
 #define SMALL_SHARE 1e-6
 enum { MOST_ROUNDS = 50 };
 
-/* Distances of so many roundings of the largest coordinate are none. */
+/* Distances of so many roundings of the largest coordinate count as 0. */
 #define ROUNDINGS (1000 * DBL_EPSILON)
 
 /* Chosen thresholds, in medians of the distance: of normal errors in a function the median is
@@ -46,7 +46,7 @@ static void find_distances(robust_fit *t)
         t->distances[i] = bat_norm(d, t->residuals + (size_t)i * (size_t)d);
 }
 
-/* ---- the sum that shall be least ---- */
+/* ---- the sum that becomes least ---- */
 
 static double loss(const robust_fit *t, double r)
 {

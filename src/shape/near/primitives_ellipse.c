@@ -228,7 +228,7 @@ static batten_status refine(const bat_cloud *c, ellipse *e, double *distances, i
                       : BATTEN_OK;
 }
 
-/* Directed along the way from the first datum to the last. */
+/* Directed as the data run, from the first to the last. */
 static void report_ellipse(const bat_cloud *c, const ellipse *e, double *angles,
                            batten_fitted_ellipse *out)
 {

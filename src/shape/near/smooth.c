@@ -178,10 +178,9 @@ static batten_status check_smoothing_data(int dimension, int count, const double
     if (o->order < 1 || o->order > 4)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the order is %d; it must be in 1..4", o->order);
     if ((int)o->by < 0 || o->by > BATTEN_SMOOTH_BY_RMS)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for smoothing", (int)o->by);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown rule %d for smoothing", (int)o->by);
     if ((int)o->parameters < 0 || o->parameters > BATTEN_GIVEN)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no parametrization %d",
-                        (int)o->parameters);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown parametrization %d", (int)o->parameters);
     if (o->by == BATTEN_SMOOTH_BY_VALIDATION)
         return BATTEN_OK;
     if (isnan(o->amount))

@@ -19,7 +19,7 @@ typedef struct {
 } bat_lambda_search;
 /* 0 to infinity. */
 batten_status bat_lambda_choose(const bat_lambda_search *search, double *lambda);
-/* The penalty of the smoothest shape that is no polynomial is so much smaller than the mean:
+/* The penalty of the smoothest shape that is not a polynomial is so much smaller than the mean:
  * about (pi / count)^(2 m); four decades more make it as good as a polynomial. */
 double bat_last_decade(int order, int count);
 

@@ -137,7 +137,7 @@ static void keep_trial(bat_within *w, const trial *t)
 
 /* ---- knots that go ---- */
 
-/* Indices of the inner knots in the order in which they shall go. */
+/* Indices of the inner knots in the order in which they are removed. */
 static batten_status rank(const bat_within *w, const trial *t, int *order, int *count)
 {
     bat_spline spline;

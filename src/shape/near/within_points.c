@@ -251,7 +251,7 @@ static batten_status measure_point_error(bat_within *w, const batten_curve *curv
     return status;
 }
 
-/* The seam of a ring of even degree stands, as its other knots shall, between two data. */
+/* The seam of a ring of even degree stands, like its other knots, between two data. */
 static batten_interval domain_of(const within_fit *t, int from, int to, bool periodic)
 {
     const double *u = t->parameters;
@@ -433,7 +433,7 @@ static batten_status check_within_data(int dimension, int count, const double *p
                         BATTEN_MAX_DEGREE);
     if ((int)o->method < 0 || o->method > BATTEN_WITHIN_BEZIER || (int)o->parameters < 0 ||
         o->parameters > BATTEN_GIVEN)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no method %d, or no parametrization %d",
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown method %d or parametrization %d",
                         (int)o->method, (int)o->parameters);
     if (o->method == BATTEN_WITHIN_BEZIER && (dimension == 1 || o->degree != 3))
         return bat_fail(BATTEN_BAD_ARGUMENT,

@@ -1,6 +1,6 @@
 /*
  * The chords of a plane polygon and the angles between them, the frame in which nonlinear
- * splines are computed, and the way back to the plane of the data.
+ * splines are computed, and the map back to the plane of the data.
  */
 #include "shape/points/chord_polygon.h"
 #include "numeric/vector.h"

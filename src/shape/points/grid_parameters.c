@@ -92,12 +92,12 @@ batten_status bat_family_parametrize(const bat_family *g, batten_parametrization
                                      double *u, double *spread)
 {
     if ((int)kind < 0 || kind > BATTEN_GIVEN)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no parametrization %d", (int)kind);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown parametrization %d", (int)kind);
     if (kind != BATTEN_GIVEN)
         return average(g, kind, u, spread);
     if (!g->given)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "the parameters of the %s shall be given, and are not", g->name);
+                        "the parameters of the %s must be given, and are missing", g->name);
     memcpy(u, g->given, ((size_t)g->count + g->periodic) * sizeof *u);
     return bat_parameters_check(g->count + g->periodic, u);
 }

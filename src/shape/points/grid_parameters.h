@@ -5,7 +5,7 @@
 #include "base/base.h"
 #include <batten/interpolate.h>
 
-/* A family of lines of points that shall have the same parameters: the rows of a grid. */
+/* A family of lines of points that have their parameters in common: the rows of a grid. */
 typedef struct {
     const char *name;             /* of what crosses them, for messages: "u grid lines" */
     int dimension, count, lines;  /* `lines` of `count` points */

@@ -11,7 +11,7 @@
 static batten_status check_rule(const bat_beyond_rule *rule)
 {
     if ((int)rule->kind < 0 || rule->kind > BATTEN_PHANTOM_REPEAT)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for points beyond the ends",
+        return bat_fail(BATTEN_BAD_ARGUMENT, "unknown rule %d for points beyond the ends",
                         (int)rule->kind);
     if (!rule->given && !(rule->alpha >= 0 && rule->alpha <= 1))
         return bat_fail(BATTEN_BAD_ARGUMENT, "alpha is %g; it must be in 0..1", rule->alpha);

@@ -275,7 +275,7 @@ batten_status batten_parametrize(batten_points points, batten_parametrization ki
     batten_status status = bat_points_check(points.dimension, points.count, points.at, 2);
     if (status == BATTEN_OK && ((int)kind < 0 || kind >= BATTEN_GIVEN))
         status = bat_fail(BATTEN_BAD_ARGUMENT,
-                          "parametrization %d is none that can be computed", (int)kind);
+                          "parametrization %d cannot be computed from points", (int)kind);
     if (status != BATTEN_OK)
         return status;
     const size_t wanted = (size_t)points.count + closed;
@@ -300,7 +300,7 @@ batten_status bat_parameters_of(int dimension, int count, const double *points,
     if (kind != BATTEN_GIVEN)
         return bat_parametrize(dimension, count, points, kind, closed, *out);
     if (!given)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the parameters shall be given, and are not");
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the parameters must be given, and are missing");
     memcpy(*out, given, (size_t)wanted * sizeof **out);
     return bat_parameters_check(wanted, *out);
 }

@@ -13,7 +13,7 @@ typedef struct {
     double work, most;
 } thinning;
 
-/* Of a closed row indices go on beyond the end. */
+/* Of a closed row indices continue beyond the end. */
 static const double *point_at(const thinning *t, int i)
 {
     return t->points + (size_t)(i % t->count) * (size_t)t->dimension;

@@ -454,7 +454,7 @@ TEST(g1_g9_n1_points_without_a_spiro_are_named)
     options.kinds = kinds;
     CHECK_STATUS(batten_chain_spiro((batten_points){2, 4, knot}, &options, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("point 1 is of kind 7");
+    CHECK_MESSAGE("point 1 is of the unknown kind 7");
     options = batten_chain_spiro_defaults();
     options.end = (batten_spiro_end){.has_tangent = true, .tangent = INFINITY};
     CHECK_STATUS(batten_chain_spiro((batten_points){2, 2, knot}, &options, NULL, NULL, &chain),

@@ -445,7 +445,7 @@ TEST(G9_conditions_that_cannot_hold_together_are_named)
         {{{BATTEN_CONDITION_EQUAL, -1, 0.25, 0, {1}},
           {BATTEN_CONDITION_EQUAL, -1, 0.25, 0, {2}}},
          0,
-         "condition 1, that the curve shall be 2 at 0.25, cannot hold together with the "
+         "condition 1, that the curve must be 2 at 0.25, cannot hold together with the "
          "others: "
          "it is missed by 1"},
         {{{BATTEN_CONDITION_AT_LEAST, -1, 0.25, 0, {3}},
@@ -457,7 +457,7 @@ TEST(G9_conditions_that_cannot_hold_together_are_named)
          "the shape between"},
         {{{BATTEN_CONDITION_EQUAL, -1, 0.5, 4, {3}}, {BATTEN_CONDITION_EQUAL, -1, 1, 0, {2}}},
          0,
-         "condition 0, that derivative 4 shall be 3 at 0.5, cannot hold"},
+         "condition 0, that derivative 4 must be 3 at 0.5, cannot hold"},
     };
     double t[MANY], y[MANY];
     noisy("refused", MANY, t, y);

@@ -114,7 +114,7 @@ TEST(splines_as_operations_say_what_they_cannot_do)
         {"{weighted-spline: p, weights: 0}", "the weight of span 0 is 0"},
         {"{weighted-spline: p, as: function, closed: yes}", "a function cannot be closed"},
         {"{beta-spline: p, beta1: 0}", "beta1 is 0"},
-        {"{quadratic-spline: p, knots: midpoints, as: function}", "are no mid-points"},
+        {"{quadratic-spline: p, knots: midpoints, as: function}", "are not mid-points"},
         {"{beta-spline: two, closed: yes}", "at least 3"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
