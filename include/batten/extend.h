@@ -31,8 +31,8 @@ typedef struct batten_curve_extend_report {
     batten_continuity join; /**< of the given curve with what was added, in the direction away
                                  from the curve */
     double length;          /**< of what was added */
-    double error; /**< how far what was added may be from what it should be: 1.2 times the
-                       largest among samples of a SPIRAL, else 0 */
+    double error; /**< how far what was added may be from what it should be: a bound for a
+                       SPIRAL, else 0 */
 } batten_curve_extend_report;
 
 /**

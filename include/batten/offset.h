@@ -37,8 +37,9 @@ typedef struct batten_curve_offset_options {
 BATTEN_API batten_curve_offset_options batten_curve_offset_defaults(void);
 
 typedef struct batten_curve_offset_report {
-    double error;  /**< 1.2 times the largest distance from the true offset among 7 samples of
-                        each piece, at equal parameters; 0 when all is lines and arcs */
+    double error;  /**< the largest distance from the true offset at equal parameters: 1.1374
+                        times that of 7 samples of each piece, a bound once the error of the
+                        pieces varies linearly; 0 when all is lines and arcs */
     int cusps;     /**< places where curvature times distance is 1 */
     int crossings; /**< of the offset with itself, before loops were removed */
     int removed;   /**< parts that were nearer to the curve than asked */

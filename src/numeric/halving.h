@@ -1,4 +1,5 @@
-/* An interval that is halved from the left until every piece satisfies its caller. */
+/* An interval that is halved from the left until every piece satisfies its caller; what samples say
+ * about a piece. */
 #ifndef BAT_HALVING_H
 #define BAT_HALVING_H
 #include <stdbool.h>
@@ -58,5 +59,23 @@ static inline void bat_halving_accept(bat_halving *h)
     if (h->waiting > 0)
         h->b = h->stack[h->waiting - 1].b;
 }
+
+/*
+ * How far Hermite interpolation is off between equally spaced samples of its error.
+ *
+ * The interpolant of a function and its first m - 1 derivatives at both ends is off by
+ * w(t) L(t), with w = (t (1 - t))^m for t from 0 to 1 and L the divided difference of order 2m.
+ * Where L is linear, as for polynomials of degree 2m + 1 and for every smooth function once the
+ * piece is short, |w L| is nowhere larger than its largest sample times the factor here: a
+ * linear L is a point of the plane, samples of at most 1 bound a polygon of such points, and
+ * the factor is the largest |w L| over its corners. Distances of points obey it, too, because
+ * it holds along every direction.
+ */
+
+/* m = 2, samples at 1/4, 1/2 and 3/4: reached by L = 1 + 28/9 (t - 1/2) at t = 0.629. */
+#define BAT_CUBIC_BETWEEN_3 1.221
+
+/* m = 3, samples at 1/8 .. 7/8: reached by a nearly odd L at t = 0.686. */
+#define BAT_QUINTIC_BETWEEN_7 1.1374
 
 #endif

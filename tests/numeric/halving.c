@@ -41,3 +41,61 @@ TEST(an_interval_without_a_number_between_its_ends_is_not_halved)
     CHECK(!bat_halving_split(&h));
     CHECK_INT(h.waiting, 1);
 }
+
+/* The largest |w L| over [0, 1] with L = cos a + 2 sin a (t - 1/2), by its largest of n samples. */
+static double excess(int m, int n, double a)
+{
+    double anywhere = 0, sampled = 0;
+    for (int i = 0; i <= 800; i++) {
+        const double t = i / 800.0;
+        const double e = fabs(pow(4 * t * (1 - t), m) * (cos(a) + 2 * sin(a) * (t - 0.5)));
+        anywhere = fmax(anywhere, e);
+        if (i % (800 / (n + 1)) == 0)
+            sampled = fmax(sampled, e);
+    }
+    return anywhere / sampled;
+}
+
+static double largest_excess(int m, int n)
+{
+    double worst = 0;
+    for (int i = 0; i < 20000; i++)
+        worst = fmax(worst, excess(m, n, i * (3.14159265358979 / 20000)));
+    return worst;
+}
+
+TEST(an_error_with_a_linear_factor_exceeds_its_samples_by_the_factor_and_no_more)
+{
+    const double cubic = largest_excess(2, 3), quintic = largest_excess(3, 7);
+    CHECK(cubic <= BAT_CUBIC_BETWEEN_3 && cubic > BAT_CUBIC_BETWEEN_3 - 1e-3);
+    CHECK(quintic <= BAT_QUINTIC_BETWEEN_7 && quintic > BAT_QUINTIC_BETWEEN_7 - 1e-3);
+}
+
+TEST(hermites_cubic_of_a_quintic_is_nowhere_farther_off_than_the_bound)
+{
+    test_random random = test_random_begin("hermite bound");
+    for (int c = 0; c < 200; c++) {
+        double a[6], worst = 0, sampled = 0;
+        for (int k = 0; k < 6; k++)
+            a[k] = test_random_in(&random, -1, 1);
+        double f[2] = {a[0], 0}, g[2] = {0, 0};
+        for (int k = 0; k < 6; k++) {
+            f[1] += a[k];
+            g[0] = a[1];
+            g[1] += k * a[k];
+        }
+        for (int i = 0; i <= 100; i++) {
+            const double t = i / 100.0, s = 1 - t;
+            double value = 0;
+            for (int k = 5; k >= 0; k--)
+                value = value * t + a[k];
+            const double cubic = f[0] * s * s * (1 + 2 * t) + g[0] * s * s * t +
+                                 f[1] * t * t * (1 + 2 * s) - g[1] * t * t * s;
+            const double off = fabs(cubic - value);
+            worst = fmax(worst, off);
+            if (i % 25 == 0)
+                sampled = fmax(sampled, off);
+        }
+        CHECK(worst <= BAT_CUBIC_BETWEEN_3 * sampled + 1e-14);
+    }
+}

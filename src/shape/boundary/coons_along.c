@@ -239,9 +239,11 @@ static batten_status fit_ribbon(int order, batten_curve *const *part, const doub
 
 /* The ribbon from the edge that was found; `at` are the ends of the curve on it. */
 static batten_status ribbon_of(const batten_surface *surface, batten_edge edge, double at[2],
-                               int order, const double *ends, double tolerance,
-                               batten_curve *made[3], double misfit[2], double *error)
+                               const batten_ribbon_wish *wish, batten_curve *made[3],
+                               double misfit[2], double *error)
 {
+    const int order = wish->order;
+    const double tolerance = wish->tolerance;
     batten_curve *whole[3] = {NULL, NULL, NULL}, *part[3] = {NULL, NULL, NULL};
     double factor = 1;
     batten_status status = take_ribbon(surface, edge, order, tolerance, whole, error);
@@ -250,7 +252,7 @@ static batten_status ribbon_of(const batten_surface *surface, batten_edge edge, 
     for (int k = 0; status == BATTEN_OK && k <= order; k++)
         status = take_part(whole[k], at, &part[k]);
     if (status == BATTEN_OK && order > 0)
-        status = fit_ribbon(order, part, ends, made, misfit, &factor);
+        status = fit_ribbon(order, part, wish->ends, made, misfit, &factor);
     if (status == BATTEN_OK)
         made[0] = batten_curve_ref(part[0]);
     *error *= bat_max(1, order < 2 ? factor : factor * factor);
@@ -286,8 +288,7 @@ batten_status batten_ribbon_along(const batten_surface *surface, const batten_cu
     if (status == BATTEN_OK)
         status = bat_edge_beside(surface, curve, wish.tolerance, &edge, at);
     if (status == BATTEN_OK)
-        status = ribbon_of(surface, edge, at, wish.order, wish.ends, wish.tolerance, made, off,
-                           &far);
+        status = ribbon_of(surface, edge, at, &wish, made, off, &far);
     for (int k = 0; k <= wish.order && k < 3; k++) {
         if (status == BATTEN_OK)
             ribbon[k] = made[k];

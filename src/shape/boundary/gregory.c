@@ -1,5 +1,7 @@
 /* Gregory patches over the square and the triangle. */
-#include "shape/boundary/gregory.h"
+#include "numeric/jet.h"
+#include "shape/formula/formula.h"
+#include <batten/fill.h>
 
 #include "numeric/vector.h"
 #include "spline/spline.h"
@@ -9,8 +11,10 @@
 /* Nearer to a corner than this the parameters are rounding. */
 static const double corner = 1e-14;
 
-void bat_gregory_blend(bat_jet a, bat_jet b, const double p[3], const double q[3],
-                       bat_jet out[3])
+/* a p + b q over a + b: halfway where both vanish. Numbers are parameters or barycentric
+ * coordinates, none negative. */
+static void blend_two(bat_jet a, bat_jet b, const double p[3], const double q[3],
+                      bat_jet out[3])
 {
     bat_jet share = bat_jet_constant(0.5);
     if (a.d[0] + b.d[0] > corner)
@@ -19,21 +23,24 @@ void bat_gregory_blend(bat_jet a, bat_jet b, const double p[3], const double q[3
         out[c] = bat_jet_add(bat_jet_constant(q[c]), bat_jet_scale(p[c] - q[c], share));
 }
 
-void bat_gregory_add(bat_jet weight, const double point[3], bat_jet out[3])
+/* out += weight point */
+static void add_weighted(bat_jet weight, const double point[3], bat_jet out[3])
 {
     for (int c = 0; c < 3; c++)
         out[c] = bat_jet_add(out[c], bat_jet_scale(point[c], weight));
 }
 
-void bat_gregory_hand_out(const bat_jet point[3], int order, double *out)
+/* The jets of three coordinates as derivatives [..][3]. */
+static void copy_derivatives(const bat_jet point[3], int order, double *out)
 {
     for (int i = 0; i < BATTEN_SURFACE_DERIVATIVES(order); i++)
         for (int c = 0; c < 3; c++)
             out[3 * i + c] = point[c].d[i];
 }
 
-batten_status bat_gregory_create(const bat_formula *formula, const double *points, size_t count,
-                                 batten_surface **out)
+/* The surface of a formula over the unit square whose data [count] start with its points. */
+static batten_status create_patch(const bat_formula *formula, const double *points,
+                                  size_t count, batten_surface **out)
 {
     static const double ends[2] = {0, 1};
     const bat_formula_axis axis = {2, ends, 2};
@@ -83,17 +90,17 @@ static batten_status evaluate_square(const void *data, double at_u, double at_v,
         for (int j = 0; j < 4; j++) {
             const bat_jet weight = bat_jet_multiply(Bu[i], Bv[j]);
             if (i == 0 || i == 3 || j == 0 || j == 3) {
-                bat_gregory_add(weight, points + 3 * (4 * i + j), sum);
+                add_weighted(weight, points + 3 * (4 * i + j), sum);
                 continue;
             }
             /* near v = 0 the point that this edge sees counts: u its weight */
             const double *two = inner + 6 * (2 * (i - 1) + (j - 1));
             bat_jet point[3];
-            bat_gregory_blend(from_u[i - 1], from_v[j - 1], two, two + 3, point);
+            blend_two(from_u[i - 1], from_v[j - 1], two, two + 3, point);
             for (int c = 0; c < 3; c++)
                 sum[c] = bat_jet_add(sum[c], bat_jet_multiply(weight, point[c]));
         }
-    bat_gregory_hand_out(sum, order, out);
+    copy_derivatives(sum, order, out);
     return BATTEN_OK;
 }
 
@@ -108,7 +115,7 @@ batten_status batten_surface_gregory(const double *points, const double *inner,
     for (int i = 1; i < 3; i++) /* not looked at: they may be anything */
         for (int j = 1; j < 3; j++)
             memcpy(all[4 * i + j], points, sizeof all[0]);
-    return bat_gregory_create(&square, all[0], 24, out);
+    return create_patch(&square, all[0], 24, out);
 }
 
 /* ---- the triangle ---- */
@@ -138,8 +145,8 @@ static batten_status evaluate_triangle(const void *data, double at_u, double at_
         const int next = (e + 1) % 3, last = (e + 2) % 3;
         for (int k = 0; k < 4; k++) {
             const bat_jet weight = bat_jet_multiply(power(b[e], 4 - k), power(b[next], k));
-            bat_gregory_add(bat_jet_scale(bat_binomials[4][k], weight), edges + 3 * (5 * e + k),
-                            sum);
+            add_weighted(bat_jet_scale(bat_binomials[4][k], weight), edges + 3 * (5 * e + k),
+                         sum);
         }
         /* On the edge to the next corner b[last] is 0, and the point that it sees counts. At
          * the pole both vanish, but their ratio is that of 1 - v and v. */
@@ -148,11 +155,11 @@ static batten_status evaluate_triangle(const void *data, double at_u, double at_
         const bat_jet weight = bat_jet_scale(
             12, bat_jet_multiply(power(b[e], 2), bat_jet_multiply(b[next], b[last])));
         bat_jet point[3];
-        bat_gregory_blend(p, q, inner + 6 * e, inner + 6 * e + 3, point);
+        blend_two(p, q, inner + 6 * e, inner + 6 * e + 3, point);
         for (int c = 0; c < 3; c++)
             sum[c] = bat_jet_add(sum[c], bat_jet_multiply(weight, point[c]));
     }
-    bat_gregory_hand_out(sum, order, out);
+    copy_derivatives(sum, order, out);
     return BATTEN_OK;
 }
 
@@ -173,5 +180,5 @@ batten_status batten_surface_gregory_triangle(const double *edges, const double 
                             "edge %d of the triangle ends %g away from where edge %d begins", e,
                             gap, (e + 1) % 3);
     }
-    return bat_gregory_create(&triangle, all[0], 21, out);
+    return create_patch(&triangle, all[0], 21, out);
 }

@@ -1,6 +1,6 @@
 /* Gregory patches between cubic curves. */
 #include "numeric/vector.h"
-#include "shape/boundary/gregory.h"
+#include <batten/fill.h>
 #include <stdio.h>
 #include <string.h>
 

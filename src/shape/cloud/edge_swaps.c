@@ -55,9 +55,9 @@ static bool is_stout(const swapper *s, int a, int b, int c)
 typedef struct {
     int t, e, other, f;
     int a, b, c, d;
-} pair;
+} triangle_pair;
 
-static bool take_pair(const swapper *s, int side, pair *p)
+static bool take_pair(const swapper *s, int side, triangle_pair *p)
 {
     const int *corners = s->triangles->corners;
     p->t = side / 3;
@@ -87,7 +87,7 @@ static double angle_across(const swapper *s, int t, int e, const double normal[3
 }
 
 /* How much less the planes bend with the other diagonal. */
-static double gain_of_swap(const swapper *s, const pair *p)
+static double gain_of_swap(const swapper *s, const triangle_pair *p)
 {
     const int now[2][3] = {{p->c, p->a, p->b}, {p->d, p->b, p->a}};
     const int then[2][3] = {{p->c, p->a, p->d}, {p->d, p->b, p->c}};
@@ -130,7 +130,7 @@ static void set_beside(swapper *s, int t, int was, int now)
 }
 
 /* t becomes (c, a, d), the other (d, b, c). */
-static void swap_edge(swapper *s, const pair *p)
+static void swap_edge(swapper *s, const triangle_pair *p)
 {
     int *corners = s->triangles->corners, *beside = s->triangles->beside;
     const int across_ca = beside[3 * p->t + (p->e + 2) % 3];
@@ -160,7 +160,7 @@ static batten_status swap_all(swapper *s, int *swaps)
             queue_side(s, side);
     *swaps = 0;
     while (s->count) {
-        pair p;
+        triangle_pair p;
         const int side = s->queue[s->first];
         s->first = (s->first + 1) % s->size;
         s->count--;

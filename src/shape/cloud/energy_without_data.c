@@ -18,7 +18,7 @@ typedef struct {
 typedef struct {
     double *x, *w; /* [count][degree + 1], by knot span */
     double *basis; /* [count][degree + 1][3][degree + 1] */
-} places;
+} quadrature_places;
 
 /* ---- bins ---- */
 
@@ -46,14 +46,14 @@ static batten_status find_bins(const bat_scatter *s, bins *b)
 
 /* ---- the energy ---- */
 
-static void places_end(places *at)
+static void places_end(quadrature_places *at)
 {
     bat_release(at->x);
     bat_release(at->w);
     bat_release(at->basis);
 }
 
-static batten_status find_places(const bat_net_axis *axis, places *at)
+static batten_status find_places(const bat_net_axis *axis, quadrature_places *at)
 {
     const size_t wide = (size_t)axis->degree + 1, n = (size_t)axis->count;
     double x[BAT_MAX_GAUSS], w[BAT_MAX_GAUSS];
@@ -101,7 +101,8 @@ static void add_place(const bat_scatter *s, int i, int j, double w, const double
         }
 }
 
-static void add_cell(const bat_scatter *s, const bins *b, const places at[2], int i, int j)
+static void add_cell(const bat_scatter *s, const bins *b, const quadrature_places at[2], int i,
+                     int j)
 {
     const int m = s->axis[0].degree + 1, n = s->axis[1].degree + 1;
     for (int g = 0; g < m; g++)
@@ -119,7 +120,7 @@ static void add_cell(const bat_scatter *s, const bins *b, const places at[2], in
 batten_status bat_scatter_open(bat_scatter *s)
 {
     bins b = {{0, 0}, NULL};
-    places at[2] = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
+    quadrature_places at[2] = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
     batten_status status = find_bins(s, &b);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         status = find_places(&s->axis[k], &at[k]);

@@ -13,9 +13,9 @@ typedef struct {
     int count;
     double *at;
     bool seam; /* the last of them is */
-} places;
+} corner_places;
 
-static batten_status find_places(const batten_curve *curve, places *out)
+static batten_status find_places(const batten_curve *curve, corner_places *out)
 {
     const batten_curve_continuity_options options = batten_curve_continuity_defaults();
     const double end = batten_curve_domain(curve).b;
@@ -23,7 +23,7 @@ static batten_status find_places(const batten_curve *curve, places *out)
     batten_status status = batten_curve_continuity(curve, &options, &joins);
     if (status != BATTEN_OK)
         return status;
-    places found = {0, bat_array((size_t)joins.count, sizeof *found.at), false};
+    corner_places found = {0, bat_array((size_t)joins.count, sizeof *found.at), false};
     if (!found.at)
         status = BATTEN_OUT_OF_MEMORY;
     for (int i = 0; status == BATTEN_OK && i < joins.count; i++) {
@@ -40,7 +40,7 @@ static batten_status find_places(const batten_curve *curve, places *out)
 
 batten_status bat_curve_corner_count(const batten_curve *curve, int *count)
 {
-    places found = {0, NULL, false};
+    corner_places found = {0, NULL, false};
     const batten_status status = find_places(curve, &found);
     bat_release(found.at);
     if (status == BATTEN_OK)
@@ -59,14 +59,15 @@ typedef struct {
     int pieces;
     double *from, *to;   /* [parts] what is left of each */
     batten_curve **link; /* [corners]; corner k follows part k */
-} work;
+} corner_cutting;
 
-static int number(const work *w, int corner)
+static int number(const corner_cutting *w, int corner)
 {
     return (corner + w->shift) % w->corners + 1;
 }
 
-static batten_status cut_apart(work *w, const batten_curve *curve, const places *found)
+static batten_status cut_apart(corner_cutting *w, const batten_curve *curve,
+                               const corner_places *found)
 {
     const batten_interval domain = batten_curve_domain(curve);
     const size_t n = (size_t)found->count + 1;
@@ -89,7 +90,7 @@ static batten_status cut_apart(work *w, const batten_curve *curve, const places 
     return status;
 }
 
-static batten_status cut_corner(work *w, int k)
+static batten_status cut_corner(corner_cutting *w, int k)
 {
     const int next = (k + 1) % w->parts;
     const bat_corner corner = {number(w, k) - 1, w->part[k], w->part[next]};
@@ -111,7 +112,7 @@ static batten_status cut_corner(work *w, int k)
 }
 
 /* What is left of a part, unless the cuts took all of it. */
-static batten_status take_part(work *w, int k)
+static batten_status take_part(corner_cutting *w, int k)
 {
     const batten_interval domain = batten_curve_domain(w->part[k]);
     const double rounding = BAT_ROUNDING * (domain.b - domain.a);
@@ -129,7 +130,7 @@ static batten_status take_part(work *w, int k)
     return status;
 }
 
-static batten_status cut_and_join(work *w, batten_curve **out)
+static batten_status cut_and_join(corner_cutting *w, batten_curve **out)
 {
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < w->corners; k++)
@@ -144,7 +145,7 @@ static batten_status cut_and_join(work *w, batten_curve **out)
                : status;
 }
 
-static void end_walk(work *w)
+static void end_walk(corner_cutting *w)
 {
     for (int k = 0; k < w->parts; k++)
         batten_curve_unref(w->part[k]);
@@ -160,8 +161,8 @@ static void end_walk(work *w)
 }
 
 /* A closed curve begins at a corner, so that no part goes over the seam. */
-static batten_status begin_at_corner(const batten_curve *curve, places *found, int *shift,
-                                     batten_curve **out)
+static batten_status begin_at_corner(const batten_curve *curve, corner_places *found,
+                                     int *shift, batten_curve **out)
 {
     const double gap = 1e-6 * bat_curve_size(curve);
     *shift = 0;
@@ -170,7 +171,7 @@ static batten_status begin_at_corner(const batten_curve *curve, places *found, i
         return BATTEN_OK;
     }
     batten_curve *turned = NULL;
-    places again = {0, NULL, false};
+    corner_places again = {0, NULL, false};
     batten_status status = batten_curve_trim(curve, found->at[0], found->at[0], gap, &turned);
     if (status == BATTEN_OK)
         status = find_places(turned, &again);
@@ -188,8 +189,8 @@ static batten_status begin_at_corner(const batten_curve *curve, places *found, i
 batten_status bat_curve_cut_corners(const batten_curve *curve, const bat_cutter *cutter,
                                     batten_curve **out)
 {
-    work w = {.cutter = cutter};
-    places found = {0, NULL, false};
+    corner_cutting w = {.cutter = cutter};
+    corner_places found = {0, NULL, false};
     batten_curve *begun = NULL;
     batten_status status = find_places(curve, &found);
     if (status == BATTEN_OK)

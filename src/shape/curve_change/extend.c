@@ -12,7 +12,8 @@
 
 /* Curvature and rate that rounding alone may make count as 0; then n is the direction of what is
  * left, else any. */
-batten_status bat_tip_at(const batten_curve *curve, bat_tip *out)
+/* SINGULAR_HERE where the end has no speed. */
+static batten_status tip_at(const batten_curve *curve, bat_tip *out)
 {
     bat_side side;
     const batten_status status = bat_side_at_end(curve, BATTEN_CURVE_END, false, &side);
@@ -37,7 +38,7 @@ batten_status bat_tip_at(const batten_curve *curve, bat_tip *out)
 }
 
 /* From p by x along t and y along n. */
-static batten_vec3 place(const bat_tip *tip, batten_vec3 p, double x, double y)
+static batten_vec3 point_beside_tip(const bat_tip *tip, batten_vec3 p, double x, double y)
 {
     return bat_vec3_along(bat_vec3_along(p, x, tip->t), y, tip->n);
 }
@@ -54,7 +55,8 @@ static batten_status line_piece(const bat_tip *tip, double length, double b, bat
     const double breaks[2] = {b, b + length / tip->speed};
     double points[2 * 3];
     put_point(tip->dimension, tip->p, points);
-    put_point(tip->dimension, place(tip, tip->p, length, 0), points + tip->dimension);
+    put_point(tip->dimension, point_beside_tip(tip, tip->p, length, 0),
+              points + tip->dimension);
     return batten_curve_from_bezier(tip->dimension, (batten_pieces){1, 1, breaks}, points, NULL,
                                     out);
 }
@@ -78,13 +80,13 @@ static batten_status arc_piece(const bat_tip *tip, double length, double b, batt
     const double turn = angle / count, leg = tan(turn / 2) / k;
     for (int i = 0; i <= count; i++) {
         const double a = i * turn, half = sin(a / 2);
-        const batten_vec3 on = place(tip, tip->p, sin(a) / k, 2 * half * half / k);
+        const batten_vec3 on = point_beside_tip(tip, tip->p, sin(a) / k, 2 * half * half / k);
         put_point(d, on, points + (size_t)(2 * i * d));
         breaks[i] = b + i * (2 * sin(turn / 2) / (k * tip->speed));
         weights[2 * i] = 1;
         if (i == count)
             break;
-        put_point(d, place(tip, on, leg * cos(a), leg * sin(a)),
+        put_point(d, point_beside_tip(tip, on, leg * cos(a), leg * sin(a)),
                   points + (size_t)((2 * i + 1) * d));
         weights[2 * i + 1] = cos(turn / 2);
     }
@@ -138,7 +140,7 @@ typedef struct {
     double tolerance;
     batten_curve_extend_report report;
     batten_curve *made;
-} task;
+} lengthening;
 
 /* NaN: as it is. */
 static batten_status set_end(const batten_curve *piece, double to, batten_curve **out)
@@ -159,12 +161,12 @@ static batten_status turn_to_end(const batten_curve *curve, batten_curve_end end
     return BATTEN_OK;
 }
 
-static batten_status add_piece(task *t)
+static batten_status add_piece(lengthening *t)
 {
     bat_tip tip = {0};
     batten_curve *piece = NULL, *timed = NULL;
     const double b = batten_curve_domain(t->curve).b;
-    batten_status status = bat_tip_at(t->curve, &tip);
+    batten_status status = tip_at(t->curve, &tip);
     const double length = isnan(t->length) ? tip.speed * (t->to - b) : t->length;
     if (status == BATTEN_OK)
         status = bat_tip_piece(&tip, t->extension, length, t->tolerance, b, &t->report.error,
@@ -183,7 +185,7 @@ static batten_status add_piece(task *t)
     return status;
 }
 
-static batten_status extend_end(task *t)
+static batten_status extend_end(lengthening *t)
 {
     const batten_interval domain = batten_curve_domain(t->curve);
     batten_curve *tail = NULL;
@@ -191,8 +193,8 @@ static batten_status extend_end(task *t)
     bat_tip tip;
     batten_status status = BATTEN_OK;
     if (isnan(u)) {
-        const double guess = bat_tip_at(t->curve, &tip) == BATTEN_OK ? t->length / tip.speed
-                                                                     : domain.b - domain.a;
+        const double guess =
+            tip_at(t->curve, &tip) == BATTEN_OK ? t->length / tip.speed : domain.b - domain.a;
         status = bat_curve_go_on_by(t->curve, t->length, guess, t->tolerance, &u);
     }
     if (status == BATTEN_OK)
@@ -211,7 +213,7 @@ static batten_status extend_end(task *t)
 /* ---- proof ---- */
 
 /* The old part is where it was, and the join as smooth as promised. */
-static batten_status verify_extension(const task *t)
+static batten_status verify_extension(const lengthening *t)
 {
     enum { SAMPLES = 4 };
     static const int promised[] = {1, 2, 2, -1};
@@ -254,8 +256,9 @@ static batten_status check_amount(const batten_curve *curve, double amount, doub
 }
 
 /* `t` knows how, not yet what. */
-static batten_status extend_curve(task *t, const batten_curve *curve, batten_curve_end end,
-                                  batten_curve_extend_report *report, batten_curve **out)
+static batten_status extend_curve(lengthening *t, const batten_curve *curve,
+                                  batten_curve_end end, batten_curve_extend_report *report,
+                                  batten_curve **out)
 {
     batten_curve *turned = NULL, *clamped = NULL, *back = NULL;
     batten_status status = turn_to_end(curve, end, &turned);
@@ -287,7 +290,8 @@ batten_status batten_curve_extend(const batten_curve *curve, batten_curve_end en
                                   batten_curve_extend_report *report, batten_curve **out)
 {
     assert(curve && out);
-    task t = {.extension = how.kind, .length = length, .to = NAN, .tolerance = how.tolerance};
+    lengthening t = {
+        .extension = how.kind, .length = length, .to = NAN, .tolerance = how.tolerance};
     batten_status status = check_amount(curve, length, how.tolerance);
     if (status == BATTEN_OK && !(length > 0))
         status =
@@ -302,7 +306,7 @@ batten_status batten_curve_extend_to(const batten_curve *curve, batten_curve_end
     assert(curve && out);
     const batten_interval domain = batten_curve_domain(curve);
     const bool start = end == BATTEN_CURVE_START;
-    task t = {
+    lengthening t = {
         .extension = how.kind, .length = NAN, .to = start ? -u : u, .tolerance = how.tolerance};
     batten_status status = check_amount(curve, u, how.tolerance);
     if (status == BATTEN_OK && !(start ? u < domain.a : u > domain.b))

@@ -12,8 +12,6 @@ typedef struct {
     double speed, curvature, rate; /* curvature and its rate by arc length, towards n */
 } bat_tip;
 
-/* SINGULAR_HERE where the end has no speed. */
-batten_status bat_tip_at(const batten_curve *curve, bat_tip *out);
 /* What continues the tip by an arc length, on the domain [b, ..] with the speed of the tip.
  * @param error as in batten_curve_extend_report */
 batten_status bat_tip_piece(const bat_tip *tip, batten_extension extension, double length,

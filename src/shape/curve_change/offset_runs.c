@@ -13,6 +13,7 @@
 #include "base/plural.h"
 #include "base/sort.h"
 #include "inspect/singular.h"
+#include "numeric/halving.h"
 #include "numeric/vector.h"
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
@@ -33,10 +34,11 @@ typedef struct {
     double k;       /* curvature */
     double q[3][3]; /* Q, Q', Q'' */
     bool singular;  /* the curve stands still: only p, t and q[0] are known */
-} place;
+} run_place;
 
 /* Without a first derivative the tangent is that of the first derivative there is. */
-static batten_status place_singular(const bat_offset *o, double u, batten_side side, place *out)
+static batten_status place_singular(const bat_offset *o, double u, batten_side side,
+                                    run_place *out)
 {
     batten_curve_local local;
     const batten_status status = bat_curve_local_at(o->plan, o->size, u, side, &local);
@@ -53,14 +55,14 @@ static batten_status place_singular(const bat_offset *o, double u, batten_side s
     return BATTEN_OK;
 }
 
-static batten_status place_at(const bat_offset *o, double u, batten_side side, place *out)
+static batten_status place_at(const bat_offset *o, double u, batten_side side, run_place *out)
 {
     const int d = o->full->dimension;
     double c[4 * 3];
     const batten_status status = batten_curve_evaluate_side(o->full, u, side, 3, c);
     if (status != BATTEN_OK)
         return status;
-    *out = (place){.u = u};
+    *out = (run_place){.u = u};
     memcpy(out->p, c, (size_t)d * sizeof *c);
     for (int m = 0; m < 3; m++)
         memcpy(out->q[m], c + m * d, (size_t)d * sizeof *c);
@@ -84,9 +86,9 @@ static batten_status place_at(const bat_offset *o, double u, batten_side side, p
 }
 
 /* Where the curve stands still Q' is taken from the offset itself, a little inside. */
-static batten_status settle_place(const bat_offset *o, place *at, double towards)
+static batten_status settle_place(const bat_offset *o, run_place *at, double towards)
 {
-    place near;
+    run_place near;
     const double h = 1e-4 * (towards - at->u);
     if (!at->singular)
         return BATTEN_OK;
@@ -104,7 +106,7 @@ static batten_status settle_place(const bat_offset *o, place *at, double towards
  * halving. */
 static batten_status find_cusp(const bat_offset *o, double a, double b, bool *found, double *at)
 {
-    place left, right, middle;
+    run_place left, right, middle;
     batten_status status = place_at(o, a, BATTEN_FROM_RIGHT, &left);
     if (status == BATTEN_OK)
         status = place_at(o, b, BATTEN_FROM_LEFT, &right);
@@ -190,8 +192,8 @@ bool bat_plan_is_line(const batten_curve *part)
 
 /* Is the part of the plan an arc about `centre`? |P - centre|^2 - r^2, times the weights
  * squared, has degree 2 p: it vanishes with 2 p + 1 of its values. */
-static batten_status is_arc(const bat_offset *o, const batten_curve *part, const place *start,
-                            bool *arc, double *centre)
+static batten_status is_arc(const bat_offset *o, const batten_curve *part,
+                            const run_place *start, bool *arc, double *centre)
 {
     const int samples = 2 * part->degree + 1;
     const batten_interval domain = batten_curve_domain(part);
@@ -215,7 +217,7 @@ static batten_status is_arc(const bat_offset *o, const batten_curve *part, const
 }
 
 /* The map that takes a line or an arc to its offset; false when the part is neither. */
-static batten_status exact_map(const bat_offset *o, double a, double b, const place *start,
+static batten_status exact_map(const bat_offset *o, double a, double b, const run_place *start,
                                bool *exact, batten_affine *map)
 {
     batten_curve *part = NULL;
@@ -239,7 +241,7 @@ static batten_status exact_map(const bat_offset *o, double a, double b, const pl
 }
 
 /* An arc of the radius of the offset leaves nothing but its centre. */
-static bool collapses(const bat_offset *o, const place *start)
+static bool collapses(const bat_offset *o, const run_place *start)
 {
     return fabs(start->factor) * fabs(1 / start->k) <= 1e-12 * (o->size + fabs(o->distance));
 }
@@ -262,7 +264,7 @@ typedef struct {
     double *u, *values; /* [count], [count][3][dimension] */
 } strand;
 
-static batten_status strand_add(strand *s, const place *at)
+static batten_status strand_add(strand *s, const run_place *at)
 {
     if (s->count == s->room) {
         const int room = bat_max_int(16, 2 * s->room);
@@ -286,7 +288,7 @@ static batten_status strand_add(strand *s, const place *at)
 }
 
 /* The quintic between two places at the share t of the way. */
-static void quintic(int d, const place *a, const place *b, double t, double *out)
+static void quintic(int d, const run_place *a, const run_place *b, double t, double *out)
 {
     const double h = b->u - a->u, s = 1 - t, s3 = s * s * s, t3 = t * t * t;
     const double first[3] = {s3 * (1 + 3 * t + 6 * t * t), s3 * t * (1 + 3 * t) * h,
@@ -300,13 +302,13 @@ static void quintic(int d, const place *a, const place *b, double t, double *out
     }
 }
 
-static batten_status quintic_error(const bat_offset *o, const place *a, const place *b,
+static batten_status quintic_error(const bat_offset *o, const run_place *a, const run_place *b,
                                    double *error)
 {
     const int d = o->full->dimension;
     *error = 0;
     for (int i = 1; i <= SAMPLES; i++) {
-        place at;
+        run_place at;
         double q[3];
         const double t = i / (SAMPLES + 1.0);
         const batten_status status =
@@ -314,24 +316,22 @@ static batten_status quintic_error(const bat_offset *o, const place *a, const pl
         if (status != BATTEN_OK)
             return status;
         quintic(d, a, b, t, q);
-        *error = bat_max(*error, 1.2 * bat_distance(d, q, at.q[0]));
+        *error = bat_max(*error, BAT_QUINTIC_BETWEEN_7 * bat_distance(d, q, at.q[0]));
     }
     return BATTEN_OK;
 }
 
 /* From the last place of the strand, which is `a`, to b: halves until the error is met. */
-static batten_status follow_part(bat_offset *o, strand *s, place a, const place *b)
+static batten_status follow_part(bat_offset *o, strand *s, run_place a, const run_place *b)
 {
     enum { DEPTH = 40 };
-    double ends[DEPTH + 2];
-    int waiting = 1;
-    ends[0] = b->u;
+    bat_halving h = bat_halving_of(a.u, b->u, DEPTH);
     batten_status status = BATTEN_OK;
-    while (status == BATTEN_OK && waiting > 0) {
-        place next = *b;
+    while (status == BATTEN_OK && h.waiting > 0) {
+        run_place next = *b;
         double error = 0;
-        if (waiting > 1)
-            status = place_at(o, ends[waiting - 1], BATTEN_FROM_LEFT, &next);
+        if (h.waiting > 1)
+            status = place_at(o, h.b, BATTEN_FROM_LEFT, &next);
         if (status == BATTEN_OK)
             status = settle_place(o, &next, a.u);
         if (status == BATTEN_OK)
@@ -339,17 +339,16 @@ static batten_status follow_part(bat_offset *o, strand *s, place a, const place 
         if (status != BATTEN_OK)
             return status;
         if (error > o->options.tolerance) {
-            if (waiting > DEPTH || s->count > o->options.most_pieces)
+            if (s->count > o->options.most_pieces || !bat_halving_split(&h))
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                                 "the offset is missed by %g near u = %.17g after %d piece%s",
                                 error, a.u, s->count, bat_plural(s->count));
-            ends[waiting++] = a.u + (next.u - a.u) / 2;
             continue;
         }
         o->report.error = bat_max(o->report.error, error);
         status = strand_add(s, &next);
         a = next;
-        waiting--;
+        bat_halving_accept(&h);
     }
     return status;
 }
@@ -368,7 +367,7 @@ static batten_status add_strand(bat_offset *o, strand *s)
 /* ---- all ---- */
 
 /* Do two sides of one place go over into each other with equal first and second derivatives? */
-static bool goes_on(const bat_offset *o, const place *left, const place *right)
+static bool goes_on(const bat_offset *o, const run_place *left, const run_place *right)
 {
     const int d = o->full->dimension;
     const bool cusp = fabs(left->factor) < 1e-9 || left->factor * right->factor <= 0;
@@ -385,7 +384,7 @@ static bool goes_on(const bat_offset *o, const place *left, const place *right)
 
 /* What stands between two runs at a corner: an arc outside; inside nothing, or, when all is
  * kept, a straight link. Turns that leave no visible gap are joined as they are. */
-static batten_status add_corner(bat_offset *o, const place *left, const place *right)
+static batten_status add_corner(bat_offset *o, const run_place *left, const run_place *right)
 {
     const double cross = left->t[0] * right->t[1] - left->t[1] * right->t[0];
     double turn = atan2(cross, bat_dot(2, left->t, right->t));
@@ -406,7 +405,7 @@ static batten_status add_corner(bat_offset *o, const place *left, const place *r
 }
 
 /* The part from `start` to `end`: exact, or more of the strand. */
-static batten_status add_part(bat_offset *o, strand *s, place *start, const place *end)
+static batten_status add_part(bat_offset *o, strand *s, run_place *start, const run_place *end)
 {
     bool exact;
     batten_affine map;
@@ -426,7 +425,7 @@ static batten_status add_part(bat_offset *o, strand *s, place *start, const plac
 
 static batten_status walk_parts(bat_offset *o, int count, const double *at, strand *s)
 {
-    place start, end, first = {0};
+    run_place start, end, first = {0};
     batten_status status = place_at(o, at[0], BATTEN_FROM_RIGHT, &start);
     first = start;
     for (int i = 0; status == BATTEN_OK && i + 1 < count; i++) {

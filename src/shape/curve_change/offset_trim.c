@@ -27,7 +27,7 @@ typedef struct {
     double start[2], end[2];
     int next;      /* -1: none */
     bool followed; /* some part has it as the next */
-} part;
+} offset_part;
 
 typedef struct {
     const bat_offset *o;
@@ -35,7 +35,7 @@ typedef struct {
     double near;  /* ends of parts that meet */
     int removed;
     int count, room;
-    part *parts;
+    offset_part *parts;
 } trim;
 
 /* ---- cutting ---- */
@@ -43,7 +43,7 @@ typedef struct {
 static batten_status add_part(trim *t, int run, double a, double b)
 {
     const batten_curve *plan = t->o->runs[run].plan;
-    part made = {.run = run, .a = a, .b = b, .next = -1};
+    offset_part made = {.run = run, .a = a, .b = b, .next = -1};
     batten_status status = batten_curve_evaluate(plan, a, 0, made.start);
     if (status == BATTEN_OK)
         status = batten_curve_evaluate(plan, b, 0, made.end);
@@ -325,7 +325,7 @@ static void meet_ends(trim *t)
  * it is, as long as the run is far enough there. */
 static batten_status slide_end(trim *t, int i, bool end, const double *target, bool *met)
 {
-    part *p = &t->parts[i];
+    offset_part *p = &t->parts[i];
     const batten_curve *plan = t->o->runs[p->run].plan;
     batten_deviation near;
     double point[2], far = 0;
@@ -373,7 +373,7 @@ static batten_status link_parts(trim *t)
     for (int i = 0; i < n; i++) {
         const int j = (i + 1) % n;
         const bool wraps = j == 0;
-        const part *p = &t->parts[i], *q = &t->parts[j];
+        const offset_part *p = &t->parts[i], *q = &t->parts[j];
         const bool adjacent = (p->run == q->run && p->b == q->a) || q->run == p->run + 1 ||
                               (wraps && t->o->closed);
         if ((!wraps || t->o->closed) && adjacent &&
@@ -410,7 +410,7 @@ static batten_status make_chain(trim *t, int first, batten_curve **out)
     bool around = false;
     int count = 0;
     for (int i = first; status == BATTEN_OK && i >= 0;) {
-        part *p = &t->parts[i];
+        offset_part *p = &t->parts[i];
         around = p->run < 0;
         if (around)
             break;

@@ -27,36 +27,27 @@ batten_status bat_grid_check(int dimension, int count_u, int count_v, const doub
     return bat_points_check(dimension, count_u * count_v, points, 4);
 }
 
-static batten_status parametrize(int dimension, int count_u, int count_v, const double *points,
-                                 batten_parametrization kind, const bool closed[2],
-                                 const double *const given[2], double *const out[2],
-                                 double spread[2])
+batten_status bat_grid_parameters_of(batten_grid points, batten_parametrization kind,
+                                     const bool closed[2], const double *const given[2],
+                                     bat_grid_parameters *out)
 {
-    const size_t d = (size_t)dimension, row = (size_t)count_v * d;
-    const bat_family u = {"u grid lines", dimension, count_u, count_v, row, d,
-                          closed[0],      points,    given[0]};
-    const bat_family v = {"v grid lines", dimension, count_v, count_u, d, row,
-                          closed[1],      points,    given[1]};
-    batten_status status =
-        bat_family_parametrize(&u, given[0] ? BATTEN_GIVEN : kind, out[0], &spread[0]);
-    if (status == BATTEN_OK)
-        status = bat_family_parametrize(&v, given[1] ? BATTEN_GIVEN : kind, out[1], &spread[1]);
-    return status;
-}
-
-batten_status bat_grid_parameters_of(int dimension, int count_u, int count_v,
-                                     const double *points, batten_parametrization kind,
-                                     bool closed_u, bool closed_v, const double *u,
-                                     const double *v, bat_grid_parameters *out)
-{
-    *out = (bat_grid_parameters){bat_array((size_t)count_u + 1, sizeof(double)),
-                                 bat_array((size_t)count_v + 1, sizeof(double)),
+    const int nu = points.count_u, nv = points.count_v;
+    const size_t d = (size_t)points.dimension, row = (size_t)nv * d;
+    *out = (bat_grid_parameters){bat_array((size_t)nu + 1, sizeof(double)),
+                                 bat_array((size_t)nv + 1, sizeof(double)),
                                  {0, 0}};
     if (!out->u || !out->v)
         return BATTEN_OUT_OF_MEMORY;
-    return parametrize(dimension, count_u, count_v, points, kind,
-                       (const bool[2]){closed_u, closed_v}, (const double *const[2]){u, v},
-                       (double *const[2]){out->u, out->v}, out->spread);
+    const bat_family u = {"u grid lines", points.dimension, nu,      nv, row, d,
+                          closed[0],      points.at,        given[0]};
+    const bat_family v = {"v grid lines", points.dimension, nv,      nu, d, row,
+                          closed[1],      points.at,        given[1]};
+    batten_status status =
+        bat_family_parametrize(&u, given[0] ? BATTEN_GIVEN : kind, out->u, &out->spread[0]);
+    if (status == BATTEN_OK)
+        status =
+            bat_family_parametrize(&v, given[1] ? BATTEN_GIVEN : kind, out->v, &out->spread[1]);
+    return status;
 }
 
 void bat_grid_parameters_release(bat_grid_parameters *parameters)
@@ -74,8 +65,8 @@ batten_status batten_grid_parametrize(batten_grid points, batten_parametrization
     batten_status status = bat_grid_check(points.dimension, points.count_u, points.count_v,
                                           points.at, closed_u, closed_v);
     if (status == BATTEN_OK)
-        status = bat_grid_parameters_of(points.dimension, points.count_u, points.count_v,
-                                        points.at, kind, closed_u, closed_v, NULL, NULL, &at);
+        status = bat_grid_parameters_of(points, kind, (const bool[2]){closed_u, closed_v},
+                                        (const double *const[2]){NULL, NULL}, &at);
     if (status == BATTEN_OK) {
         memcpy(uv.u, at.u, ((size_t)points.count_u + closed_u) * sizeof *uv.u);
         memcpy(uv.v, at.v, ((size_t)points.count_v + closed_v) * sizeof *uv.v);

@@ -13,10 +13,9 @@ typedef struct {
     double *u, *v;    /* [count], closed [count + 1] */
     double spread[2]; /* as batten_grid_parametrize says */
 } bat_grid_parameters;
-batten_status bat_grid_parameters_of(int dimension, int count_u, int count_v,
-                                     const double *points, batten_parametrization kind,
-                                     bool closed_u, bool closed_v, const double *u,
-                                     const double *v, bat_grid_parameters *out);
+batten_status bat_grid_parameters_of(batten_grid points, batten_parametrization kind,
+                                     const bool closed[2], const double *const given[2],
+                                     bat_grid_parameters *out);
 void bat_grid_parameters_release(bat_grid_parameters *parameters);
 
 /* Say which line of the grid the last failure is about: "along u, line 3: ...". */

@@ -46,9 +46,9 @@ batten_status batten_surface_nu(batten_grid points, const batten_surface_nu_opti
     status = bat_grid_check(points.dimension, points.count_u, points.count_v, points.at,
                             o->closed_u, o->closed_v);
     if (status == BATTEN_OK)
-        status =
-            bat_grid_parameters_of(points.dimension, points.count_u, points.count_v, points.at,
-                                   BATTEN_CHORD, o->closed_u, o->closed_v, o->u, o->v, &at);
+        status = bat_grid_parameters_of(points, BATTEN_CHORD,
+                                        (const bool[2]){o->closed_u, o->closed_v},
+                                        (const double *const[2]){o->u, o->v}, &at);
     if (status == BATTEN_OK)
         status =
             batten_surface_tensor(points, (batten_uv){at.u, at.v},
@@ -130,9 +130,9 @@ batten_status batten_surface_catmull_rom(batten_grid points, batten_uv uv,
     status = bat_grid_check(points.dimension, points.count_u, points.count_v, points.at,
                             curves[0].closed, curves[1].closed);
     if (status == BATTEN_OK)
-        status = bat_grid_parameters_of(points.dimension, points.count_u, points.count_v,
-                                        points.at, BATTEN_CENTRIPETAL, curves[0].closed,
-                                        curves[1].closed, uv.u, uv.v, &at);
+        status = bat_grid_parameters_of(points, BATTEN_CENTRIPETAL,
+                                        (const bool[2]){curves[0].closed, curves[1].closed},
+                                        (const double *const[2]){uv.u, uv.v}, &at);
     if (status == BATTEN_OK)
         status = batten_surface_tensor(points, (batten_uv){at.u, at.v},
                                        (const batten_line_method *const[2]){&ways[0], &ways[1]},

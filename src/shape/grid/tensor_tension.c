@@ -47,9 +47,9 @@ static double *vector_of(const tension_surface *s, int i, int j, int which)
 typedef struct {
     int span;
     double weight[2][2][4];
-} place;
+} strip_place;
 
-static place place_on(const strips *s, double at, batten_side side)
+static strip_place place_on(const strips *s, double at, batten_side side)
 {
     const int low = bat_breaks_span(s->spans + 1, s->parameters, at, side);
     const double a = s->parameters[low], b = s->parameters[low + 1], h = b - a;
@@ -57,7 +57,7 @@ static place place_on(const strips *s, double at, batten_side side)
     double up[4], down[4];
     bat_tension_shape(z, x, rest, up);
     bat_tension_shape(z, rest, x, down);
-    place p = {.span = low};
+    strip_place p = {.span = low};
     p.weight[0][0][0] = rest;
     p.weight[0][0][1] = -1 / h;
     p.weight[1][0][0] = x;
@@ -75,7 +75,7 @@ static batten_status evaluate(const void *data, double u, double v, batten_side 
 {
     const tension_surface *s = data;
     const int d = s->dimension;
-    const place pu = place_on(&s->u, u, side_u), pv = place_on(&s->v, v, side_v);
+    const strip_place pu = place_on(&s->u, u, side_u), pv = place_on(&s->v, v, side_v);
     memset(out, 0, (size_t)BATTEN_SURFACE_DERIVATIVES(order) * (size_t)d * sizeof *out);
     for (int corner = 0; corner < 4; corner++)
         for (int which = 0; which < VECTORS; which++) {
@@ -191,9 +191,9 @@ static batten_status prepare_axes(int dimension, int count_u, int count_v, const
 {
     const size_t d = (size_t)dimension, total = (size_t)count_u * (size_t)count_v;
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
-    const batten_status status =
-        bat_grid_parameters_of(dimension, count_u, count_v, points, BATTEN_CHORD, o->closed_u,
-                               o->closed_v, o->u, o->v, &at);
+    const batten_status status = bat_grid_parameters_of(
+        (batten_grid){dimension, count_u, count_v, points}, BATTEN_CHORD,
+        (const bool[2]){o->closed_u, o->closed_v}, (const double *const[2]){o->u, o->v}, &at);
     s->dimension = dimension;
     s->u = strips_of(count_u, o->closed_u, at.u);
     s->v = strips_of(count_v, o->closed_v, at.v);

@@ -3,8 +3,9 @@
 #include "shape/network/gordon.h"
 #include <batten/nearest.h>
 
-double bat_network_same(const bat_network *net, const bat_network_curve *a,
-                        const bat_network_curve *b)
+/* The largest distance of two curves that are one. */
+static double closeness_of_same(const bat_network *net, const bat_network_curve *a,
+                                const bat_network_curve *b)
 {
     return bat_max(net->same, 2 * bat_max(a->gap, b->gap));
 }
@@ -25,7 +26,7 @@ batten_status bat_network_are_same(const bat_network *net, const bat_network_cur
         a->curve, (batten_points){batten_curve_dimension(a->curve), PLACES, points}, NULL, NULL,
         NULL, &found);
     *distance = found.max;
-    *same = found.max <= bat_network_same(net, a, b);
+    *same = found.max <= closeness_of_same(net, a, b);
     return status;
 }
 

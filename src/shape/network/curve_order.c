@@ -21,15 +21,15 @@ typedef struct {
     int *order[2];      /* [count] of each family, across */
     direction *runs[2]; /* [count] */
     double *ranked;     /* [count of the other] scratch */
-} task;
+} ordering;
 
-static const bat_network_family *family_of(const task *t, int family)
+static const bat_network_family *family_of(const ordering *t, int family)
 {
     return &t->net->family[family];
 }
 
 /* The parameter, on curve k of a family, of its node with curve l of the other. */
-static double at(const task *t, int family, int k, int l)
+static double at(const ordering *t, int family, int k, int l)
 {
     const int j = family == 0 ? k : l, i = family == 0 ? l : k;
     return t->pairs->at[family][j * family_of(t, 1)->room + i];
@@ -46,7 +46,7 @@ static int reference(const bat_network_family *f)
 
 /* Positions of the others on curve k, in their order: rising when it runs forward. On closed
  * curves they count from the first; on one among open ones the seam is either end. */
-static void rank(const task *t, int family, int k, bool backward, double *ranked)
+static void rank(const ordering *t, int family, int k, bool backward, double *ranked)
 {
     const bat_network_family *f = family_of(t, family);
     const int count = family_of(t, 1 - family)->count;
@@ -74,7 +74,7 @@ static int first_fall(int count, const double *x)
     return i;
 }
 
-static direction find_direction(const task *t, int family, int k)
+static direction find_direction(const ordering *t, int family, int k)
 {
     const int count = family_of(t, 1 - family)->count;
     bool rises[2];
@@ -87,7 +87,7 @@ static direction find_direction(const task *t, int family, int k)
     return rises[1] ? BACKWARD : NEITHER;
 }
 
-static batten_status other_order(const task *t, int family, int k, int ref)
+static batten_status other_order(const ordering *t, int family, int k, int ref)
 {
     char names[4][BAT_NETWORK_LABEL];
     const bat_network_family *f = family_of(t, family), *across = family_of(t, 1 - family);
@@ -107,7 +107,7 @@ static batten_status other_order(const task *t, int family, int k, int ref)
 }
 
 /* The order of the other family along this one. */
-static void sort_across(const task *t, int family, int ref)
+static void sort_across(const ordering *t, int family, int ref)
 {
     const bat_network_family *f = family_of(t, family);
     const int count = family_of(t, 1 - family)->count;
@@ -126,7 +126,7 @@ static void sort_across(const task *t, int family, int ref)
     }
 }
 
-static batten_status order_along(task *t, int family)
+static batten_status order_along(ordering *t, int family)
 {
     const bat_network_family *f = family_of(t, family);
     const int ref = reference(f);
@@ -151,7 +151,7 @@ static batten_status order_along(task *t, int family)
 /* How the directions of curves k and `before` of a family agree where they cross curve l of the
  * other: the cosine of the angle between their tangents when that of `before` is carried along
  * l without turning; 0 where there are no such curves. */
-static batten_status carried_cosine(const task *t, int family, int k, int before, int l,
+static batten_status carried_cosine(const ordering *t, int family, int k, int before, int l,
                                     double *cosine)
 {
     const bat_network_curve *along = &family_of(t, 1 - family)->curves[l];
@@ -188,7 +188,7 @@ static batten_status carried_cosine(const task *t, int family, int k, int before
 }
 
 /* Such a curve runs as its neighbour does, by the crossing that says so most clearly. */
-static batten_status follow_directions(task *t, int family, int k, int before)
+static batten_status follow_directions(ordering *t, int family, int k, int before)
 {
     const int count = family_of(t, 1 - family)->count;
     double clearest = 0;
@@ -205,7 +205,7 @@ static batten_status follow_directions(task *t, int family, int k, int before)
     return BATTEN_OK;
 }
 
-static batten_status follow_neighbours(task *t, int family)
+static batten_status follow_neighbours(ordering *t, int family)
 {
     const bat_network_family *f = family_of(t, family);
     const int ref = reference(f);
@@ -229,7 +229,7 @@ static batten_status follow_neighbours(task *t, int family)
 
 /* ---- carrying it out ---- */
 
-static batten_status turn_family(task *t, int family)
+static batten_status turn_family(ordering *t, int family)
 {
     const bat_network_family *f = family_of(t, family);
     const int count = family_of(t, 1 - family)->count;
@@ -248,7 +248,7 @@ static batten_status turn_family(task *t, int family)
     return status;
 }
 
-static batten_status permute(task *t, int family)
+static batten_status permute(ordering *t, int family)
 {
     bat_network_family *f = &t->net->family[family];
     bat_network_curve *sorted = bat_array((size_t)f->room, sizeof *sorted);
@@ -284,7 +284,7 @@ static batten_status repeat_first(bat_network *net, int family, size_t nodes)
     return BATTEN_OK;
 }
 
-static batten_status order(task *t)
+static batten_status order(ordering *t)
 {
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
@@ -314,7 +314,7 @@ static batten_status order(task *t)
 
 batten_status bat_network_order(bat_network *net, const bat_network_pairs *pairs)
 {
-    task t = {.net = net, .pairs = pairs};
+    ordering t = {.net = net, .pairs = pairs};
     const batten_status status = order(&t);
     for (int k = 0; k < 2; k++) {
         bat_release(t.order[k]);

@@ -26,14 +26,14 @@ typedef struct {
     double *deviation;              /* [curves] */
     bat_spline cardinal;
     bat_network_side *out;
-} task;
+} family_search;
 
-static const bat_network_family *family_of(const task *t)
+static const bat_network_family *family_of(const family_search *t)
 {
     return &t->net->family[t->family];
 }
 
-static batten_status elevate_cardinal(task *t, int degree)
+static batten_status elevate_cardinal(family_search *t, int degree)
 {
     bat_spline raised;
     if (degree <= t->cardinal.degree)
@@ -50,7 +50,7 @@ static batten_status elevate_cardinal(task *t, int degree)
 /* ---- the curves ---- */
 
 /* Distinct inner knots of all curves as they were given, those within rounding taken as one. */
-static batten_status count_exact(const task *t, int *count)
+static batten_status count_exact(const family_search *t, int *count)
 {
     const bat_network_family *f = family_of(t);
     size_t total = 0, used = 0;
@@ -78,7 +78,7 @@ static int raised_count(const batten_curve *curve, int degree)
 
 /* Can the curves stay as they are? Then they get all their knots: when these are not more than
  * twice as many as a curve has on the mean. */
-static batten_status try_exact(task *t, bool *exact)
+static batten_status try_exact(family_search *t, bool *exact)
 {
     const bat_network_family *f = family_of(t);
     int degree = 1, curves = 0;
@@ -108,7 +108,7 @@ static batten_status try_exact(task *t, bool *exact)
 }
 
 /* A node that stands on a knot but for rounding stands on it. */
-static void snap_parameters(const task *t)
+static void snap_parameters(const family_search *t)
 {
     double *u = t->net->family[t->family].parameters;
     const double *U = batten_curve_knots(t->common[0]);
@@ -119,7 +119,7 @@ static void snap_parameters(const task *t)
                 u[i] = U[k];
 }
 
-static batten_status redraw(task *t, int degree)
+static batten_status redraw(family_search *t, int degree)
 {
     const bat_network_family *f = family_of(t);
     batten_status status = BATTEN_OK;
@@ -140,7 +140,7 @@ static batten_status redraw(task *t, int degree)
     return status;
 }
 
-static batten_status fit_common_curves(task *t)
+static batten_status fit_common_curves(family_search *t)
 {
     const bat_network_family *f = family_of(t);
     const int p = t->cardinal.degree;
@@ -173,7 +173,7 @@ static int lacking(int count, const double *own, int other_count, const double *
     return lacks;
 }
 
-static batten_status refine_cardinal(task *t, int count, const double *knots)
+static batten_status refine_cardinal(family_search *t, int count, const double *knots)
 {
     bat_spline fine;
     const batten_status status = bat_spline_insert(&t->cardinal, count, knots, &fine);
@@ -184,7 +184,7 @@ static batten_status refine_cardinal(task *t, int count, const double *knots)
     return status;
 }
 
-static batten_status bring_knots_together(task *t)
+static batten_status bring_knots_together(family_search *t)
 {
     const int p = t->cardinal.degree, n = batten_curve_point_count(t->common[0]);
     const double *U = batten_curve_knots(t->common[0]) + p + 1, *V = t->cardinal.knots + p + 1;
@@ -227,7 +227,7 @@ static void row_at(const bat_network_side *side, const double *rows, double u, d
 }
 
 /* Add what the curve lacks in its nodes. */
-static batten_status correct(const task *t, int k, double *rows)
+static batten_status correct(const family_search *t, int k, double *rows)
 {
     const bat_network_side *side = t->out;
     const int guides = t->net->family[1].count;
@@ -255,7 +255,7 @@ static batten_status correct(const task *t, int k, double *rows)
     return BATTEN_OK;
 }
 
-static batten_status fill_side(task *t)
+static batten_status fill_side(family_search *t)
 {
     bat_network_side *side = t->out;
     const bat_network_family *f = family_of(t);
@@ -282,7 +282,7 @@ static batten_status fill_side(task *t)
     return status;
 }
 
-static batten_status check_size(const task *t)
+static batten_status check_size(const family_search *t)
 {
     const double most = (double)(t->cardinal.count + batten_curve_point_count(t->common[0])) *
                         (family_of(t)->count + t->nodes);
@@ -295,7 +295,7 @@ static batten_status check_size(const task *t)
     return BATTEN_OK;
 }
 
-static batten_status make_side(task *t)
+static batten_status make_side(family_search *t)
 {
     batten_status status = count_exact(t, &t->out->exact_knots);
     if (status == BATTEN_OK)
@@ -332,11 +332,12 @@ static batten_status make_side(task *t)
 batten_status bat_network_make_side(bat_network *net, int family, bat_network_side *out)
 {
     const bat_network_family *f = &net->family[family];
-    task t = {.net = net,
-              .family = family,
-              .nodes = net->family[1 - family].count,
-              .periodic = f->closed && f->smooth && net->options->blend == BATTEN_GORDON_SPLINE,
-              .out = out};
+    family_search t = {.net = net,
+                       .family = family,
+                       .nodes = net->family[1 - family].count,
+                       .periodic = f->closed && f->smooth &&
+                                   net->options->blend == BATTEN_GORDON_SPLINE,
+                       .out = out};
     t.drawn = bat_array((size_t)f->count, sizeof *t.drawn);
     t.common = bat_array((size_t)f->count, sizeof *t.common);
     t.deviation = bat_array((size_t)f->count, sizeof *t.deviation);

@@ -93,9 +93,6 @@ batten_status bat_network_find_closed(bat_network *net, const bat_network_pairs 
 /* Are two curves of a family one? *distance: how far the second is from the first. */
 batten_status bat_network_are_same(const bat_network *net, const bat_network_curve *a,
                                    const bat_network_curve *b, bool *same, double *distance);
-/* What two curves may be apart to be one. */
-double bat_network_same(const bat_network *net, const bat_network_curve *a,
-                        const bat_network_curve *b);
 /* Curves of a family that were given twice, at the seam of closed ones, are dropped, or
  * refused; a point in which all of a family end becomes a curve of the other one
  * (poles.c). */

@@ -1,10 +1,10 @@
 /*
  * A curve of a network as the surface runs along it: C(map(u)) as a chain of cubic pieces.
  *
- * Between its knots, and between the nodes, the composition is smooth; each such stretch is cut
- * into 1, 2, 4 .. equal parts with Hermite's cubics until they are near enough. At a corner
- * both sides have their own tangents.
+ * Between its knots, and between the nodes, the composition is smooth; each such stretch is
+ * halved until Hermite's cubics are near enough. At a corner both sides have their own tangents.
  */
+#include "numeric/halving.h"
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
 #include "spline/curve/curve.h"
@@ -15,7 +15,7 @@
 /* A place where the composition may be less smooth: parameters of the surface and the curve. */
 typedef struct {
     double u, s;
-} place;
+} chain_break;
 
 typedef struct {
     const bat_network_curve *source;
@@ -35,7 +35,7 @@ static batten_status map_at(const bat_network_curve *c, double u, double out[2])
     return c->map ? batten_curve_evaluate(c->map, u, 1, out) : BATTEN_OK;
 }
 
-static batten_status at_place(const bat_network_curve *c, place p, batten_side side,
+static batten_status at_place(const bat_network_curve *c, chain_break p, batten_side side,
                               double *out)
 {
     double map[2];
@@ -80,23 +80,23 @@ static batten_status invert(const bat_network_curve *c, double s, double *u)
 
 static int by_place(const void *a, const void *b)
 {
-    const double x = ((const place *)a)->s, y = ((const place *)b)->s;
+    const double x = ((const chain_break *)a)->s, y = ((const chain_break *)b)->s;
     return (x > y) - (x < y);
 }
 
 /* Knots and nodes in order; a knot at a node has the parameter of the node. */
 static batten_status find_breaks(const bat_network_curve *c, int nodes,
-                                 const double *parameters, place **out, int *count)
+                                 const double *parameters, chain_break **out, int *count)
 {
     const int knots = batten_curve_spans(c->curve, NULL);
-    place *all = bat_array((size_t)(knots + nodes), sizeof *all);
+    chain_break *all = bat_array((size_t)(knots + nodes), sizeof *all);
     double *U = bat_array((size_t)knots, sizeof *U);
     batten_status status = all && U ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     int used = 0;
     if (status == BATTEN_OK)
         batten_curve_spans(c->curve, U);
     for (int i = 0; status == BATTEN_OK && i < nodes; i++)
-        all[used++] = (place){parameters[i], c->map ? c->at[i] : parameters[i]};
+        all[used++] = (chain_break){parameters[i], c->map ? c->at[i] : parameters[i]};
     for (int k = 1; status == BATTEN_OK && k + 1 < knots; k++) {
         int i = 0;
         while (i < nodes && fabs(all[i].s - U[k]) > 1e-12)
@@ -146,7 +146,7 @@ static void bezier_of(const double *a, const double *b, double h, double *piece)
     }
 }
 
-/* How far a piece from u is off, at its quarters. */
+/* How far a piece from u is off: a bound by what it is at its quarters. */
 static batten_status piece_error(const chain *c, double u, double h, const double *piece,
                                  double *worst)
 {
@@ -157,61 +157,69 @@ static batten_status piece_error(const chain *c, double u, double h, const doubl
         const batten_status status = bat_network_point(c->source, u + h * (i / 4.0), wanted);
         if (status != BATTEN_OK)
             return status;
-        *worst = bat_max(*worst, bat_distance(3, found, wanted));
+        *worst = bat_max(*worst, BAT_CUBIC_BETWEEN_3 * bat_distance(3, found, wanted));
     }
     return BATTEN_OK;
 }
 
-/* n equal parts from a to b upon the end of the chain; *error is the largest. */
-static batten_status try_parts(chain *c, place a, place b, int n, double *error)
+/* The end at u of a piece of the stretch from a to b. */
+static batten_status place_of_end(const chain *c, chain_break a, chain_break b, double u,
+                                  chain_break *out)
 {
-    double here[6], next[6];
-    const double h = (b.u - a.u) / n;
-    batten_status status = make_room(c, n);
+    double map[2];
+    *out = b;
+    if (u == b.u)
+        return BATTEN_OK;
+    const batten_status status = map_at(c->source, u, map);
     if (status == BATTEN_OK)
-        status = at_place(c->source, a, BATTEN_FROM_RIGHT, here);
-    *error = 0;
-    for (int i = 0; status == BATTEN_OK && i < n; i++) {
-        place to = b;
-        if (i + 1 < n) {
-            double map[2];
-            to.u = a.u + h * (i + 1);
-            status = map_at(c->source, to.u, map);
-            to.s = bat_max(a.s, bat_min(b.s, map[0]));
-        }
-        if (status == BATTEN_OK)
-            status = at_place(c->source, to, BATTEN_FROM_LEFT, next);
-        double *piece = c->points + 9 * (size_t)(c->count + i);
-        const double from = a.u + h * i;
-        bezier_of(here, next, to.u - from, piece);
-        c->breaks[c->count + i] = from;
-        c->breaks[c->count + i + 1] = to.u;
-        if (status == BATTEN_OK)
-            status = piece_error(c, from, to.u - from, piece, error);
-        memcpy(here, next, sizeof here);
-    }
+        *out = (chain_break){u, bat_max(a.s, bat_min(b.s, map[0]))};
     return status;
 }
 
-static batten_status add_stretch(chain *c, place a, place b)
+/* The piece that starts at u with these values, up to `to`; its error, and the values there. */
+static batten_status try_piece(chain *c, double u, const double *start, chain_break to,
+                               double *end, double *error)
 {
-    batten_status status = BATTEN_OK;
-    double error = HUGE_VAL;
-    int n = 1;
+    batten_status status = make_room(c, 1);
+    if (status == BATTEN_OK)
+        status = at_place(c->source, to, BATTEN_FROM_LEFT, end);
+    if (status != BATTEN_OK)
+        return status;
+    double *piece = c->points + 9 * (size_t)c->count;
+    bezier_of(start, end, to.u - u, piece);
+    c->breaks[c->count] = u;
+    c->breaks[c->count + 1] = to.u;
+    *error = 0;
+    return piece_error(c, u, to.u - u, piece, error);
+}
+
+static batten_status add_stretch(chain *c, chain_break a, chain_break b)
+{
     if (b.u - a.u <= 1e-12) {
         if (c->count > 0) /* too short to be drawn: the piece before it ends later */
             c->breaks[c->count] = b.u;
         return BATTEN_OK;
     }
-    for (; status == BATTEN_OK && error > c->tolerance; n *= 2) {
-        if (c->count + n > MOST_PIECES)
+    double start[6], end[6], error = 0;
+    bat_halving h = bat_halving_of(a.u, b.u, BAT_HALVING_MOST);
+    batten_status status = at_place(c->source, a, BATTEN_FROM_RIGHT, start);
+    while (status == BATTEN_OK && h.waiting > 0) {
+        chain_break to;
+        status = place_of_end(c, a, b, h.b, &to);
+        if (status == BATTEN_OK)
+            status = try_piece(c, h.a, start, to, end, &error);
+        if (status != BATTEN_OK)
+            return status;
+        if (error <= c->tolerance) {
+            c->count++;
+            memcpy(start, end, sizeof start);
+            bat_halving_accept(&h);
+        } else if (c->count + h.waiting >= MOST_PIECES || !bat_halving_split(&h))
             return bat_fail(BATTEN_TOO_LARGE,
                             "a curve of the network needs more than %d cubic pieces to be "
                             "reparametrised within %g",
                             (int)MOST_PIECES, c->tolerance);
-        status = try_parts(c, a, b, n, &error);
     }
-    c->count += n / 2;
     return status;
 }
 
@@ -219,7 +227,7 @@ batten_status bat_network_redraw(const bat_network_curve *curve, int node_count,
                                  const double *parameters, double tolerance, batten_curve **out)
 {
     chain c = {.source = curve, .tolerance = tolerance};
-    place *breaks = NULL;
+    chain_break *breaks = NULL;
     int count = 0;
     batten_status status = find_breaks(curve, node_count, parameters, &breaks, &count);
     for (int i = 0; status == BATTEN_OK && i + 1 < count; i++)

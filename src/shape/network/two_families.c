@@ -32,9 +32,9 @@ typedef struct {
     char *ends;  /* [count][count] the pair meets in ends alone */
     int gap_count;
     gap *gaps; /* [count (count - 1) / 2] */
-} task;
+} splitting;
 
-static const char *label(const task *t, int k, char text[BAT_NETWORK_LABEL])
+static const char *label(const splitting *t, int k, char text[BAT_NETWORK_LABEL])
 {
     if (t->names)
         snprintf(text, BAT_NETWORK_LABEL, "'%.100s' (%d of %d)", t->names[k], k + 1, t->count);
@@ -44,7 +44,7 @@ static const char *label(const task *t, int k, char text[BAT_NETWORK_LABEL])
 }
 
 /* The root of k, and whether k is of its family: 0, or 1. Paths are halved on the way. */
-static int root_of(const task *t, int k, int *other)
+static int root_of(const splitting *t, int k, int *other)
 {
     *other = 0;
     while (t->parent[k] != k) {
@@ -58,7 +58,7 @@ static int root_of(const task *t, int k, int *other)
 }
 
 /* a and b are of different families; false when they are known to be of one. */
-static bool set_apart(const task *t, int a, int b)
+static bool set_apart(const splitting *t, int a, int b)
 {
     int other_a, other_b;
     const int root_a = root_of(t, a, &other_a), root_b = root_of(t, b, &other_b);
@@ -69,7 +69,7 @@ static bool set_apart(const task *t, int a, int b)
     return true;
 }
 
-static bool is_end(const task *t, const bat_network_curve *c, const double *point)
+static bool is_end(const splitting *t, const bat_network_curve *c, const double *point)
 {
     for (int end = 0; end < 2 && !c->closed; end++) {
         const double *here = c->trace.points + (end ? 3 * c->trace.count : 0);
@@ -79,7 +79,7 @@ static bool is_end(const task *t, const bat_network_curve *c, const double *poin
     return false;
 }
 
-static batten_status crosses_its_own(const task *t, int a, int b, const bat_meeting *m)
+static batten_status crosses_its_own(const splitting *t, int a, int b, const bat_meeting *m)
 {
     char names[2][BAT_NETWORK_LABEL];
     return bat_fail(BATTEN_NOT_COMPATIBLE,
@@ -90,7 +90,7 @@ static batten_status crosses_its_own(const task *t, int a, int b, const bat_meet
 }
 
 /* Do both run along each other? Then they are one curve given twice. */
-static bool run_along(const task *t, int a, int b, const bat_meetings *m)
+static bool run_along(const splitting *t, int a, int b, const bat_meetings *m)
 {
     double worst = 0;
     const bat_trace *along = &t->curves[a].trace, *other = &t->curves[b].trace;
@@ -109,7 +109,7 @@ static bool run_along(const task *t, int a, int b, const bat_meetings *m)
 }
 
 /* Where two curves meet as closely as they do anywhere, but for a factor. */
-static batten_status find_closest(task *t, int a, int b, bat_meetings *m)
+static batten_status find_closest(splitting *t, int a, int b, bat_meetings *m)
 {
     const bat_trace *one = &t->curves[a].trace, *other = &t->curves[b].trace;
     const batten_status status = bat_meetings_find(one, other, t->same, &t->work, m);
@@ -120,7 +120,7 @@ static batten_status find_closest(task *t, int a, int b, bat_meetings *m)
                              &t->work, m);
 }
 
-static batten_status find_meetings(task *t, int a, int b, double *nearest, int *neighbour)
+static batten_status find_meetings(splitting *t, int a, int b, double *nearest, int *neighbour)
 {
     bat_meetings m;
     const int gaps = t->gap_count;
@@ -161,7 +161,7 @@ static int by_distance(const void *one, const void *other)
     return x->a != y->a ? x->a - y->a : x->b - y->b;
 }
 
-static batten_status meet_all(task *t, double *nearest, int *neighbour)
+static batten_status meet_all(splitting *t, double *nearest, int *neighbour)
 {
     for (int a = 0; a < t->count; a++)
         nearest[a] = HUGE_VAL;
@@ -183,7 +183,7 @@ static batten_status meet_all(task *t, double *nearest, int *neighbour)
     return BATTEN_OK;
 }
 
-static batten_status colour(task *t, int *family)
+static batten_status colour(splitting *t, int *family)
 {
     int other;
     qsort(t->gaps, (size_t)t->gap_count, sizeof *t->gaps, by_distance);
@@ -207,7 +207,7 @@ static batten_status colour(task *t, int *family)
     return BATTEN_OK;
 }
 
-static batten_status trace_curves(task *t, const batten_curve *const *curves)
+static batten_status trace_curves(splitting *t, const batten_curve *const *curves)
 {
     batten_status status = bat_network_scale(t->count, curves, &t->scale);
     t->tolerance *= t->scale;
@@ -226,7 +226,7 @@ static batten_status trace_curves(task *t, const batten_curve *const *curves)
     return status;
 }
 
-static void release_forest(task *t)
+static void release_forest(splitting *t)
 {
     for (int k = 0; t->curves && k < t->count; k++) {
         batten_curve_unref(t->curves[k].curve);
@@ -240,7 +240,7 @@ static void release_forest(task *t)
     bat_release(t->gaps);
 }
 
-static batten_status colour_curves(task *t, const batten_curve *const *curves, int *family)
+static batten_status colour_curves(splitting *t, const batten_curve *const *curves, int *family)
 {
     const size_t n = (size_t)t->count;
     double *nearest = bat_array(n, sizeof *nearest);
@@ -268,11 +268,11 @@ batten_status batten_network_split(int count, const batten_curve *const *curves,
                                    double tolerance, const char *const *names,
                                    const batten_job *job, int *family)
 {
-    task t = {.count = count,
-              .names = names,
-              .tolerance = tolerance,
-              .given_tolerance = tolerance,
-              .work = {job, 0}};
+    splitting t = {.count = count,
+                   .names = names,
+                   .tolerance = tolerance,
+                   .given_tolerance = tolerance,
+                   .work = {job, 0}};
     if (!isfinite(tolerance))
         return bat_fail(BATTEN_NOT_FINITE, "the tolerance is %g", tolerance);
     if (tolerance <= 0)

@@ -36,8 +36,9 @@ static batten_status find_direction(const bat_strip *strip, double u, bat_strip_
     return BATTEN_OK;
 }
 
-batten_status bat_strip_ruling_at(const bat_strip *strip, double u, batten_side side,
-                                  bat_strip_ruling *out)
+/* SINGULAR_HERE where it has no length, except at the ends of the domain, or no tangent plane. */
+static batten_status ruling_at(const bat_strip *strip, double u, batten_side side,
+                               bat_strip_ruling *out)
 {
     for (int e = 0; e < 2; e++) {
         double values[2 * 3];
@@ -155,7 +156,7 @@ static batten_status find_rates(const bat_strip *strip, const bat_flat_rule *rul
     for (int j = 0; j < BAT_FLAT_NODES; j++) {
         bat_strip_ruling g;
         const double at = u + rule->c[j] * h;
-        batten_status status = bat_strip_ruling_at(strip, at, BATTEN_FROM_RIGHT, &g);
+        batten_status status = ruling_at(strip, at, BATTEN_FROM_RIGHT, &g);
         if (status != BATTEN_OK)
             return status;
         if (!(g.length > 0))
@@ -177,7 +178,7 @@ static batten_status lay_flat(const bat_strip *strip, bat_flat_strip *flat)
     bat_strip_ruling g, next;
     double phi = BAT_PI / 2, at[2] = {0, 0};
     bat_flat_rule_make(&rule);
-    batten_status status = bat_strip_ruling_at(strip, flat->u[0], BATTEN_FROM_RIGHT, &g);
+    batten_status status = ruling_at(strip, flat->u[0], BATTEN_FROM_RIGHT, &g);
     if (status != BATTEN_OK)
         return status;
     put_ends(&g, phi, at, flat->points);
@@ -185,9 +186,9 @@ static batten_status lay_flat(const bat_strip *strip, bat_flat_strip *flat)
         const double u = flat->u[i], h = flat->u[i + 1] - u;
         double *rates = flat->rates + (size_t)8 * (size_t)i;
         bat_flat_rates step;
-        status = bat_strip_ruling_at(strip, u, BATTEN_FROM_RIGHT, &g);
+        status = ruling_at(strip, u, BATTEN_FROM_RIGHT, &g);
         if (status == BATTEN_OK)
-            status = bat_strip_ruling_at(strip, flat->u[i + 1], BATTEN_FROM_LEFT, &next);
+            status = ruling_at(strip, flat->u[i + 1], BATTEN_FROM_LEFT, &next);
         if (status == BATTEN_OK)
             status = find_rates(strip, &rule, u, h, &g.n, flat, &step);
         if (status != BATTEN_OK)

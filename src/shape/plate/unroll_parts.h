@@ -20,9 +20,6 @@ typedef struct {
     batten_vec3 P[2], D[2], r, m, n;
     double length;
 } bat_strip_ruling;
-/* SINGULAR_HERE where it has no length, but for the ends of the domain, or no tangent plane. */
-batten_status bat_strip_ruling_at(const bat_strip *strip, double u, batten_side side,
-                                  bat_strip_ruling *out);
 
 /* Known rulings in the plane. */
 typedef struct {

@@ -1,5 +1,6 @@
 /* Sections with another parameter, so that what belongs together stands at equal ones. */
 #include "base/sort.h"
+#include "numeric/halving.h"
 #include "numeric/rounding.h"
 #include "shape/skin/steps.h"
 #include <batten/approximate.h>
@@ -58,7 +59,7 @@ static batten_status piece(const mapped *m, double a, double b, double *points, 
         bat_bernstein(3, i / 4.0, 1 - i / 4.0, basis);
         bat_combine(3, basis, (size_t)d, points, found);
         status = mapped_at(m, a + (b - a) * (i / 4.0), BATTEN_FROM_RIGHT, here);
-        *error = bat_max(*error, 1.2 * bat_distance(d, here, found));
+        *error = bat_max(*error, BAT_CUBIC_BETWEEN_3 * bat_distance(d, here, found));
     }
     return status;
 }
@@ -77,23 +78,19 @@ static void take_piece(mapped *m, double b, const double *points, double error)
 /* [a, b], halved where a cubic is too far off. */
 static batten_status map_piece(mapped *m, double a, double b)
 {
-    double ends[MAX_HALVINGS + 1] = {b};
-    for (int depth = 0; depth >= 0;) {
+    bat_halving h = bat_halving_of(a, b, MAX_HALVINGS);
+    while (h.waiting > 0) {
         double points[12], error;
-        const batten_status status = piece(m, a, ends[depth], points, &error);
+        const batten_status status = piece(m, h.a, h.b, points, &error);
         if (status != BATTEN_OK)
             return status;
         if (error <= m->tolerance) {
-            take_piece(m, ends[depth], points, error);
-            a = ends[depth--];
-        } else if (depth == MAX_HALVINGS || m->count == MAX_PIECES)
+            take_piece(m, h.b, points, error);
+            bat_halving_accept(&h);
+        } else if (m->count == MAX_PIECES || !bat_halving_split(&h))
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "a section with another parameter is %g off near %g, more than %g",
-                            error, a, m->tolerance);
-        else {
-            ends[depth + 1] = a + (ends[depth] - a) / 2;
-            depth++;
-        }
+                            error, h.a, m->tolerance);
     }
     return BATTEN_OK;
 }

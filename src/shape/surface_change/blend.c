@@ -25,7 +25,7 @@ typedef struct {
     double tolerance, size;
     batten_surfaces_blend_report *report;
     bat_blend *b;
-} task;
+} blending;
 
 batten_surface_blend_end batten_surfaces_blend_defaults(batten_edge edge)
 {
@@ -52,7 +52,7 @@ static batten_status take_part(const batten_curve *curve, double from, double to
     return status;
 }
 
-static batten_status take_side(task *t, int side)
+static batten_status take_side(blending *t, int side)
 {
     const batten_surface_blend_end *end = &t->ends[side];
     const int order = bat_max_int(1, end->continuity);
@@ -87,7 +87,7 @@ static batten_status turn_second(bat_blend *b)
 }
 
 /* Mean distance of the edges, as they run or against each other, and their own extents. */
-static batten_status measure_edges(task *t, double distance[2], double extent[2])
+static batten_status measure_edges(blending *t, double distance[2], double extent[2])
 {
     const batten_curve *first = t->b->curves[0], *second = t->b->curves[MOST];
     double start[2][3];
@@ -115,7 +115,7 @@ static batten_status measure_edges(task *t, double distance[2], double extent[2]
     return BATTEN_OK;
 }
 
-static batten_status place_edges(task *t, double *distance)
+static batten_status place_edges(blending *t, double *distance)
 {
     double apart[2], extent[2];
     batten_status status = measure_edges(t, apart, extent);
@@ -133,7 +133,7 @@ static batten_status place_edges(task *t, double *distance)
 }
 
 /* What a unit of v is in the parameter across the edge. */
-static batten_status find_scale(const task *t, int side, double distance, double *scale)
+static batten_status find_scale(const blending *t, int side, double distance, double *scale)
 {
     const batten_curve *slope = t->b->curves[side * MOST + 1];
     double speed = 0;
@@ -222,7 +222,7 @@ static batten_status fill_nurbs(const bat_blend *b, batten_curve *const *unified
 /* ---- near, for weights that differ ---- */
 
 /* Over the knots that the curves have together. Takes the blend over. */
-static batten_status make_near(task *t, const batten_curve *unified, batten_surface **out)
+static batten_status make_near(blending *t, const batten_curve *unified, batten_surface **out)
 {
     static const double ends[] = {0, 1};
     const bat_formula_axis v = {2, ends, 2};
@@ -250,7 +250,7 @@ static batten_status make_near(task *t, const batten_curve *unified, batten_surf
     return status;
 }
 
-static batten_status make_blend(task *t, batten_surface **out)
+static batten_status make_blend(blending *t, batten_surface **out)
 {
     batten_curve *unified[CURVES] = {NULL};
     const batten_curve *given[CURVES];
@@ -273,7 +273,7 @@ static batten_status make_blend(task *t, batten_surface **out)
 
 /* ---- the call ---- */
 
-static batten_status check_blend(const task *t)
+static batten_status check_blend(const blending *t)
 {
     for (int k = 0; k < 2; k++) {
         const batten_surface_blend_end *e = &t->ends[k];
@@ -293,7 +293,7 @@ static batten_status check_blend(const task *t)
     return bat_tolerance_check(t->tolerance);
 }
 
-static batten_status blend_edges(task *t, batten_surface **out)
+static batten_status blend_edges(blending *t, batten_surface **out)
 {
     double distance = 0, scale[2] = {0, 0};
     batten_surface *made = NULL;
@@ -341,7 +341,8 @@ batten_status batten_surfaces_blend(const batten_surface *const surfaces[2],
     batten_surfaces_blend_report found = {.error = 0};
     batten_surface_blend_end chosen[2];
     batten_status status = take_ends(ends, chosen);
-    task t = {.surfaces = surfaces, .ends = chosen, .tolerance = tolerance, .report = &found};
+    blending t = {
+        .surfaces = surfaces, .ends = chosen, .tolerance = tolerance, .report = &found};
     if (status == BATTEN_OK)
         status = check_blend(&t);
     if (status != BATTEN_OK)

@@ -24,7 +24,7 @@ typedef struct {
     double *s; /* [count] parameters of the stations */
     batten_curve *curves[PARTS];
     batten_surface_fillet *out;
-} task;
+} filleting;
 
 void batten_surface_fillet_release(batten_surface_fillet *fillet)
 {
@@ -40,7 +40,7 @@ void batten_surface_fillet_release(batten_surface_fillet *fillet)
 }
 
 /* The rows of a station: the arc's shoulder is the weight times its middle control point. */
-static void rows_of(const task *t, const bat_ball *b, double rows[PARTS][3])
+static void rows_of(const filleting *t, const bat_ball *b, double rows[PARTS][3])
 {
     const double r = fabs(t->rolling.radii[0]);
     const batten_vec3 a = bat_vec3_scale(bat_vec3_subtract(b->contact[0], b->centre), 1 / r);
@@ -67,7 +67,7 @@ static batten_vec3 arc_middle(double rows[PARTS][3])
 
 /* ---- the spline ---- */
 
-static void release_curves(task *t)
+static void release_curves(filleting *t)
 {
     for (int k = 0; k < PARTS; k++) {
         batten_curve_unref(t->curves[k]);
@@ -75,7 +75,7 @@ static void release_curves(task *t)
     }
 }
 
-static batten_status interpolate(task *t)
+static batten_status interpolate(filleting *t)
 {
     const int n = t->spine.count;
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
@@ -103,7 +103,7 @@ static batten_status interpolate(task *t)
 }
 
 /* Stations halfway between those there are, in planes across the chords. */
-static batten_status double_stations(task *t)
+static batten_status double_stations(filleting *t)
 {
     const int n = t->spine.count;
     if (2 * n - 1 > MOST_STATIONS)
@@ -139,7 +139,7 @@ static batten_status double_stations(task *t)
 }
 
 /* How far the spline is from the fillet halfway between two stations. */
-static batten_status error_at(task *t, double s)
+static batten_status error_at(filleting *t, double s)
 {
     double rows[PARTS][3] = {{0}}, truth[PARTS][3], spine[6];
     batten_status status = BATTEN_OK;
@@ -174,7 +174,7 @@ static batten_status error_at(task *t, double s)
     return BATTEN_OK;
 }
 
-static batten_status fit_arcs(task *t)
+static batten_status fit_arcs(filleting *t)
 {
     batten_status status = BATTEN_OK;
     while (status == BATTEN_OK && t->spine.count < LEAST_STATIONS)
@@ -194,7 +194,7 @@ static batten_status fit_arcs(task *t)
 
 /* ---- the surface ---- */
 
-static batten_status make_surface(const task *t, batten_surface **out)
+static batten_status make_surface(const filleting *t, batten_surface **out)
 {
     const batten_curve *first = t->curves[FIRST];
     const int n = first->count;
@@ -219,7 +219,7 @@ static batten_status make_surface(const task *t, batten_surface **out)
 }
 
 /* A ball must be less curved than no hollow it rolls in; and angles. */
-static batten_status check_balls(task *t)
+static batten_status check_balls(filleting *t)
 {
     const double r = fabs(t->rolling.radii[0]);
     t->out->least = HUGE_VAL;
@@ -249,7 +249,7 @@ static batten_status check_balls(task *t)
     return BATTEN_OK;
 }
 
-static batten_status fillet(task *t, const double *start)
+static batten_status fillet(filleting *t, const double *start)
 {
     batten_status status = bat_spine_find(&t->rolling, start, &t->spine, t->out->ends);
     if (status == BATTEN_OK)
@@ -271,7 +271,7 @@ static batten_status fillet(task *t, const double *start)
 
 /* ---- the call ---- */
 
-static batten_status check_fillet(const task *t, const double *start)
+static batten_status check_fillet(const filleting *t, const double *start)
 {
     const double *r = t->rolling.radii;
     if (!isfinite(r[0]) || !isfinite(r[1]) || !isfinite(t->tolerance))
@@ -303,7 +303,7 @@ batten_status batten_surfaces_fillet(const batten_surface *const surfaces[2],
 {
     assert(surfaces && surfaces[0] && surfaces[1] && radii && out);
     batten_surface_fillet made = {0};
-    task t = {.rolling = {surfaces, radii, 0}, .tolerance = tolerance, .out = &made};
+    filleting t = {.rolling = {surfaces, radii, 0}, .tolerance = tolerance, .out = &made};
     batten_status status = check_fillet(&t, start);
     if (status != BATTEN_OK)
         return status;

@@ -12,9 +12,9 @@ enum { NEWTON = 40, SEEDS = 13, STEPS = 40, MOST = 2000, BISECTIONS = 50 };
 typedef struct {
     double offset[2][9]; /* O, Ou, Ov of either offset */
     batten_vec3 contact[2], normal[2];
-} places;
+} spine_samples;
 
-static batten_status look_at_offsets(const bat_rolling *r, const double x[4], places *p)
+static batten_status look_at_offsets(const bat_rolling *r, const double x[4], spine_samples *p)
 {
     for (int k = 0; k < 2; k++) {
         double point[3];
@@ -32,14 +32,14 @@ static batten_status look_at_offsets(const bat_rolling *r, const double x[4], pl
     return BATTEN_OK;
 }
 
-static batten_vec3 middle(const places *p)
+static batten_vec3 middle(const spine_samples *p)
 {
     return bat_vec3_scale(
         bat_vec3_add(bat_vec3_of(3, p->offset[0]), bat_vec3_of(3, p->offset[1])), 0.5);
 }
 
 /* False where the surfaces are tangent. */
-static bool find_tangent(const places *p, batten_vec3 *tangent)
+static bool find_tangent(const spine_samples *p, batten_vec3 *tangent)
 {
     const batten_vec3 cross = bat_vec3_cross(p->normal[0], p->normal[1]);
     /* Normals of two surfaces, each wrong by up to 1e-10: a direction of four digits. */
@@ -49,8 +49,8 @@ static bool find_tangent(const places *p, batten_vec3 *tangent)
 }
 
 /* O1 = O2 and the plane, linear in a step of x; then the step, kept inside the domains. */
-static batten_status newton_step(const bat_rolling *r, const places *p, batten_vec3 normal,
-                                 double off, double x[4])
+static batten_status newton_step(const bat_rolling *r, const spine_samples *p,
+                                 batten_vec3 normal, double off, double x[4])
 {
     double a[16], b[4] = {0};
     int pivots[4];
@@ -83,7 +83,7 @@ batten_status bat_ball_in_plane(const bat_rolling *r, const double guess[4],
     memcpy(x, guess, sizeof x);
     *found = false;
     for (int i = 0; i < NEWTON; i++) {
-        places p;
+        spine_samples p;
         batten_vec3 tangent;
         batten_status status = look_at_offsets(r, x, &p);
         if (status != BATTEN_OK)

@@ -25,9 +25,9 @@ typedef struct {
     double *greville[2]; /* [count of the axis] */
     double *lu[2];       /* [count][2 degree + 1] */
     double *rows;        /* [count_u][count_v][3] */
-} task;
+} exact_offset;
 
-static batten_status factor_direction(task *t, int k)
+static batten_status factor_direction(exact_offset *t, int k)
 {
     const bat_axis *axis = &t->nurbs->axes[k];
     const int p = axis->degree, n = axis->count, width = 2 * p + 1;
@@ -75,7 +75,7 @@ static double weight_at(const bat_nurbs *nurbs, double u, double v)
     return sum;
 }
 
-static batten_status sample(task *t)
+static batten_status sample(exact_offset *t)
 {
     const int m = t->nurbs->axes[0].count, n = t->nurbs->axes[1].count;
     batten_status status = BATTEN_OK;
@@ -92,7 +92,7 @@ static batten_status sample(task *t)
     return status;
 }
 
-static void solve_both(task *t)
+static void solve_both(exact_offset *t)
 {
     const bat_axis *u = &t->nurbs->axes[0], *v = &t->nurbs->axes[1];
     bat_banded_solve(u->count, u->degree, u->degree, t->lu[0], (size_t)v->count * 3, t->rows);
@@ -102,7 +102,7 @@ static void solve_both(task *t)
 }
 
 /* An edge whose control points are one stays so, to the bit, where that is the truth. */
-static void keep_poles(const task *t, double *points)
+static void keep_poles(const exact_offset *t, double *points)
 {
     const int m = t->nurbs->axes[0].count, n = t->nurbs->axes[1].count;
     for (int e = 0; e < 4; e++) {
@@ -121,7 +121,7 @@ static void keep_poles(const task *t, double *points)
     }
 }
 
-static batten_status make_surface(const task *t, batten_surface **out)
+static batten_status make_surface(const exact_offset *t, batten_surface **out)
 {
     bat_nurbs *made = NULL;
     const batten_status status = bat_nurbs_copy(t->nurbs, t->nurbs->weights != NULL, &made);
@@ -137,7 +137,8 @@ static batten_status make_surface(const task *t, batten_surface **out)
 }
 
 /* Is it the offset, at places between the abscissae of every patch? */
-static batten_status verify_offset(const task *t, const batten_surface *made, bool *exact)
+static batten_status verify_offset(const exact_offset *t, const batten_surface *made,
+                                   bool *exact)
 {
     const bat_axis *axes = t->nurbs->axes;
     batten_status status = BATTEN_OK;
@@ -161,7 +162,7 @@ static batten_status verify_offset(const task *t, const batten_surface *made, bo
     return status;
 }
 
-static batten_status try_exact(task *t, batten_surface **out)
+static batten_status try_exact(exact_offset *t, batten_surface **out)
 {
     const size_t count = (size_t)t->nurbs->axes[0].count * (size_t)t->nurbs->axes[1].count;
     batten_surface *made = NULL;
@@ -189,7 +190,7 @@ static batten_status try_exact(task *t, batten_surface **out)
 batten_status bat_offset_exact(const batten_surface *surface, double distance,
                                batten_surface **out)
 {
-    task t = {.surface = surface, .distance = distance};
+    exact_offset t = {.surface = surface, .distance = distance};
     t.nurbs = bat_surface_nurbs(surface);
     t.size = t.nurbs->largest + fabs(distance);
     *out = NULL;
