@@ -242,6 +242,8 @@ static batten_status saddle_to_nurbs(const void *data, double tolerance, batten_
     const double points[] = {0, 0, 0, 0, 2, 0, 1, 0, 0, 1, 2, 1}, knots[] = {0, 0, 1, 1};
     const batten_axis axis = {1, 2, knots, false};
     asked = tolerance;
+    if (tolerance < 1e-12) /* a kind that can do no better */
+        return BATTEN_TOLERANCE_NOT_MET;
     if (error)
         *error = tolerance / 2;
     return batten_surface_create(3, &axis, &axis, points, NULL, out);
@@ -293,6 +295,11 @@ TEST(an_equal_spline_moves_along_and_its_error_grows_with_the_map)
         nurbs = NULL;
         CHECK_OK(batten_surface_to_nurbs(moved, 1e-3, NULL, &nurbs));
         batten_surface_unref(nurbs);
+        nurbs = NULL;
+        error = 7;
+        CHECK_STATUS(batten_surface_to_nurbs(moved, 1e-14, &error, &nurbs),
+                     BATTEN_TOLERANCE_NOT_MET);
+        CHECK(!nurbs && error == 7);
         batten_surface_unref(moved);
     }
     batten_surface_unref(surface);
@@ -344,4 +351,32 @@ TEST(a_formula_that_is_refused_leaves_its_data_to_the_caller)
     CHECK(!moved);
     batten_surface_unref(wave_surface);
     CHECK_INT(freed, 1);
+}
+
+/* (cos 2 pi u, sin 2 pi u, v), once around. */
+static batten_status tube(const void *data, double u, double v, batten_side side_u,
+                          batten_side side_v, int order, double *out)
+{
+    (void)data;
+    (void)side_u;
+    (void)side_v;
+    memset(out, 0, 3 * (size_t)BATTEN_SURFACE_DERIVATIVES(order) * sizeof *out);
+    out[0] = cos(6.283185307179586 * u);
+    out[1] = sin(6.283185307179586 * u);
+    out[2] = v;
+    return BATTEN_OK;
+}
+
+TEST(a_tube_is_closed_around_and_open_along)
+{
+    static const bat_formula formula = {"tube", tube, NULL, count_free};
+    const double u[] = {0, 0.25, 1}, v[] = {0, 2, 3, 7};
+    const bat_formula_axis axes[2] = {{3, u, 2}, {4, v, 2}};
+    batten_surface *surface = NULL;
+    CHECK_OK(bat_formula_create(&formula, &one, 3, &axes[0], &axes[1], 7, &surface));
+    CHECK(batten_surface_is_closed(surface, BATTEN_U, 1e-12));
+    CHECK(!batten_surface_is_closed(surface, BATTEN_V, 6.9));
+    CHECK(batten_surface_is_closed(surface, BATTEN_V, 7.1));
+    CHECK(!batten_surface_is_periodic(surface, BATTEN_U));
+    batten_surface_unref(surface);
 }
