@@ -31,7 +31,7 @@ typedef struct {
     const char **files;
 } arguments;
 
-/* Sort the words; a complaint goes to standard error. At most `most` words that are no options.
+/* Sort the words; a complaint goes to standard error. At most `most` words that are not options.
  * `--` ends the options; a lone `-` is a file. False for a usage error. */
 bool arguments_read(const char *command, int option_count, const option *options, int least,
                     int most, int count, char **words, arguments *out);

@@ -47,7 +47,7 @@ static batten_status only_object(const char *name, const batten_model *model,
     return status;
 }
 
-/* An instance on the way to the one that is looked for. */
+/* An instance on the path to the one that is looked for. */
 typedef struct {
     const batten_model *model;
     const char *rest; /* of the path, in this model */
@@ -56,7 +56,7 @@ typedef struct {
 
 enum { DEEPEST = 33, MOST_STEPS = 1000000 };
 
-/* Names may hold slashes themselves: all ways are tried. @return how many steps lead to the
+/* Names may hold slashes themselves: all paths are tried. @return how many steps lead to the
  * instance of that path, each the one before `next`; 0 when there is none */
 static int find_steps(const char *path, const batten_model *model, step steps[DEEPEST])
 {

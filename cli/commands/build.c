@@ -125,7 +125,7 @@ static bool overwrites_inputs(const batten_design *design, const arguments *give
     bool found = folder && overwrites_input(design, given->files[0], folder);
     for (int i = 0; folder && !found && i < batten_design_file_count(design); i++) {
         char *input = NULL;
-        /* What cannot be read is said when it is. */
+        /* What cannot be read is reported when it is read. */
         if (batten_design_file_path(design, i, &input) == BATTEN_OK)
             found = overwrites_input(design, input, folder);
         batten_release(input);

@@ -156,7 +156,7 @@ static int report(const arguments *given, const outcome *o, const batten_notes *
     return output_print(&text);
 }
 
-/* Prepare and write the model; what is said of its objects tells what became of them. */
+/* Prepare and write the model; the notes on its objects say what became of them. */
 static batten_status write_prepared(const batten_model *model,
                                     const batten_write_options *chosen, batten_notes *said,
                                     outcome *o)
@@ -256,7 +256,7 @@ static batten_status write_model(const batten_model *model, const arguments *giv
                                  outcome *o)
 {
     batten_write_options chosen = *write;
-    batten_notes *said = NULL; /* all that is said, since it is counted */
+    batten_notes *said = NULL; /* all notes, since they are counted */
     batten_write_choose(o->output, model, &chosen);
     o->format = chosen.format;
     o->read = tally_of(model, TALLY_BODIES);

@@ -234,7 +234,7 @@ static int print(const char *file, const batten_model *model, const facts *found
     return output_print(&text);
 }
 
-/* Of instances it is told what they place; where that is too much, what there is to place. */
+/* Instances are listed by what they place; where that is too much, by what there is to place. */
 static int flatten(batten_model **model, batten_notes *notes, int exit)
 {
     batten_model *flat = NULL;

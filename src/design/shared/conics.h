@@ -16,8 +16,8 @@
      false,                                                                                  \
      "0",                                                                                    \
      NULL,                                                                                   \
-     "how far the first control point lies on the way to where the tangents meet, 0..1; 0: " \
-     "found"},                                                                               \
+     "where the first control point lies from the start, 0, to where the tangents meet, 1; " \
+     "0: found"},                                                                            \
     {                                                                                        \
         "end-share", BATTEN_VALUE_NUMBER, false, false, "0", NULL, "the same from the end"   \
     }

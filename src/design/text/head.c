@@ -27,7 +27,7 @@ static void check_sections(bat_document *d)
     }
 }
 
-/* The word of a section, or NULL: absent, or not a word, which is said. */
+/* The word of a section, or NULL: absent, or not a word, which is reported. */
 static const char *head_word(bat_document *d, const char *section, int *node)
 {
     *node = bat_tree_find(&d->tree, 0, section);

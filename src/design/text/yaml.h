@@ -33,7 +33,7 @@ typedef struct {
 } bat_place;
 
 /*
- * Parse YAML. Anchors, aliases, tags, block scalars, several documents, keys that are no words,
+ * Parse YAML. Anchors, aliases, tags, block scalars, several documents, keys that are not words,
  * and equal keys in one map are refused, and so is what nests deeper than `nesting`.
  *
  * @param[out] tree   free it with bat_tree_free, also after a failure

@@ -26,7 +26,7 @@ typedef struct {
 } bat_hull;
 
 /* Cut all surfaces of a model. A hull on the side of negative y is mirrored; of a whole hull
- * the half with y >= 0 is taken. What was left out is said in `notes`. */
+ * the half with y >= 0 is taken. What was left out is reported in `notes`. */
 batten_status bat_hull_cut(const batten_model *model,
                            const batten_draw_lines_plan_options *plan, batten_notes *notes,
                            bat_hull *out);

@@ -41,7 +41,7 @@ static batten_status add_path(chaining *c, size_t count)
     return bat_strokes_add(c->out, (bat_stroke){count, points});
 }
 
-/* From a vertex along an edge until there is no other way on, or more than one. */
+/* From a vertex along an edge until no edge leads on, or more than one does. */
 static batten_status walk(chaining *c, int vertex, size_t edge)
 {
     size_t count = 0;

@@ -86,7 +86,7 @@ bat_light bat_light_zebra(const bat_scene *scene, const double normal[3])
     const double facing = bat_dot(3, n, scene->eye);
     for (int k = 0; k < 3; k++)
         mirrored[k] = 2 * facing * n[k] - scene->eye[k];
-    /* As the normal makes a half turn, its mirror image of the eye goes once around. */
+    /* As the normal makes a half turn, its mirror image of the eye goes around once. */
     const double angle =
         atan2(bat_dot(3, mirrored, scene->third), bat_dot(3, mirrored, scene->across));
     const double phase = angle * scene->stripes / (2 * BAT_PI);

@@ -72,7 +72,7 @@ static batten_status add_line(batten_status status, const batten_unrolled *flat,
     return add_piece(status, flat, line, outline);
 }
 
-/* The parts of an edge that are no points: the vertex of a cone is none to cut.
+/* The parts of an edge that are not points: nothing is cut at the vertex of a cone.
  * NULL for none.
  */
 static batten_status edge_pieces(const batten_unrolled *flat, int side, batten_curve **out)

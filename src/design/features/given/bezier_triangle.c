@@ -56,9 +56,9 @@ static batten_status find_degree(const bat_run *run, int count, int *degree)
                         count, n, each);
     if (count != each && !bat_has(run, "degree"))
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "%d point%s %s no triangular net: 3, 6, 10, 15 ... are; 'degree' cuts "
-                        "a list into several nets",
-                        count, bat_plural(count), bat_one_or_many(count, "is", "are"));
+                        "%d point%s %s not make a triangular net, which has 3, 6, 10, 15 ...; "
+                        "'degree' cuts a list into several nets",
+                        count, bat_plural(count), bat_one_or_many(count, "does", "do"));
     *degree = n;
     return BATTEN_OK;
 }

@@ -191,8 +191,8 @@ static void report(const bat_run *run, const bat_objects *curves,
                    const batten_surface_fill_report *reached)
 {
     const char *unit = batten_unit_name(bat_unit_metres(run));
-    /* An angle of exactly the bound is met but for rounding; without curvature taken over there
-     * is no bound for it. */
+    /* An angle of exactly the bound is met but for rounding; without curvature taken over
+     * nothing bounds it. */
     const bounds most = {unit ? unit : "unit", options->tolerance,
                          options->angle * 1.001 + 1e-9,
                          options->curvature ? reached->most_curvature : HUGE_VAL};

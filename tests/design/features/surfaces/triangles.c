@@ -82,7 +82,7 @@ TEST(nets_that_are_none_are_refused_with_their_numbers)
         const char *feature, *says;
     } rows[] = {
         {"{bezier-triangle: [net, two], degree: 3}", "12 points do not make whole nets"},
-        {"{bezier-triangle: [net, two]}", "12 points are no triangular net"},
+        {"{bezier-triangle: [net, two]}", "12 points do not make a triangular net"},
         {"{bezier-triangle: net, degree: 0}", "the degree is 0"},
         {"{bezier-triangle: net, weights: [1, 2]}", "2 weights for 6 points"},
         {"{bezier-triangle: net, weights: [1, 2, -3, 1, 1, 1]}",
