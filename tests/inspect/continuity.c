@@ -184,6 +184,11 @@ TEST(N6_tolerances_of_continuity_must_be_numbers)
     CHECK_STATUS(batten_curve_continuity(circle, &options, &all), BATTEN_BAD_ARGUMENT);
     options.angle = -1;
     CHECK_STATUS(batten_curve_continuity(circle, &options, &all), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("a tolerance of continuity is -1");
+    options.angle = 0.01;
+    options.derivative = -3;
+    CHECK_STATUS(batten_curve_continuity(circle, &options, &all), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("a tolerance of continuity is -3");
     CHECK_INT(all.count, 7);
     batten_curve_unref(circle);
 }

@@ -33,6 +33,37 @@ TEST(a_torus_has_the_curvatures_of_its_equation)
     batten_surface_unref(torus);
 }
 
+/* z = c x y with x = 3 u, y = v / 2 + u: at the origin K = -c^2, elsewhere K = -c^2 / w^4 and
+ * H = -c^3 x y / w^3, w^2 = 1 + c^2 (x^2 + y^2), whatever the parameters. */
+TEST(a_saddle_has_its_curvatures_in_skew_and_stretched_parameters)
+{
+    const double c = 0.7, knots[] = {0, 0, 0, 2, 2, 2}, line[] = {0, 0, 4, 4};
+    const batten_axis along = {2, 3, knots, false}, across = {1, 2, line, false};
+    double points[6][3];
+    batten_surface *saddle = NULL;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 2; j++) {
+            /* Polar forms: u is 0, 1, 2 and u^2 is 0, 0, 4 at the control points. */
+            const double u = i, uu = i == 2 ? 4 : 0, v = 4 * j;
+            points[2 * i + j][0] = 3 * u;
+            points[2 * i + j][1] = v / 2 + u;
+            points[2 * i + j][2] = c * 3 * (u * v / 2 + uu);
+        }
+    CHECK_OK(batten_surface_create(3, &along, &across, points[0], NULL, &saddle));
+    for (int i = 0; i <= 20; i++) {
+        batten_surface_local at;
+        CHECK_OK(batten_surface_local_at(saddle, 0.1 * i, 4 - 0.2 * i, &at));
+        const double x = at.point.x, y = at.point.y, w = sqrt(1 + c * c * (x * x + y * y));
+        CHECK_NEAR(at.point.z, c * x * y, 1e-13);
+        CHECK_NEAR(at.gaussian, -c * c / pow(w, 4), 1e-14);
+        CHECK_NEAR(at.mean, -c * c * c * x * y / pow(w, 3), 1e-13);
+        CHECK_NEAR(at.kappa1 + at.kappa2, 2 * at.mean, 1e-13);
+        CHECK_NEAR(at.kappa1 * at.kappa2, at.gaussian, 1e-13);
+        CHECK_NEAR(dot(at.direction1, at.direction2), 0, 1e-12);
+    }
+    batten_surface_unref(saddle);
+}
+
 TEST(a_sphere_is_umbilic_and_a_cylinder_has_no_gaussian_curvature)
 {
     batten_surface *sphere = NULL, *plane = NULL;
