@@ -192,7 +192,7 @@ static batten_status measure_mesh(const batten_mesh *mesh, checking *c)
     }
     return isfinite(f->area) && isfinite(f->volume)
                ? BATTEN_OK
-               : bat_fail(BATTEN_OVERFLOW, "area or volume of a mesh of size %g is no number",
+               : bat_fail(BATTEN_OVERFLOW, "the area or volume of a mesh of size %g overflows",
                           s.scale);
 }
 

@@ -145,8 +145,8 @@ static batten_status check_object(const batten_object *object)
 
     if (object->triangles && batten_triangles_dimension(object->triangles) != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "triangles of dimension %d are no object; those in space are, such as "
-                        "the graph of a function",
+                        "triangles of dimension %d cannot be stored in a model; those in space "
+                        "can, such as the graph of a function",
                         batten_triangles_dimension(object->triangles));
     for (int k = 0; object->has_colour && k < 3; k++)
         if (!(object->colour[k] >= 0 && object->colour[k] <= 1))

@@ -163,7 +163,7 @@ static void check_shell(bat_check *check, int shell, edge_uses *uses)
     check->faults->open_shells++;
     snprintf(name, sizeof name, "shell %d", shell);
     batten_notes_add(check->notes, "", 0, name,
-                     "is said to be closed, but %d of its edges have one face only", rim);
+                     "is marked as closed, but %d of its edges have one face only", rim);
 }
 
 /* ---- faces ---- */

@@ -185,7 +185,7 @@ static batten_status make_surface(const bat_stand *stand, batten_surface **out)
     case BAT_OFFSET_SURFACE:
         break;
     }
-    return bat_fail(BATTEN_BAD_ARGUMENT, "%d is no kind of surface", (int)stand->of->kind);
+    return bat_fail(BATTEN_BAD_ARGUMENT, "unknown kind of surface: %d", (int)stand->of->kind);
 }
 
 batten_status bat_elementary_surface(const bat_elementary *elementary, int count,

@@ -345,7 +345,7 @@ batten_status batten_quintic_classify(const batten_canonical *canonical, double 
     double value[6] = {0}, scaled[6] = {0};
     if (canonical->dimension != 2 || canonical->pivots[0] != 2 || canonical->pivots[1] != 5)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "the curve is no affine image of (t^2, t^5 + a t^4 + b t^3 + g t)");
+                        "the curve is not an affine image of (t^2, t^5 + a t^4 + b t^3 + g t)");
     double factor[6] = {120, 120, 60, 20, 5, 1}; /* 5! / j!: from t^j / j! to powers */
     for (int i = 0; i < canonical->count; i++) {
         const batten_invariant *e = &canonical->at[i];
