@@ -343,3 +343,34 @@ TEST(a_crease_that_bends_both_ways_is_refused_where_it_does)
     CHECK_MESSAGE("to the other side near the length 1.");
     batten_curve_unref(curve);
 }
+
+TEST(folds_without_angles_widths_or_torsions_that_are_numbers_are_refused_and_nothing_is_made)
+{
+    const double points[2][3] = {{0, 0, 0}, {1, 0.2, 0}}, a = 0.4, nan[2] = {0.4, NAN};
+    const double breaks[2] = {0, 1};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_from_bezier(3, (batten_pieces){1, 1, breaks}, &points[0][0], NULL,
+                                      &curve));
+    const batten_fold_create_options good = options_of(&a, 0.1);
+    batten_fold_create_options bad[8];
+    for (int i = 0; i < COUNT(bad); i++)
+        bad[i] = good;
+    bad[0].values = NULL;
+    bad[1].count = 0;
+    bad[2].values = nan;
+    bad[2].count = 2;
+    bad[3].torsion_count = -1;
+    bad[4].torsion_count = 1;
+    bad[5].left = 0;
+    bad[6].right = -1;
+    bad[7].right = HUGE_VAL;
+    for (int i = 0; i < COUNT(bad); i++) {
+        batten_fold fold, before;
+        memset(&fold, 0x5a, sizeof fold);
+        memcpy(&before, &fold, sizeof fold);
+        CHECK_STATUS(batten_fold_create(curve, &bad[i], &fold),
+                     i == 2 ? BATTEN_NOT_FINITE : BATTEN_BAD_ARGUMENT);
+        CHECK(memcmp(&fold, &before, sizeof fold) == 0);
+    }
+    batten_curve_unref(curve);
+}
