@@ -250,3 +250,36 @@ TEST(N1_axes_and_angles_that_are_none_are_refused)
     batten_curve_unref(profile);
     batten_curve_unref(plane);
 }
+
+TEST(normals_of_closed_shapes_point_outwards_and_profiles_start_outside)
+{
+    const batten_frame world = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+    batten_surface *sphere = NULL, *torus = NULL;
+    double at[3];
+    CHECK_OK(batten_surface_sphere(&world, 2, &sphere));
+    CHECK_OK(batten_surface_torus(&world, 3, 1, &torus));
+    for (int i = 1; i < 12; i++)
+        for (int j = 1; j < 12; j++) {
+            const double s = i / 12.0, t = j / 12.0;
+            batten_surface *const both[2] = {sphere, torus};
+            for (int k = 0; k < 2; k++) {
+                const batten_interval u = batten_surface_domain(both[k], BATTEN_U),
+                                      v = batten_surface_domain(both[k], BATTEN_V);
+                const double a = u.a + s * (u.b - u.a), b = v.a + t * (v.b - v.a);
+                batten_vec3 normal;
+                CHECK_OK(batten_surface_evaluate(both[k], a, b, 0, at));
+                CHECK_OK(batten_surface_normal(both[k], a, b, NULL, &normal));
+                /* Away from the centre, or from the circle of centres of radius 3. */
+                const double r = hypot(at[0], at[1]), back = k == 0 ? 1 : 1 - 3 / r;
+                CHECK_NEAR(normal.x * at[0] * back + normal.y * at[1] * back + normal.z * at[2],
+                           k == 0 ? 2 : 1, 1e-12);
+            }
+        }
+    CHECK_OK(batten_surface_evaluate(torus, batten_surface_domain(torus, BATTEN_U).a,
+                                     batten_surface_domain(torus, BATTEN_V).a, 0, at));
+    CHECK_NEAR(at[0], 4, 1e-15);
+    CHECK_NEAR(at[1], 0, 1e-15);
+    CHECK_NEAR(at[2], 0, 1e-15);
+    batten_surface_unref(sphere);
+    batten_surface_unref(torus);
+}
