@@ -90,8 +90,7 @@ void bat_hermite_points(int width, int count, int k, const double *parameters,
 /* The Bezier rows b [p + 1][width] of a piece of length h in powers c [p + 1][width]. */
 void bat_power_to_bezier(int p, size_t width, double h, const double *c, double *b);
 
-/* ---- exact algebra (src/spline/knots/insert.c, remove.c, elevate.c, reduce.c, bezier.c) ----
- */
+/* ---- exact algebra (src/spline/knots) ---- */
 
 /* Insert knots [count], never decreasing, inside the domain or at its ends, none more often
  * than p + 1 times together with those there. Rows that do not change keep their bits. */

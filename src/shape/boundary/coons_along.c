@@ -8,7 +8,7 @@
 #include "numeric/vector.h"
 #include "shape/boundary/edge_fit.h"
 #include "spline/curve/curve.h"
-#include "spline/product.h"
+#include "spline/curve/product.h"
 #include "spline/surface/surface.h"
 #include <batten/coons.h>
 #include <batten/curvature.h>

@@ -11,7 +11,7 @@
 #include "numeric/vector.h"
 #include "shape/points/near_knots.h"
 #include "spline/curve/curve.h"
-#include "spline/product.h"
+#include "spline/curve/product.h"
 #include "spline/surface/surface.h"
 
 #include <float.h>

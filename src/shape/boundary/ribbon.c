@@ -10,7 +10,7 @@
 
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include "spline/product.h"
+#include "spline/curve/product.h"
 #include "spline/surface/surface.h"
 
 #include <float.h>

@@ -2,7 +2,7 @@
 #include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/fill/fill.h"
-#include "spline/product.h"
+#include "spline/curve/product.h"
 #include <string.h>
 
 /* Products grow knots that are not needed; the loop has size 1. */

@@ -25,7 +25,6 @@ const bat_span_type *bat_span_type_of(batten_span_kind kind);
 
 /* The point of an arc, or line, at the arc length t. */
 void bat_arc_at(const batten_span *arc, double t, double out[2]);
-void bat_span_arc(int d, const batten_span *span, double t, int order, double *out);
 void bat_span_spiral(int d, const batten_span *span, double t, int order, double *out);
 batten_status bat_span_spiral_check(const batten_span *span, int index);
 void bat_span_tension(int d, const batten_span *span, double t, int order, double *out);

@@ -4,21 +4,6 @@
  */
 #include "spline/chain/chain.h"
 
-/* The one table of kinds, in the order of the enumeration. */
-static const bat_span_type types[] = {
-    [BATTEN_SPAN_ARC] = {"arc", true, bat_span_arc, NULL},
-    [BATTEN_SPAN_SPIRAL] = {"spiral", true, bat_span_spiral, bat_span_spiral_check},
-    [BATTEN_SPAN_TENSION] = {"tension", false, bat_span_tension, bat_span_tension_check},
-    [BATTEN_SPAN_ELASTICA] = {"elastica", true, bat_span_elastica, bat_span_elastica_check},
-    [BATTEN_SPAN_GEOMETRIC] = {"geometric", true, bat_span_geometric, bat_span_geometric_check},
-};
-
-const bat_span_type *bat_span_type_of(batten_span_kind kind)
-{
-    const size_t i = (size_t)kind;
-    return i < sizeof types / sizeof types[0] && types[i].evaluate ? &types[i] : NULL;
-}
-
 /* ---- arcs and lines ---- */
 
 void bat_arc_at(const batten_span *arc, double t, double out[2])
@@ -30,7 +15,7 @@ void bat_arc_at(const batten_span *arc, double t, double out[2])
     out[1] = arc->start[1] + chord * sin(arc->angle + half);
 }
 
-void bat_span_arc(int d, const batten_span *span, double t, int order, double *out)
+static void evaluate_arc(int d, const batten_span *span, double t, int order, double *out)
 {
     const double k = span->curvature[0], angle = span->angle + k * t;
     const double T[2] = {cos(angle), sin(angle)}, N[2] = {-T[1], T[0]};
@@ -44,4 +29,21 @@ void bat_span_arc(int d, const batten_span *span, double t, int order, double *o
         if (order >= 3)
             out[6 + i] = -k * k * T[i];
     }
+}
+
+/* ---- the table ---- */
+
+/* The one table of kinds, in the order of the enumeration. */
+static const bat_span_type types[] = {
+    [BATTEN_SPAN_ARC] = {"arc", true, evaluate_arc, NULL},
+    [BATTEN_SPAN_SPIRAL] = {"spiral", true, bat_span_spiral, bat_span_spiral_check},
+    [BATTEN_SPAN_TENSION] = {"tension", false, bat_span_tension, bat_span_tension_check},
+    [BATTEN_SPAN_ELASTICA] = {"elastica", true, bat_span_elastica, bat_span_elastica_check},
+    [BATTEN_SPAN_GEOMETRIC] = {"geometric", true, bat_span_geometric, bat_span_geometric_check},
+};
+
+const bat_span_type *bat_span_type_of(batten_span_kind kind)
+{
+    const size_t i = (size_t)kind;
+    return i < sizeof types / sizeof types[0] && types[i].evaluate ? &types[i] : NULL;
 }

@@ -104,8 +104,6 @@ void bat_curve_on_piece(const batten_curve *curve, const bat_piece *on, double u
  * curve, out [order + 1][d]. Leibniz for w P = A: P(k) = (A(k) - sum over i of C(k, i) w(i) P(k
  * - i)) / w. */
 void bat_divide(int degree, size_t d, int order, size_t stride, const double *a, double *out);
-/* OVERFLOW when one of the numbers computed at u is none. */
-batten_status bat_curve_check_result(double u, size_t count, const double *out);
 
 /* The Bezier pieces, made at the first batch of `count` parameters that is worth it; NULL when
  * it is not, or when memory is short: callers then work span by span. */

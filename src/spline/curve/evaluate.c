@@ -107,7 +107,8 @@ batten_status bat_curve_place(const batten_curve *curve, batten_side side, doubl
     return BATTEN_OK;
 }
 
-batten_status bat_curve_check_result(double u, size_t count, const double *out)
+/* OVERFLOW when one of the numbers computed at u is not finite. */
+static batten_status check_result(double u, size_t count, const double *out)
 {
     if (bat_first_not_finite(out, count) < count)
         return bat_fail(BATTEN_OVERFLOW,
@@ -121,7 +122,7 @@ static batten_status evaluate_checked(const batten_curve *curve, const bat_piece
 {
     const size_t count = ((size_t)order + 1) * (size_t)curve->dimension;
     bat_curve_on_piece(curve, on, u, order, buffer);
-    const batten_status status = bat_curve_check_result(u, count, buffer);
+    const batten_status status = check_result(u, count, buffer);
     if (status == BATTEN_OK)
         memcpy(out, buffer, count * sizeof *out);
     return status;

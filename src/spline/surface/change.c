@@ -78,8 +78,10 @@ static void fill_from_spline(const bat_nurbs *like, batten_direction direction,
         fill_points(made, like->weight_scale, net);
 }
 
-batten_status bat_nurbs_from_spline(const bat_nurbs *like, batten_direction direction,
-                                    const bat_spline *spline, batten_surface **out)
+/* The surface of a spline along `direction`, like `like` in all else; OVERFLOW when a row is
+ * not finite. */
+static batten_status surface_from_spline(const bat_nurbs *like, batten_direction direction,
+                                         const bat_spline *spline, batten_surface **out)
 {
     if (!bat_all_finite(spline->values, (size_t)spline->count * spline->width))
         return bat_fail(BATTEN_OVERFLOW, "a control point became too large for a number");
@@ -105,7 +107,7 @@ batten_status bat_nurbs_change(const batten_surface *surface, batten_direction d
         return status;
     status = change(&from, context, &made);
     if (status == BATTEN_OK) {
-        status = bat_nurbs_from_spline(nurbs, direction, &made, out);
+        status = surface_from_spline(nurbs, direction, &made, out);
         bat_spline_free(&made);
     }
     bat_spline_free(&from);

@@ -9,10 +9,6 @@
 /* The surface as a spline along `direction`. A periodic direction becomes clamped. */
 batten_status bat_nurbs_to_spline(const bat_nurbs *nurbs, batten_direction direction,
                                   bat_spline *out);
-/* The surface of a spline along `direction`, like `like` in all else; OVERFLOW when a row is
- * not finite. */
-batten_status bat_nurbs_from_spline(const bat_nurbs *like, batten_direction direction,
-                                    const bat_spline *spline, batten_surface **out);
 
 /* Make a spline from a spline. */
 typedef batten_status (*bat_spline_change)(const bat_spline *spline, void *context,

@@ -242,8 +242,8 @@ static void nurbs_local(const batten_surface *surface, double u, double v, batte
     }
 }
 
-batten_status bat_nurbs_to_nurbs(const batten_surface *surface, double tolerance,
-                                 batten_surface **out, double *error)
+static batten_status to_nurbs(const batten_surface *surface, double tolerance,
+                              batten_surface **out, double *error)
 {
     (void)tolerance;
     *out = batten_surface_ref(surface);
@@ -345,8 +345,8 @@ batten_status bat_nurbs_turn_over(const batten_surface *surface, batten_surface 
     return status;
 }
 
-batten_status bat_nurbs_transform(const batten_surface *surface, const batten_affine *map,
-                                  batten_surface **out)
+static batten_status transform_nurbs(const batten_surface *surface, const batten_affine *map,
+                                     batten_surface **out)
 {
     const bat_nurbs *nurbs = bat_surface_nurbs(surface);
     if (bat_first_not_finite(&map->m[0][0], 9) < 9 || bat_first_not_finite(map->t, 3) < 3)
@@ -388,7 +388,7 @@ const bat_surface_kind bat_nurbs_kind = {
     .normal_grid = bat_nurbs_normal_grid,
     .local = nurbs_local,
     .isocurve = bat_nurbs_isocurve,
-    .to_nurbs = bat_nurbs_to_nurbs,
-    .transform = bat_nurbs_transform,
+    .to_nurbs = to_nurbs,
+    .transform = transform_nurbs,
     .turn_over = bat_nurbs_turn_over,
 };

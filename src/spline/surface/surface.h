@@ -108,8 +108,6 @@ batten_status bat_nurbs_evaluate_grid(const batten_surface *surface, size_t coun
 batten_status bat_nurbs_normal_grid(const batten_surface *surface, size_t count_u,
                                     const double *u, size_t count_v, const double *v,
                                     const batten_job *job, double *points, double *normals);
-batten_status bat_nurbs_transform(const batten_surface *surface, const batten_affine *map,
-                                  batten_surface **out);
 batten_status bat_nurbs_isocurve(const batten_surface *surface, batten_direction direction,
                                  double at, batten_curve **out);
 batten_status bat_nurbs_turn_over(const batten_surface *surface, batten_surface **out);
@@ -117,8 +115,6 @@ batten_status bat_nurbs_turn_over(const batten_surface *surface, batten_surface 
  * [count of the other direction][width], homogeneous as the net. `at` is inside the domain. */
 void bat_nurbs_row(const bat_nurbs *nurbs, batten_direction direction, double at,
                    batten_side side, int order, double *row);
-batten_status bat_nurbs_to_nurbs(const batten_surface *surface, double tolerance,
-                                 batten_surface **out, double *error);
 
 /* From homogeneous derivatives `a` [BATTEN_SURFACE_DERIVATIVES(order)][dimension + 1] to those
  * of the surface, after the rule of Leibniz for w S = A. */

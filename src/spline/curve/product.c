@@ -2,7 +2,7 @@
  * The product of two splines, piece by piece in Bernstein form:
  * c_k = sum over i + j = k of C(p, i) C(q, j) / C(p + q, k) a_i b_j.
  */
-#include "spline/product.h"
+#include "spline/curve/product.h"
 
 #include "spline/curve/curve.h"
 

@@ -1,4 +1,4 @@
-#include "spline/product.h"
+#include "spline/curve/product.h"
 
 #include "support/generate.h"
 
