@@ -94,10 +94,10 @@ typedef struct batten_chain_mehlum_options {
 BATTEN_API batten_chain_mehlum_options batten_chain_mehlum_defaults(void);
 
 typedef struct batten_chain_mehlum_report {
-    int arcs;         /**< in all */
-    double error;     /**< the largest distance from the elastica, of 8 places on each arc */
-    double at;        /**< there: span, counted from 0, and the share of it gone */
-    double jump;      /**< the largest of curvature from arc to arc */
+    int arcs;     /**< in all */
+    double error; /**< the largest distance from the elastica, of 8 places on each arc */
+    double at;    /**< there: span, counted from 0, and the share of it gone */
+    double jump;  /**< the largest of curvature from arc to arc */
 } batten_chain_mehlum_report;
 
 /**
@@ -154,7 +154,8 @@ typedef struct batten_curve_minimum_energy_options {
                                not depend on the unit, and longer curves are no cheaper */
     double tension;       /**< added for each unit of length, >= 0: the strip is pulled; 0 */
     bool closed;          /**< the curve closes smoothly; the first point is not repeated */
-    int pieces;           /**< quintics between neighbours among the points, 1..16; 2 */
+    int pieces; /**< quintics between neighbours among the points, 1..16; 0: as many as
+                             save a thousandth of the energy, 2 to 16; 0 */
     const double *start_tangent, *end_tangent;     /**< [dimension], any length; NULL: free */
     const double *start_curvature, *end_curvature; /**< [dimension], the vector towards the
                             centre, one by the unit; needs the tangent, to which it is square;
@@ -176,14 +177,15 @@ typedef struct batten_curve_minimum_energy_report {
  * The curve of least energy through points, among curves of quintic pieces with continuous
  * tangent and curvature.
  *
- * It is the least near a spline from which the search begins: in the plane the elastica (for
- * bending) or the spline after Spiro (for variation), where these exist, else, and where that
- * leads nowhere, the cubic spline. For bending there is none in the large, since loops can grow
- * for ever; nor is there always one with free ends. Two points give the line; so do all on a
- * line. Points of a circle give the circle of least variation within 2e-9 of its radius when
- * they are a radian apart, with 4 pieces within 1e-10. Where a curve of least bending is known
- * to exist, `batten_chain_nonlinear` with ELASTICA has it exactly; this one also knows space,
- * tension and variation.
+ * It is the least near the best of the other curves that Batten has through the same points:
+ * the elastica, Euler spirals and Spiro's curve of points in a plane, and cubic splines. Its
+ * energy is measured by adaptive quadrature on the result, and none of these has one that is
+ * less by more than a thousandth; else the search ends INCOMPLETE with both figures. For bending
+ * there is no least in the large, since loops can grow for ever; nor is there always one with
+ * free ends. Two points give the line; so do all on a line. Points of a circle give the circle
+ * of least variation within 2e-9 of its radius when they are a radian apart, with 4 pieces
+ * within 1e-10. Where a curve of least bending is known to exist, `batten_chain_nonlinear` with
+ * ELASTICA has it exactly; this one also knows space, tension and variation.
  *
  * @param points  dimension: 2 or 3
  *     [count][dimension], 2 or more, 3 or more when closed; neighbours apart

@@ -6,6 +6,7 @@
 #define BAT_ENERGY_H
 #include "base/base.h"
 #include <batten/bent.h>
+#include <batten/chain.h>
 
 /* ---- density ---- */
 
@@ -71,5 +72,67 @@ bool bat_energy_by_length(bat_energy_curve *curve);
 
 /* The six Bernstein coefficients [6][d] of span j. */
 void bat_energy_bezier(const bat_energy_curve *curve, int j, double *points);
+
+/* ---- from points to nodes and back: energy_spline.c ---- */
+
+/* The points in units of their mean chord, from the first one; then all numbers are near 1. */
+typedef struct {
+    const batten_curve_minimum_energy_options *options;
+    int d, count, pieces; /* pieces: quintics between points */
+    const double *given;
+    double unit;
+    double *points;     /* [count][d] */
+    double *parameters; /* [count + 1] of the curve that the nodes are sampled from */
+    bat_energy_curve nodes;
+} bat_energy_spline;
+
+/* Points and their chord lengths. To be ended, also after a failure. */
+batten_status bat_energy_spline_begin(bat_energy_spline *t);
+void bat_energy_spline_end(bat_energy_spline *t);
+/* A chain, or a curve when that is NULL, through the points at `parameters`, which also has the
+ * end of the domain. */
+typedef struct {
+    batten_chain *chain;
+    batten_curve *curve;
+    double *parameters; /* [count + 1] */
+    double energy;      /* what is minimised, of this curve */
+    bool is_rival;      /* it meets what is given at the ends */
+} bat_energy_start;
+/* Take all nodes from there, `pieces` between points, with the ends as given. */
+batten_status bat_energy_spline_sample(bat_energy_spline *t, const bat_energy_start *start,
+                                       int pieces);
+/* Cut each quintic in two; the curve stays as it is. */
+batten_status bat_energy_spline_halve(bat_energy_spline *t);
+/* The curve in units of the model, and its parameters [count] at the points, [count + 1] when
+ * closed. */
+batten_status bat_energy_spline_curve(const bat_energy_spline *t, double *parameters,
+                                      batten_curve **out);
+
+/* ---- where searches start: energy_start.c ---- */
+
+/* One part in a thousand does not count, nor does what quintics make of an arc; both in units of
+ * the mean chord, the second for each point. */
+#define BAT_ENERGY_WORTH 1e-3
+#define BAT_ENERGY_NOTHING 1e-9
+
+enum { BAT_ENERGY_MOST_STARTS = 6 };
+/* Batten's other curves through the same points that have as many conditions at the ends, the
+ * one with the least energy first. To be released, also after a failure. */
+typedef struct {
+    int count;
+    bat_energy_start at[BAT_ENERGY_MOST_STARTS];
+} bat_energy_starts;
+batten_status bat_energy_starts_make(const bat_energy_spline *t, bat_energy_starts *out);
+void bat_energy_starts_release(bat_energy_starts *starts);
+
+/* ---- what a curve's energy is: energy_measure.c ---- */
+
+/* The tension in units of the mean chord. */
+double bat_energy_tension(const bat_energy_spline *t);
+/* What is minimised, in units of the mean chord, of a chain or of a curve when that is NULL,
+ * whose own unit is `unit` of these: 1, or of a curve of the model the mean chord. By
+ * adaptive quadrature: HUGE_VAL where it is not known, as at cusps. */
+batten_status bat_energy_measure(const bat_energy_spline *t, const batten_chain *chain,
+                                 const batten_curve *curve, double unit, double *out);
 
 #endif

@@ -22,8 +22,8 @@
          NULL,                                                                       \
          "the energy times the length or its cube: longer curves do not cost less"}, \
     {                                                                                \
-        "pieces", BATTEN_VALUE_COUNT, false, false, "2", NULL,                       \
-            "quintics between neighbouring points, 1 to 16"                          \
+        "pieces", BATTEN_VALUE_COUNT, false, false, "0", NULL,                       \
+            "quintics between neighbouring points, 1 to 16; 0: as many as save energy"                          \
     }
 
 /* Curves of least energy through all rows of the principal input. */

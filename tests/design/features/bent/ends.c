@@ -150,7 +150,7 @@ TEST(energies_have_pieces_and_tension)
 {
     static const expect_row rows[] = {
         {"{minimum-energy: p, pieces: 1}", BATTEN_OK, "passes;degree 5;on 0 0 1 2"},
-        {"{minimum-energy: p, pieces: 0}", BATTEN_BAD_ARGUMENT, "pieces"},
+        {"{minimum-energy: p, pieces: -1}", BATTEN_BAD_FORMAT, "pieces"},
         {"{minimum-energy: p, pieces: 17}", BATTEN_BAD_ARGUMENT, "pieces"},
         {"{minimum-energy: p, tension: -1}", BATTEN_BAD_ARGUMENT, "tension"},
         {"{minimum-energy: ring, closed: yes, scale-invariant: yes}", BATTEN_OK,

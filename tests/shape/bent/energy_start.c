@@ -1,0 +1,139 @@
+/* What is returned as the least is compared with Batten's other curves through the same points. */
+#include <batten/bent.h>
+#include <batten/fair.h>
+#include <batten/interpolate.h>
+
+#include "support/test.h"
+
+static double energy_of(const batten_fairness *f, batten_energy energy)
+{
+    return energy == BATTEN_ENERGY_BENDING ? f->energy : f->variation;
+}
+
+static double chain_energy(const batten_chain *chain, batten_energy energy)
+{
+    batten_fairness found;
+    const batten_points none = {batten_chain_dimension(chain), 0, NULL};
+    CHECK_OK(batten_chain_fairness(chain, none, NULL, &found));
+    return energy_of(&found, energy);
+}
+
+static double curve_energy(const batten_curve *curve, batten_energy energy)
+{
+    batten_fairness found;
+    const batten_points none = {batten_curve_dimension(curve), 0, NULL};
+    CHECK_OK(batten_curve_fairness(curve, none, NULL, &found));
+    return energy_of(&found, energy);
+}
+
+/* Of all plane families, of Spiro's curve and of cubic splines. */
+static double least_of_others(batten_points points, batten_energy energy)
+{
+    double least = HUGE_VAL;
+    for (int family = 0; family <= BATTEN_FAMILY_HOBBY + 1; family++) {
+        batten_chain *chain = NULL;
+        batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
+        options.family = (batten_span_family)family;
+        const batten_status status =
+            family <= BATTEN_FAMILY_HOBBY
+                ? batten_chain_nonlinear(points, &options, NULL, NULL, NULL, &chain)
+                : batten_chain_spiro(points, NULL, NULL, NULL, &chain);
+        if (status == BATTEN_OK)
+            least = fmin(least, chain_energy(chain, energy));
+        batten_chain_unref(chain);
+    }
+    for (int parameters = BATTEN_UNIFORM; parameters <= BATTEN_FOLEY; parameters++) {
+        batten_curve *curve = NULL;
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
+        options.parameters = (batten_parametrization)parameters;
+        options.knots_at_data = true;
+        if (batten_curve_interpolate(points, &options, NULL, &curve) == BATTEN_OK)
+            least = fmin(least, curve_energy(curve, energy));
+        batten_curve_unref(curve);
+    }
+    return least;
+}
+
+/* Points of a wild polygon in the unit square. */
+static int random_polygon(test_random *random, double points[12][2])
+{
+    const int count = test_random_int(random, 4, 12);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 2; k++)
+            points[i][k] = test_random_unit(random);
+    return count;
+}
+
+static void check_unbeaten(batten_energy energy, int least_found)
+{
+    test_random random = test_random_begin("unbeaten");
+    int found = 0;
+    for (int n = test_cases(12); n > 0; n--) {
+        double points[12][2];
+        const batten_points row = {2, random_polygon(&random, points), &points[0][0]};
+        batten_curve_minimum_energy_options options = batten_curve_minimum_energy_defaults();
+        batten_curve_minimum_energy_report report;
+        batten_curve *curve = NULL;
+        options.energy = energy;
+        const batten_status status =
+            batten_curve_minimum_energy(row, &options, NULL, &report, &curve);
+        CHECK(status == BATTEN_OK || status == BATTEN_INCOMPLETE);
+        if (status != BATTEN_OK)
+            continue;
+        found++;
+        const double made = curve_energy(curve, energy);
+        CHECK(made <= 1.001 * least_of_others(row, energy));
+        CHECK_NEAR(report.after, made, 1e-3 * made);
+        batten_curve_unref(curve);
+    }
+    CHECK(found >= least_found);
+}
+
+TEST(no_other_curve_through_wild_points_bends_less_than_the_least)
+{
+    check_unbeaten(BATTEN_ENERGY_BENDING, 0);
+}
+
+TEST(no_other_curve_through_wild_points_varies_less_than_the_least)
+{
+    check_unbeaten(BATTEN_ENERGY_VARIATION, 1);
+}
+
+TEST(as_many_quintics_are_taken_as_save_energy)
+{
+    const double points[4][2] = {
+        {0.3576, 0.8089}, {0.0425, 0.2306}, {0.3796, 0.4668}, {0.4405, 0.8981}};
+    const batten_points row = {2, 4, &points[0][0]};
+    batten_curve_minimum_energy_options options = batten_curve_minimum_energy_defaults();
+    batten_curve_minimum_energy_report free_report, six;
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_minimum_energy(row, &options, NULL, &free_report, &curve));
+    batten_curve_unref(curve);
+    options.pieces = 6;
+    CHECK_OK(batten_curve_minimum_energy(row, &options, NULL, &six, &curve));
+    batten_curve_unref(curve);
+    CHECK(free_report.after <= 1.001 * six.after);
+}
+
+TEST(points_in_a_plane_of_space_have_the_curve_of_the_plane)
+{
+    const double flat[5][2] = {{0, 0}, {1, 0.6}, {2, 0.1}, {3.5, 0.4}, {4, 1.5}};
+    const double x[3] = {0.6, 0.8, 0}, y[3] = {-0.48, 0.36, 0.8};
+    double space[5][3];
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 3; k++)
+            space[i][k] = 7 + flat[i][0] * x[k] + flat[i][1] * y[k];
+    for (int kind = 0; kind < 2; kind++) {
+        batten_curve_minimum_energy_options options = batten_curve_minimum_energy_defaults();
+        batten_curve_minimum_energy_report plane, placed;
+        batten_curve *a = NULL, *b = NULL;
+        options.energy = (batten_energy)kind;
+        CHECK_OK(batten_curve_minimum_energy((batten_points){2, 5, &flat[0][0]}, &options, NULL,
+                                             &plane, &a));
+        CHECK_OK(batten_curve_minimum_energy((batten_points){3, 5, &space[0][0]}, &options,
+                                             NULL, &placed, &b));
+        CHECK_NEAR(placed.after, plane.after, 1e-6 * plane.after);
+        batten_curve_unref(a);
+        batten_curve_unref(b);
+    }
+}
