@@ -21,18 +21,18 @@ extern "C" {
  * model units; data of weight 0 do not count. */
 typedef struct batten_fit_report {
     double error, rms; /**< largest distance, root of the mean square */
-    int worst;        /**< index of the farthest datum */
-    double lambda;    /**< the weight of the penalty; 0 without one */
-    double freedom;   /**< how many of the data the curve follows: the trace of the matrix that
+    int worst;         /**< index of the farthest datum */
+    double lambda;     /**< the weight of the penalty; 0 without one */
+    double freedom;    /**< how many of the data the curve follows: the trace of the matrix that
                            turns data into values of the curve */
-    double p;         /**< 1 / (1 + lambda): p of the squares and 1 - p of the penalty */
-    int rounds;       /**< of parameter correction, or of reweighting */
-    bool regularised; /**< the data do not determine the curve, and a penalty did */
-    double sum;       /**< of squares of the distances, times weights */
-    int pressing;     /**< inequalities that hold with equality and keep the curve from data */
-    int reweightings; /**< rounds of a robust fit */
-    double threshold; /**< the distance from which on a robust fit counts data less */
-    double gap;       /**< no curve with these knots and parameters, under these conditions,
+    double p;          /**< 1 / (1 + lambda): p of the squares and 1 - p of the penalty */
+    int rounds;        /**< of parameter correction, or of reweighting */
+    bool regularised;  /**< the data do not determine the curve, and a penalty did */
+    double sum;        /**< of squares of the distances, times weights */
+    int pressing;      /**< inequalities that hold with equality and keep the curve from data */
+    int reweightings;  /**< rounds of a robust fit */
+    double threshold;  /**< the distance from which on a robust fit counts data less */
+    double gap;        /**< no curve with these knots and parameters, under these conditions,
                            makes what is summed smaller by more than this share; 0 without
                            `robust`, infinite with BATTEN_TUKEY */
 } batten_fit_report;
@@ -128,7 +128,7 @@ BATTEN_API batten_curve_least_squares_options batten_curve_least_squares_default
  * @param points  [count][dimension]
  * @param options NULL for the defaults
  * @param[out] parameters [count], those of the points at last; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS when there are fewer data than control points;
  * SINGULAR_SYSTEM naming the first control point that has no datum of its own (the condition of
  * Schoenberg and Whitney); BAD_WEIGHT, NOT_FINITE, NOT_INCREASING, OUT_OF_DOMAIN with the
@@ -142,8 +142,8 @@ BATTEN_API batten_curve_least_squares_options batten_curve_least_squares_default
  * Solved by Givens' rotations row by row, so as well as the basis allows. Cost: linear in count
  * and point_count; under conditions the normal equations are a program of at most 1000
  * unknowns, whose cube is the cost.
- * Source: [deBoor01] ch. XIV, [PT97] 9.4, [Hoschek88] for
- * correction, [GI83] for conditions, [HW77] for weights.
+ * Source: [deBoor01] ch. XIV, [PT97] 9.4, [Hoschek88] for correction, [GI83] for conditions,
+ * [HW77] for weights.
  */
 BATTEN_API batten_status batten_curve_least_squares(
     batten_points points, const batten_curve_least_squares_options *options, double *parameters,
@@ -152,16 +152,20 @@ BATTEN_API batten_status batten_curve_least_squares(
 /**
  * The data that are much farther from a curve than most.
  *
+ * @param curve  of the dimension of the data
  * @param data  parameters: of the points on the curve, as a fit hands them over
  *     weights: [count]; points of weight 0 do not count; or NULL
- * @param times  an outlier is farther than so many times the median distance, the nearest
- *                    data set aside, as many as there are control points but at most half; 5 is
- *                    some 3.4 standard deviations of a function's normal errors. Distances that
- *                    are rounding are never outliers
- * @param[out] distance  from which on; may be NULL
+ * @param times  above 0; an outlier is farther than so many times the median distance, the
+ *              nearest data set aside, as many as there are control points but at most half; 5
+ *              is some 3.4 standard deviations of a function's normal errors. Distances that
+ *              are rounding are never outliers
+ * @param[out] distance  model units; what lies farther is an outlier; may be NULL
  * @param[out] outliers  [count] their indices, rising
- * @param[out] outlier_count
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, OUT_OF_MEMORY
+ * @param[out] outlier_count  how many there are
+ * @return BATTEN_OK; TOO_FEW_POINTS, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT (times), UNSUPPORTED
+ * (another dimension), OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: one evaluation for each datum, and n log n to find the median of n distances.
  */
 BATTEN_API batten_status batten_curve_outliers(const batten_curve *curve,
                                                const batten_fit_data *data, double times,
@@ -202,7 +206,7 @@ BATTEN_API batten_curve_smooth_options batten_curve_smooth_defaults(void);
  * natural spline (through the means of data with one parameter), infinity the polynomial of
  * degree m - 1 by least squares (a point when periodic). `spans` and `degree` are not used.
  *
- * @param points  the data
+ * @param points  [count][dimension]
  * @param options  NULL for the defaults
  * @param[out] parameters [count]; may be NULL
  * @param[out] report lambda, p, freedom and what the fit reached; may be NULL
@@ -224,13 +228,16 @@ BATTEN_API batten_status batten_curve_smooth(batten_points points,
  * result is clamped, or periodic. Parameters and errors as for batten_curve_smooth. Source:
  * [EM96].
  *
- * @param options  NULL for the defaults
- * @param[out] parameters  those of the points; may be NULL
+ * @param points  [count][dimension], in the order of the curve
+ * @param options  NULL for the defaults; spans: above the order, default as the struct says
+ * @param[out] parameters  [count], those of the points; may be NULL
  * @param[out] report  what was reached; may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, NOT_INCREASING, BAD_DEGREE,
  * BAD_KNOTS, BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, NOT_COMPATIBLE, SINGULAR_SYSTEM,
  * TOLERANCE_NOT_MET, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: as batten_curve_smooth, with spans + degree unknowns instead of one for each datum.
  */
 BATTEN_API batten_status batten_curve_p_spline(batten_points points,
                                                const batten_curve_smooth_options *options,
@@ -287,15 +294,14 @@ typedef struct batten_curve_within_report {
  * @param options  NULL for the defaults
  * @param[out] parameters [count], of the points on the curve: not farther than the tolerance
  *             there. Of a closed curve with corners they begin at a corner. May be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @param[out] out clamped; periodic when closed without corners, but for BEZIER
  * @return BATTEN_OK; BAD_ARGUMENT (tolerance, corners, a closed function, a function by
  * BEZIER), BAD_DEGREE, NOT_FINITE, TOO_FEW_POINTS (2), COINCIDENT (all), NOT_INCREASING;
  * TOLERANCE_NOT_MET with the best that was reached
  * Cost: 64 log2(count) fits for each way at most, of more than 3000 points fewer, each linear
  * in count; BEZIER count log(count) for rows that divide evenly.
- * Source: [LM88] for removal,
- * [Schneider90] for BEZIER, [Hoschek88] for parameters.
+ * Source: [LM88] for removal, [Schneider90] for BEZIER, [Hoschek88] for parameters.
  */
 BATTEN_API batten_status batten_curve_within(batten_points points,
                                              const batten_curve_within_options *options,
@@ -320,6 +326,10 @@ BATTEN_API batten_status batten_curve_within(batten_points points,
  * @param[out] out  with the domain of the curve
  * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, BAD_DEGREE; TOLERANCE_NOT_MET with what was
  * reached, or when the tolerance is below the rounding of the points
+ *
+ * Cost: where knots are removed, as batten_curve_remove_knots; where samples are fitted, some
+ * log2(n) fits for n knots, each linear in the samples, and a bound on the control points after
+ * each.
  * Source: [LM88] for the strategy.
  */
 BATTEN_API batten_status batten_curve_approximate(const batten_curve *curve, int degree,
@@ -330,9 +340,15 @@ BATTEN_API batten_status batten_curve_approximate(const batten_curve *curve, int
  * It is made a curve within a sixteenth of the tolerance first, whose bound, that of
  * batten_chain_to_curve, is sampled and counts in the error.
  *
+ * @param chain  any; a closed one that is smooth at its seam gives a periodic curve
  * @param degree  1 to 25
+ * @param tolerance  model units, above 0
+ * @param[out] error  a bound on the distance, model units; may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_ARGUMENT, TOLERANCE_NOT_MET, OUT_OF_MEMORY
+ *
+ * Cost: that of batten_chain_to_curve at a sixteenth of the tolerance, then that of
+ * batten_curve_approximate.
  */
 BATTEN_API batten_status batten_chain_approximate(const batten_chain *chain, int degree,
                                                   double tolerance, double *error,
@@ -356,7 +372,7 @@ typedef struct batten_curve_even_speed_report {
  *
  * @param curve     of 2 or 3 dimensions
  * @param tolerance model units, > 0
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT, UNSUPPORTED (a function), COINCIDENT (a curve that is a
  * point), TOLERANCE_NOT_MET, TOO_LARGE
  * Cost: linear in the pieces.
@@ -368,8 +384,8 @@ BATTEN_API batten_status batten_curve_even_speed(const batten_curve *curve, doub
 /** How near the points are. */
 typedef struct batten_primitive_report {
     double error, rms; /**< largest distance, root of the mean square; model units */
-    int worst;       /**< index of the farthest point */
-    int rounds;      /**< of refinement */
+    int worst;         /**< index of the farthest point */
+    int rounds;        /**< of refinement */
 } batten_primitive_report;
 
 /** A line: its points are point + s * direction. */
@@ -384,8 +400,11 @@ typedef struct batten_fitted_line {
  * squares, by the eigenvectors of the spread).
  * @param points [count][dimension], dimension 2 or 3, count >= 2
  * @param[out] report  what was reached; may be NULL
- * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE; COINCIDENT when all points are
- * one; SINGULAR_SYSTEM when they spread alike in several directions
+ * @param[out] line  a point of it, its unit direction, and what it spans
+ * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, TOO_LARGE, NOT_FINITE; COINCIDENT when all
+ * points are one; SINGULAR_SYSTEM when they spread alike in several directions; OUT_OF_MEMORY
+ *
+ * Cost: linear in count; nothing is iterated.
  */
 BATTEN_API batten_status batten_line_fit(batten_points points, batten_primitive_report *report,
                                          batten_fitted_line *line);
@@ -434,8 +453,13 @@ typedef struct batten_fitted_ellipse {
  * ellipse, then the distances at right angles.
  * @param points [count][2], count >= 5
  * @param[out] report  what was reached; may be NULL
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE; SINGULAR_SYSTEM when the points determine no
- * ellipse (on a line, a parabola or a hyperbola)
+ * @param[out] ellipse  centre, half axes and angle
+ * @return BATTEN_OK, UNSUPPORTED (not in the plane), TOO_FEW_POINTS, TOO_LARGE, NOT_FINITE;
+ * SINGULAR_SYSTEM when the points determine no ellipse (on a line, a parabola or a hyperbola);
+ * OUT_OF_MEMORY
+ *
+ * Cost: linear in count for each round of the distances; the direct fit before is one round
+ * more.
  * Source: [FPF99] in the stable form of [HF98].
  */
 BATTEN_API batten_status batten_ellipse_fit(batten_points points,
@@ -448,11 +472,14 @@ BATTEN_API batten_status batten_ellipse_fit(batten_points points,
  *
  * @param points [count][2], count >= 4, neighbours apart; between neighbours the curve turns by
  *               less than a right angle
+ * @param[out] lengths [count], arc lengths of the feet from there; may be NULL
  * @param[out] report  what was reached; may be NULL
  * @param[out] span  BATTEN_SPAN_SPIRAL, from the foot of the first to that of the last
- * @param[out] lengths [count], arc lengths of the feet from there; may be NULL
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT; TOLERANCE_NOT_MET when the first
- * guess is too far off for rounds to converge
+ * @return BATTEN_OK, UNSUPPORTED (not in the plane), TOO_FEW_POINTS, TOO_LARGE, NOT_FINITE,
+ * COINCIDENT; TOLERANCE_NOT_MET when the first guess is too far off for rounds to converge;
+ * OUT_OF_MEMORY
+ *
+ * Cost: linear in count for each round, of which there are 200 at most.
  * Source: the distances at right angles as in [ARW01].
  */
 BATTEN_API batten_status batten_clothoid_fit(batten_points points, double *lengths,
@@ -462,7 +489,7 @@ BATTEN_API batten_status batten_clothoid_fit(batten_points points, double *lengt
  * chord that stands for it; model units. */
 typedef struct batten_points_thin_report {
     double error, rms; /**< the largest, root of the mean square over all points */
-    int worst;       /**< index of the farthest point */
+    int worst;         /**< index of the farthest point */
 } batten_points_thin_report;
 
 /**
@@ -479,9 +506,9 @@ typedef struct batten_points_thin_report {
  * @param tolerance model units, 0 or more; with 0 only points that lie on their chords to
  *                  rounding go
  * @param closed    the last point is followed by the first; then any point may go, but two stay
+ * @param[out] report  what was reached; may be NULL
  * @param[out] kept [count], indices of those that stay, increasing
- * @param[out] kept_count
- * @param[out] report may be NULL
+ * @param[out] kept_count  how many
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS (none), NOT_FINITE, OVERFLOW
  * (coordinates above 1e150)
  *

@@ -57,8 +57,7 @@ typedef struct batten_biarc {
  *
  * @param start, end  points
  *     start_direction, end_direction: not 0; their lengths do not matter
- * @param place  with JOINT_GIVEN: the angle at the end between chord and joint as a share of
- * the
+ * @param place with JOINT_GIVEN: the angle at the end between chord and joint as a share of the
  *              sum of the angles at start and end, in (0, 1): 1/2 is EQUAL_CHORD
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_FINITE; BAD_ARGUMENT (a direction is 0; place); COINCIDENT;
@@ -67,6 +66,8 @@ typedef struct batten_biarc {
  *
  * Joints other than GIVEN stay a millionth of the chord away from the ends. The arcs end within
  * a few roundings of the larger of coordinates and radii.
+ *
+ * Cost: constant; no allocation.
  * Source: [Bolton75], [SL] VI.4.
  */
 BATTEN_API batten_status batten_biarc_between(batten_ray start, batten_ray end,
@@ -77,9 +78,14 @@ BATTEN_API batten_status batten_biarc_between(batten_ray start, batten_ray end,
  * The place of the joint that belongs to a point near the joint circle, for JOINT_GIVEN: the
  * angles between the chord and the point, seen from both ends, have the same ratio there.
  *
- * @param start  where it begins
- * @param end  which end
- * @return also NOT_FOUND when the point does not lie between the ends
+ * @param start  where the biarc starts, model units
+ * @param end  where it ends
+ * @param point  near the joint circle
+ * @param[out] place  in (0, 1), for batten_biarc_between
+ * @return BATTEN_OK; NOT_FOUND when the point does not lie between the ends; else as
+ * batten_biarc_between
+ *
+ * Cost: constant; no allocation.
  */
 BATTEN_API batten_status batten_biarc_place(batten_vec2 start, batten_vec2 end,
                                             batten_vec2 point, double *place);
@@ -90,13 +96,15 @@ BATTEN_API batten_status batten_biarc_place(batten_vec2 start, batten_vec2 end,
  * different planes.
  *
  * @param dimension 2 or 3
- * @param start  where it begins
- * @param end  which end
+ * @param start  where it starts: a point [dimension] and a direction that is not 0
+ * @param end  where it ends, likewise
  * @param ratio of the first leg to the second, > 0; 1 for equal legs
  * @param[out] out rational of degree 2, its parameter the arc length at the joint and at the
  *             ends; each arc turns by less than pi
- * @return as batten_biarc_between; SINGULAR_HERE when the directions are equal and point across
- * the chord or back
+ * @return as batten_biarc_between; BAD_ARGUMENT (dimension, ratio); SINGULAR_HERE when the
+ * directions are equal and point across the chord or back; OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_curve_biarc(int dimension, batten_ray start, batten_ray end,
                                             double ratio, batten_curve **out);
@@ -129,7 +137,7 @@ typedef struct batten_chain_biarcs_report {
  * @param points  [count][2], 2 or more, 3 or more when closed; neighbours apart
  * @param options NULL for the defaults
  * @param[out] parameters [count], those of the points: arc length from the start; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE, COINCIDENT, SINGULAR_HERE, OVERFLOW naming the
  * point or the span; BAD_ARGUMENT
  * Cost: linear in count; two chords are all that a direction looks at.
@@ -145,11 +153,13 @@ BATTEN_API batten_status batten_chain_biarcs(batten_points points,
  * The same in space, with equal legs: a rational curve of degree 2 with a smooth tangent.
  * `joint` and `place` are not used. A span whose ends have equal directions across its chord is
  * refused with SINGULAR_HERE.
- * @param points  the data
+ * @param points  [count][2 or 3], neighbours apart
  * @param options  NULL for the defaults
- * @param[out] parameters as above, by arc length
+ * @param[out] parameters  [count], those of the points, by arc length; may be NULL
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, BAD_ARGUMENT, SINGULAR_HERE,
  * TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in count.
  */
 BATTEN_API batten_status batten_curve_biarcs(batten_points points,
                                              const batten_chain_biarcs_options *options,
@@ -163,6 +173,8 @@ BATTEN_API batten_status batten_curve_biarcs(batten_points points,
  * @param tolerance model units, 0 or more; rounding is always allowed
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans.
  */
 BATTEN_API batten_status batten_chain_merge_arcs(const batten_chain *chain, double tolerance,
                                                  batten_chain **out);
@@ -184,7 +196,7 @@ typedef struct batten_chain_sequential_arcs_report {
  * the one before it ends: the direction at the start determines them all.
  *
  * With the directions theta_i and those of the chords phi_i, theta_{i+1} = 2 phi_i - theta_i.
- * So an error at the start, or of any point, goes on undamped with changing sign to the end:
+ * So an error at the start, or of any point, continues undamped with changing sign to the end:
  * read `sensitivity`, and use an arc spline (BATTEN_FAMILY_ARCS) or biarcs where it is large.
  *
  * @param points      [count][2], 2 or more, neighbours apart
@@ -193,7 +205,7 @@ typedef struct batten_chain_sequential_arcs_report {
  *                    the chord then
  * @param[out] angles     [count] directions at the points, radians; may be NULL
  * @param[out] parameters [count], arc lengths from the start; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE (points; a start angle that is infinite);
  * COINCIDENT, OVERFLOW naming the points; SINGULAR_HERE naming the arc that would be a full
  * circle, as its direction points back along the chord
@@ -261,14 +273,14 @@ typedef struct batten_arcs_report {
  * directions of the curve at their ends, and 2 / (324 tolerance)^(1/3) stands in their number.
  * With one side allowed the tolerance counts by half. What is lines and arcs exactly from
  * corner to corner (see batten_arcs_from_curve_exact) stays as it is, even where fewer arcs
- * would do: a
- * circle is two arcs, a line one line, a polyline with round corners itself. Corners and ends
- * of the curve are kept exactly as points; SMOOTH and PLAIN turn there by a little more or less
- * than the curve. SMOOTH arcs of a closed curve without corners may begin anywhere on it.
+ * would do: a circle is two arcs, a line one line, a polyline with round corners itself.
+ * Corners and ends of the curve are kept exactly as points; SMOOTH and PLAIN turn there by a
+ * little more or less than the curve. SMOOTH arcs of a closed curve without corners may begin
+ * anywhere on it.
  *
  * @param curve   dimension 2
  * @param options with the tolerance
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @param[out] out a chain of arcs and lines, by arc length
  * @return BATTEN_OK; BAD_ARGUMENT (dimension, tolerance, radius, side of a curve that is not
  * closed); TOLERANCE_NOT_MET naming the parameter where no arc of `least_radius` stays within
@@ -279,8 +291,8 @@ typedef struct batten_arcs_report {
  * and few arcs up to ten times that. SMOOTH 10,000 trial arcs for each, around a closed curve
  * up to 24 times; 10 KB for each arc. Where more than 10,000 are needed from corner to corner
  * it takes biarcs.
- * Source: [MW95], [Bolton75]; [DRS08] for the search from place to place; the
- * leans as its second coordinate and the measure of the error are our own.
+ * Source: [MW95], [Bolton75]; [DRS08] for the search from place to place; the leans as its
+ * second coordinate and the measure of the error are our own.
  */
 BATTEN_API batten_status batten_arcs_from_curve(const batten_curve *curve,
                                                 const batten_arcs_options *options,
@@ -291,15 +303,15 @@ BATTEN_API batten_status batten_arcs_from_curve(const batten_curve *curve,
  * line (of any degree, with any speed that does not turn back) or a rational arc of a circle,
  * within 1e-12 of the size of the curve, or its rounding if that is more.
  *
- * Neighbours that go on along one line, or one circle up to half of it, become one span. A
+ * Neighbours that continue along one line, or one circle up to half of it, become one span. A
  * curve in space must lie in a plane x, y or z = constant; its chain is placed there.
  *
  * @param curve any curve
- * @param[out] out NULL when the curve is no such chain; else its breaks are knots of the curve,
- *             and middles of spans that turn by more than half a circle. Between two breaks
- *             the chain goes by arc length, as the curve may not
+ * @param[out] out  NULL when the curve is not such a chain; else its breaks are knots of the
+ *              curve, and middles of spans that turn by more than half a circle. Between two
+ *              breaks the chain goes by arc length, as the curve may not
  * @return BATTEN_OK, OUT_OF_MEMORY
- * Cost: 4 p + 1 evaluations for each piece of degree p, or 8 p + 2 when it is no line.
+ * Cost: 4 p + 1 evaluations for each piece of degree p, or 8 p + 2 when it is not a line.
  * Source: the identity |C - c|^2 = r^2, of degree 2 p, at the places of [EZ64].
  */
 BATTEN_API batten_status batten_arcs_from_curve_exact(const batten_curve *curve,
@@ -309,10 +321,14 @@ BATTEN_API batten_status batten_arcs_from_curve_exact(const batten_curve *curve,
  * The same for a plane chain that is not placed: it is converted within a hundredth of the
  * tolerance first, and the rest used for the arcs. `at` is a parameter of the chain.
  *
+ * @param chain  in the plane, not placed
  * @param options  NULL for the defaults
  * @param[out] report  what was reached; may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT, SINGULAR_HERE, TOLERANCE_NOT_MET, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: that of batten_chain_to_curve at a hundredth of the tolerance, then that of
+ * batten_arcs_from_curve.
  */
 BATTEN_API batten_status batten_arcs_from_chain(const batten_chain *chain,
                                                 const batten_arcs_options *options,
@@ -383,14 +399,14 @@ typedef struct batten_curve_conics_report {
  *
  * In a C the tangents of P0 and P3 meet in T. A lies at the start share from P0 to T, B at the
  * end share from P3 to T; the pair is (P0, A, J), (J, B, P3) with J between A and B. With the
- * curvatures k0 and k3, a = |A - P0|, b = |P3 - B|, the curvature at J is
- * (k0^(1/3) a + k3^(1/3) b)^3 / |A - B|^3 from both sides. The curve stays in the triangle
- * P0 T P3 and has no inflection.
+ * curvatures k0 and k3, a = |A - P0|, b = |P3 - B|, the curvature at J is (k0^(1/3) a +
+ * k3^(1/3) b)^3 / |A - B|^3 from both sides. The curve stays in the triangle P0 T P3 and has no
+ * inflection.
  *
  * @param points  [count][2], 2 or more, closed 3; neighbours apart
  * @param options NULL for the defaults
  * @param[out] parameters [count], closed [count + 1]; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @param[out] out rational of degree 2, tangents continuous, speed not
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE, COINCIDENT naming the points; BAD_ARGUMENT (a
  * tangent of no length, shares outside [0, 1), a weight below 0); SINGULAR_HERE for tangents

@@ -99,8 +99,11 @@ BATTEN_API void batten_set_allocator(const batten_allocator *allocator);
 /**
  * Keep a sentence as this thread's message and return `status`: `return batten_fail(...)`.
  *
+ * @param status  any but BATTEN_OK
  * @param format  as printf
  * @return the status given, so that a function can end with it
+ *
+ * Cost: one formatted line; no allocation.
  */
 BATTEN_API batten_status batten_fail(batten_status status, const char *format, ...)
     BATTEN_PRINTF(2, 3);
@@ -117,7 +120,8 @@ BATTEN_API void *batten_array3(size_t count_u, size_t count_v, size_t size);
  * failure NULL, and the old block is untouched.
  *
  * @param memory  from batten_array, or NULL
- * @param[out] size  of the data, bytes
+ * @param count  items
+ * @param[out] size  of an item, bytes
  */
 BATTEN_API void *batten_resize(void *memory, size_t count, size_t size);
 
@@ -159,9 +163,13 @@ typedef struct batten_note {
 typedef struct batten_notes batten_notes;
 
 /**
+ * An empty list of notes; release with batten_notes_free.
+ *
  * @param limit  how many are kept, 0 or more
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant; memory grows with the notes that are kept, up to the limit.
  */
 BATTEN_API batten_status batten_notes_create(int limit, batten_notes **out);
 /** Release notes; NULL is welcome. */
@@ -169,8 +177,9 @@ BATTEN_API void batten_notes_free(batten_notes *notes);
 
 /**
  * Add one; NULL notes and lack of memory are borne silently (the latter is counted).
- * @param[out] line  the result
+ * @param notes  NULL is welcome
  * @param file, entity  copied; NULL counts as ""
+ * @param line  from 1; 0 when there is none
  * @param format  as printf
  */
 BATTEN_API void batten_notes_add(batten_notes *notes, const char *file, int line,
@@ -178,29 +187,33 @@ BATTEN_API void batten_notes_add(batten_notes *notes, const char *file, int line
     BATTEN_PRINTF(5, 6);
 
 /**
- * The same, as a remark: something worth knowing that is no warning.
+ * The same, as a remark: something worth knowing but not a warning.
  *
- * @param notes  gets what there is to say; may be NULL
- * @param file  its name
- * @param[out] line  the result
- * @param entity  of the file
+ * @param notes  NULL is welcome
+ * @param file, entity  copied; NULL counts as ""
+ * @param line  from 1; 0 when there is none
  * @param format  as printf
  */
 BATTEN_API void batten_notes_remark(batten_notes *notes, const char *file, int line,
                                     const char *entity, const char *format, ...)
     BATTEN_PRINTF(5, 6);
 
-/** How many notes are kept; those beyond the limit are counted by batten_notes_dropped. */
-BATTEN_API int batten_notes_count(const batten_notes *notes);   /**
- * < those that are kept
+/** How many notes are kept.
  *
- * @param notes  gets what there is to say; may be NULL
+ * @param notes  any list
  */
-BATTEN_API int batten_notes_dropped(const batten_notes *notes); /**
- * < those beyond the limit
+BATTEN_API int batten_notes_count(const batten_notes *notes);
+/**
+ * How many notes were dropped because they were beyond the limit.
  *
- * @param notes  gets what there is to say; may be NULL
- * @param index  from 0
+ * @param notes  any list
+ */
+BATTEN_API int batten_notes_dropped(const batten_notes *notes);
+/**
+ * One of the notes that are kept; borrowed.
+ *
+ * @param notes  any list
+ * @param index  from 0, below batten_notes_count
  */
 BATTEN_API const batten_note *batten_notes_at(const batten_notes *notes, int index);
 

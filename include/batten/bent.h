@@ -64,7 +64,7 @@ typedef struct batten_chain_nonlinear_report {
  * @param points [count][2], 2 or more, 3 or more when closed; neighbours apart
  * @param options NULL for the defaults
  * @param[out] angles [count] directions at the points, radians; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; COINCIDENT; SINGULAR_HERE naming the point at which the polygon turns back
  * on itself; TOLERANCE_NOT_MET naming the span that has no solution or bends more than the
  * family allows, and what would work instead; SINGULAR_SYSTEM; INCOMPLETE when max_steps did
@@ -72,8 +72,7 @@ typedef struct batten_chain_nonlinear_report {
  *
  * Breaks of the chain: those of point i are found in `parameters` [count], may be NULL.
  * Cost: linear in count for each step.
- * Source: [SL] ch. VI; Euler spirals [BF15], HOBBY
- * [Hobby86].
+ * Source: [SL] ch. VI; Euler spirals [BF15], HOBBY [Hobby86].
  */
 BATTEN_API batten_status batten_chain_nonlinear(batten_points points,
                                                 const batten_chain_nonlinear_options *options,
@@ -112,12 +111,12 @@ typedef struct batten_chain_mehlum_report {
  * @param options NULL for the defaults
  * @param[out] angles [count] directions at the points, radians; may be NULL
  * @param[out] parameters [count], arc lengths from the start; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return as batten_chain_nonlinear; also BAD_ARGUMENT (arcs, tolerance), TOLERANCE_NOT_MET
  * naming the span that so few arcs cannot follow, or that needs more than 10000
  * Cost: that of the elastica, and some ten evaluations of it for each arc.
- * Source: [Mehlum64],
- * [Mehlum74]; the directions between the points, which make the order three, are our own.
+ * Source: [Mehlum64], [Mehlum74]; the directions between the points, which make the order
+ * three, are our own.
  */
 BATTEN_API batten_status batten_chain_mehlum(batten_points points,
                                              const batten_chain_mehlum_options *options,
@@ -129,12 +128,14 @@ BATTEN_API batten_status batten_chain_mehlum(batten_points points,
  * The Euler spiral (clothoid, curvature linear in arc length) between two points with given
  * directions, radians: the one that turns least.
  *
- * @param start, end [2], apart
- * @param[out] steps of Newton; may be NULL
+ * @param start, end  likewise; apart from the start
+ * @param[out] steps  of Newton's method; may be NULL
  * @param[out] error distance at the end in point and, times the length, in direction, model
  *             units; may be NULL
  * @return BATTEN_OK, NOT_FINITE, COINCIDENT, OVERFLOW, or TOLERANCE_NOT_MET when both
  * directions stand to the chord at more than 0.98 pi: there is then none that is near
+ *
+ * Cost: a few steps of Newton's method, each of two Fresnel integrals; no allocation.
  * Source: [BF15].
  */
 BATTEN_API batten_status batten_spiral_hermite(batten_heading start, batten_heading end,
@@ -192,7 +193,7 @@ typedef struct batten_curve_minimum_energy_report {
  * @param options  NULL for the defaults
  * @param[out] parameters  [count], all but arc lengths; closed: the curve ends at the first
  * point again; may be NULL
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT; INCOMPLETE when
  * max_steps did not reach the least, or the curve grows without end: then give directions at
  * the ends or a tension
@@ -238,7 +239,7 @@ BATTEN_API batten_chain_spiro_options batten_chain_spiro_defaults(void);
 
 typedef struct batten_chain_spiro_report {
     int steps;        /**< of Newton */
-    double error;     /**< the largest jump at a point of what shall continue: radians, or
+    double error;     /**< the largest jump at a point of what should continue: radians, or
                            derivatives of the direction times powers of the chords about it */
     double curvature; /**< the largest at a point */
     double bending;   /**< the integral of the square of curvature */
@@ -260,7 +261,7 @@ typedef struct batten_chain_spiro_report {
  * @param points  [count][2], 2 or more, 3 or more when closed; neighbours apart
  * @param options NULL for the defaults
  * @param[out] parameters [count] arc lengths of the points; may be NULL
- * @param[out] report     may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, OVERFLOW, BAD_ARGUMENT (a kind);
  * SINGULAR_HERE naming a point, not a corner, at which the polygon turns back on itself;
  * TOLERANCE_NOT_MET naming the span that cannot be bent so, and what would work instead;

@@ -17,7 +17,7 @@ extern "C" {
 typedef struct batten_blend_end {
     batten_curve_end end; /**< of the curve that it joins */
     int continuity;       /**< G0 to G3 */
-    double bulge; /**< > 0: the speed there, as a part of the standard one; 1. More goes on
+    double bulge; /**< > 0: the speed there, as a part of the standard one; 1. More continues
                        farther along the curve before it turns */
 } batten_blend_end;
 
@@ -31,8 +31,12 @@ typedef struct batten_curves_blend_report {
  * The ends of two curves that are nearest to each other; of several pairs the first of end and
  * start, end and end, start and start, start and end.
  *
- * @param second  the other
+ * @param first  any curve
+ * @param second  of the same dimension
+ * @param[out] ends  the end of the first, the end of the second
  * @return BATTEN_OK; NOT_COMPATIBLE when their dimensions differ
+ *
+ * Cost: four evaluations.
  */
 BATTEN_API batten_status batten_curves_nearest_ends(const batten_curve *first,
                                                     const batten_curve *second,
@@ -46,16 +50,18 @@ BATTEN_API batten_status batten_curves_nearest_ends(const batten_curve *first,
  * Its derivatives are those of a curve run through at the constant speed v: v T, v^2 dT/ds, v^3
  * d2T/ds2. The standard v is, for G1, that of the cubic nearest to an arc; for more, that of
  * the cubic whose speed is the same at both ends and in the middle; where the curve joined
- * bends so sharply that v would turn by more than 4 radians it
- * is less. The joins are measured afterwards.
+ * bends so sharply that v would turn by more than 4 radians it is less. The joins are measured
+ * afterwards.
  *
- * @param first_end  which end of the first
  * @param first, second of the same dimension, 2 or 3
- * @param second_end  which end of the second
- * @param[out] report may be NULL
+ * @param first_end  which end of the first, with continuity (0..3) and bulge
+ * @param second_end  likewise, of the second
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT (continuity, bulge), UNSUPPORTED (functions), NOT_COMPATIBLE,
  * COINCIDENT (the ends are one point), SINGULAR_HERE (an end without speed, where more than G0
  * is asked), TOLERANCE_NOT_MET when a join, measured, is not as asked
+ *
+ * Cost: constant: two evaluations to order 3, and some to measure the joins.
  * Source: [BD89] for the continuity.
  */
 BATTEN_API batten_status batten_curves_blend(
@@ -68,7 +74,7 @@ typedef struct batten_surface_blend_end {
     double from,
         to;         /**< the part of the edge, as shares 0 <= from < to <= 1 of its parameter */
     int continuity; /**< 0: the edge; 1: and tangent planes; 2: and curvatures */
-    double bulge;   /**< tension: how far it goes on along the surface before it turns, > 0; 1
+    double bulge;   /**< tension: how far it continues along the surface before it turns, > 0; 1
                          is as far as the edges are apart */
 } batten_surface_blend_end;
 /** The whole edge, G2, bulge 1. */
@@ -100,7 +106,7 @@ typedef struct batten_surfaces_blend_report {
  *
  * @param surfaces  two, in space; they may be the same
  * @param tolerance model units, >= 0; of rational ribbons, > 0 where weights differ
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT, NOT_FINITE, NOT_COMPATIBLE (dimensions); COINCIDENT (the
  * edges are the same, or both points); SINGULAR_HERE (a surface stands still across its edge);
  * TOLERANCE_NOT_MET, BAD_DEGREE, OVERFLOW
@@ -136,7 +142,7 @@ typedef struct batten_curves_fillet_report {
  * @param first, second of 2 dimensions, or in space in one plane, to `tolerance`
  * @param radius    model units, > 0
  * @param tolerance for the plane, and for the gap where the curves are not quite in it; > 0
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @param[out] arc from first(u[0]) to second(u[1]); its domain begins at u[0]
  * @return BATTEN_OK; BAD_ARGUMENT, UNSUPPORTED (functions); NOT_COMPATIBLE (dimensions, no
  * common plane, straight curves that run along each other); NOT_FOUND when no such arc was
@@ -159,16 +165,19 @@ typedef struct batten_corners_report {
 } batten_corners_report;
 
 /**
- * Round all corners of a curve. What lies between keeps its shape; parameters go on from the
+ * Round all corners of a curve. What lies between keeps its shape; parameters continue from the
  * start with the speed of the curve. A closed curve that has corners, but none at its seam,
  * begins at its first corner.
  *
+ * @param curve  of 2 or 3 dimensions
  * @param radius_count 1, or the number of corners
  * @param radii [radius_count], model units; 0 leaves a corner as it is
- * @param tolerance as above
- * @param[out] report may be NULL
+ * @param tolerance  model units, above 0, as in batten_curves_fillet
+ * @param[out] report  what was reached; may be NULL
  * @return as batten_curves_fillet; BAD_ARGUMENT (radius_count, a radius); NOT_FOUND also when
  * two arcs want the same part of the curve: the message names the corners, counted from 1
+ *
+ * Cost: linear in the control points; at each corner that of batten_curves_fillet.
  */
 BATTEN_API batten_status batten_curve_fillet(const batten_curve *curve, int radius_count,
                                              const double *radii, double tolerance,
@@ -176,12 +185,16 @@ BATTEN_API batten_status batten_curve_fillet(const batten_curve *curve, int radi
 
 /**
  * Cut off the corner between two curves by a line.
- * @param lengths  before, behind: lengths along the curves that go, model units, > 0
+ * @param first, second  of one dimension; the end of the first meets the start of the second
+ * @param lengths  before, after the corner: lengths along the curves that are cut off, model
+ *              units, above 0
  * @param tolerance  for the gap between the curves, and for the lengths; > 0
  * @param[out] u  as in batten_curves_fillet_report; may be NULL
  * @param[out] line  from first(u[0]) to second(u[1])
  * @return BATTEN_OK; BAD_ARGUMENT; UNSUPPORTED; NOT_COMPATIBLE when the curves do not meet;
  * NOT_FOUND when one is too short; COINCIDENT when the line would be a point
+ *
+ * Cost: two searches for a length along a curve, each as batten_curve_at_length.
  */
 BATTEN_API batten_status batten_curves_chamfer(const batten_curve *first,
                                                const batten_curve *second,
@@ -190,12 +203,15 @@ BATTEN_API batten_status batten_curves_chamfer(const batten_curve *first,
 /**
  * Cut off all corners of a curve of 2 or 3 dimensions; as batten_curve_fillet.
  *
- * @param lengths  model units, before and behind the corner
+ * @param curve  of 2 or 3 dimensions
+ * @param lengths  before and after each corner, model units, above 0
  * @param tolerance  model units, above 0
  * @param[out] report  what was reached; may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, UNSUPPORTED, NOT_COMPATIBLE, NOT_FOUND,
  * OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points; at each corner that of batten_curves_chamfer.
  */
 BATTEN_API batten_status batten_curve_chamfer(const batten_curve *curve,
                                               const double lengths[2], double tolerance,
@@ -243,6 +259,10 @@ BATTEN_API void batten_surface_fillet_release(batten_surface_fillet *fillet);
  * @return BATTEN_OK; BAD_ARGUMENT, NOT_FINITE, UNSUPPORTED; NOT_FOUND, with the distance of the
  * offsets; SINGULAR_HERE when the ball does not fit into a hollow, with place and radius;
  * TOLERANCE_NOT_MET
+ *
+ * Cost: some thousand evaluations to find the start, then a few steps of Newton's method for
+ * each station; stations are doubled until the spline is within the tolerance. Linear in the
+ * stations.
  * Source: [PM02] ch. 11; [PT97] 7.3 for the arcs.
  */
 BATTEN_API batten_status batten_surfaces_fillet(const batten_surface *const surfaces[2],

@@ -93,7 +93,10 @@ typedef struct batten_body_parts {
  *
  * @param parts  all of it is copied
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK; BAD_ARGUMENT naming the part that does not fit; NOT_FINITE
+ * @return BATTEN_OK; BAD_ARGUMENT naming the part that does not fit; NOT_FINITE; OUT_OF_MEMORY
+ *
+ * Cost: linear in vertices, edges, uses and faces; memory for one copy of the arrays and the
+ * names.
  */
 BATTEN_API batten_status batten_body_create(const batten_body_parts *parts, batten_body **out);
 /** One more reference to a body, from borrowed to yours. */
@@ -111,11 +114,16 @@ BATTEN_API const batten_body_parts *batten_body_view(const batten_body *body);
  * where they are not plane. */
 BATTEN_API batten_box batten_body_box(const batten_body *body);
 /**
+ * The body under an affine map.
+ *
  * A map that mirrors turns the loops and sides of faces, so that outside stays outside.
  *
  * @param body  any body
+ * @param map  finite and not singular, else BAD_ARGUMENT
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points of all curves and surfaces.
  */
 BATTEN_API batten_status batten_body_transform(const batten_body *body,
                                                const batten_affine *map, batten_body **out);
@@ -124,9 +132,13 @@ BATTEN_API batten_status batten_body_transform(const batten_body *body,
  * that are the same curve are one edge (a seam), borders that are one point have no curve (a
  * pole). It is traced.
  * @param name  copied
+ * @param surface  in space, of any kind; one that is not a NURBS surface is approximated within
+ *              the tolerance
  * @param tolerance model units, > 0, for what is the same
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points; of another kind that of batten_surface_to_nurbs.
  */
 BATTEN_API batten_status batten_body_from_surface(const char *name,
                                                   const batten_surface *surface,
@@ -135,16 +147,16 @@ BATTEN_API batten_status batten_body_from_surface(const char *name,
 /* ---- parameter curves ---- */
 
 typedef struct batten_body_trace_report {
-    int kept;    /**< parameter curves that were good */
-    int rebuilt; /**< missing, or too far off */
-    int seams;   /**< edges put in where a face goes all around a closed surface */
-    int poles;   /**< edges without a curve put in */
+    int kept;     /**< parameter curves that were good */
+    int rebuilt;  /**< missing, or too far off */
+    int seams;    /**< edges put in where a face goes all around a closed surface */
+    int poles;    /**< edges without a curve put in */
     double error; /**< the largest distance of an edge from its face, over all uses */
-    int loose; /**< faces whose edges are farther off than the tolerance: `error` says how
+    int loose;    /**< faces whose edges are farther off than the tolerance: `error` says how
                     far */
-    int failed; /**< faces whose edges do not lie on them, or whose loops cannot be closed in
+    int failed;   /**< faces whose edges do not lie on them, or whose loops cannot be closed in
                      (u, v): they are not in the result */
-    int rims;   /**< borders of surfaces put in as edges, for one loop only goes around a face:
+    int rims; /**< borders of surfaces put in as edges, for one loop only goes around a face:
                      free edges that the given body did not have */
 } batten_body_trace_report;
 /**
@@ -178,7 +190,7 @@ typedef struct batten_body_trace_report {
  * @param report    may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BAD_ARGUMENT (tolerance), OUT_OF_MEMORY, CANCELLED or INCOMPLETE; a face that cannot
- * be traced is no failure
+ * be traced is not a failure
  *
  * Cost: for each edge that is kept or straight one evaluation of it and of the surface for each
  * sample; for each piece that is followed about eight of the surface.

@@ -65,14 +65,21 @@ typedef struct batten_chain_parts {
  * @return BATTEN_OK, BAD_ARGUMENT (no span, kinds and dimension, lengths, tolerance),
  * NOT_FINITE, NOT_INCREASING, NOT_COMPATIBLE (a gap, named with its size), OVERFLOW,
  * TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans.
  */
 BATTEN_API batten_status batten_chain_create(const batten_chain_parts *parts, double tolerance,
                                              batten_chain **out);
 /**
  * A plane chain (dimension 2) put into space, into the xy-plane of a frame; dimension 3.
  *
+ * @param chain  of dimension 2, not placed
+ * @param frame  its plane; it is made orthonormal
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ * @return BATTEN_OK; BAD_ARGUMENT (chain, or a frame without two directions), NOT_FINITE,
+ * OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans.
  */
 BATTEN_API batten_status batten_chain_place(const batten_chain *chain,
                                             const batten_frame *frame, batten_chain **out);
@@ -135,9 +142,15 @@ BATTEN_API bool batten_chain_is_arcs(const batten_chain *chain);
  * At a break the derivatives are those from the named side. A parameter up to 4 ulps outside
  * the domain counts as its end.
  *
+ * @param chain  any chain
+ * @param u  in the domain; of a closed chain any
+ * @param side  which side at a break
  * @param order  0..3
  * @param[out] out [order + 1][dimension]
  * @return BATTEN_OK, BAD_ARGUMENT (order), NOT_FINITE, OUT_OF_DOMAIN, OVERFLOW
+ *
+ * Cost: log2(n) comparisons to find the span; constant for lines, arcs and tension, a spiral
+ * one Fresnel integral, an elastica its elliptic functions. No allocation.
  */
 BATTEN_API batten_status batten_chain_evaluate_side(const batten_chain *chain, double u,
                                                     batten_side side, int order, double *out);
@@ -145,10 +158,12 @@ BATTEN_API batten_status batten_chain_evaluate_side(const batten_chain *chain, d
  * The same from the right; at the end of the domain, from the left.
  *
  * @param chain  any chain
- * @param u  a parameter in the domain
- * @param order  of the highest derivative
- * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, BAD_ARGUMENT, OVERFLOW
+ * @param u  in the domain; of a closed chain any
+ * @param order  of the highest derivative, 0..3
+ * @param[out] out  [order + 1][dimension]
+ * @return as batten_chain_evaluate_side
+ *
+ * Cost: as batten_chain_evaluate_side.
  */
 BATTEN_API batten_status batten_chain_evaluate(const batten_chain *chain, double u, int order,
                                                double *out);
@@ -157,10 +172,13 @@ BATTEN_API batten_status batten_chain_evaluate(const batten_chain *chain, double
  * The chain under a map that keeps shapes (rotation, mirror, translation, one scale for all
  * axes); else BAD_ARGUMENT. A plane chain must stay in its plane. The breaks stay.
  *
+ * @param chain  any chain
+ * @param map  keeps shapes
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, NOT_INCREASING, BAD_DEGREE,
- * BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, UNSUPPORTED, NOT_COMPATIBLE, SINGULAR_SYSTEM,
- * TOLERANCE_NOT_MET, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT (another map, or one that takes a plane chain out of its
+ * plane), NOT_FINITE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans.
  */
 BATTEN_API batten_status batten_chain_transform(const batten_chain *chain,
                                                 const batten_affine *map, batten_chain **out);
@@ -170,18 +188,22 @@ BATTEN_API batten_status batten_chain_transform(const batten_chain *chain,
  * is cut stays of its kind.
  *
  * @param chain  any chain
+ * @param a, b  parameters in the domain, a < b
  * @param[out] out  the result; as it was when the function fails
- * @return also OUT_OF_DOMAIN, NOT_FINITE
+ * @return BATTEN_OK; OUT_OF_DOMAIN, also when b <= a; NOT_FINITE; OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans that are kept.
  */
 BATTEN_API batten_status batten_chain_subrange(const batten_chain *chain, double a, double b,
                                                batten_chain **out);
 /**
- * The chain run backwards: the domain [a, b] becomes [-b, -a], the point at u is found at -u.
+ * The reversed chain: the domain [a, b] becomes [-b, -a], the point at u is found at -u.
  *
+ * @param chain  any chain
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, NOT_INCREASING, BAD_DEGREE,
- * BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, UNSUPPORTED, NOT_COMPATIBLE, SINGULAR_SYSTEM,
- * TOLERANCE_NOT_MET, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK or OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans.
  */
 BATTEN_API batten_status batten_chain_reverse(const batten_chain *chain, batten_chain **out);
 /**
@@ -189,8 +211,13 @@ BATTEN_API batten_status batten_chain_reverse(const batten_chain *chain, batten_
  * for bit; the ends are within `tolerance`, and stay where they are. The second domain is moved
  * to follow the first.
  *
+ * @param first, second  open chains
+ * @param tolerance  model units, 0 or more
  * @param[out] out  the result; as it was when the function fails
- * @return also NOT_COMPATIBLE
+ * @return BATTEN_OK; NOT_COMPATIBLE (dimension, frame, a closed chain, a gap, which the message
+ * names), BAD_ARGUMENT (tolerance), NOT_INCREASING, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans of both.
  */
 BATTEN_API batten_status batten_chain_join(const batten_chain *first,
                                            const batten_chain *second, double tolerance,
@@ -205,10 +232,10 @@ BATTEN_API batten_status batten_chain_join(const batten_chain *first,
  * chain than `tolerance`, at equal parameters.
  *
  * @param tolerance model units, > 0
- * @param[out] error a bound of the distance at equal parameters, from a bound of the sixth
- *             derivative on each piece and the rounding of the coordinates; at least the largest
- *             gap between two spans that was let pass when the chain was made; 0 when exact.
- *             May be NULL
+ * @param[out] error  a bound of the distance at equal parameters, from a bound of the sixth
+ *              derivative on each piece and the rounding of the coordinates; at least the
+ *              largest gap between two spans that was let pass when the chain was made; 0 when
+ *              exact. May be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, TOO_LARGE (1 million pieces), OVERFLOW
  * Cost: linear in the number of pieces.
  * Source: [dBHS87] for the order, 6.

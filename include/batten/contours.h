@@ -125,13 +125,14 @@ BATTEN_API batten_status batten_surface_contours(const batten_surface *surface,
  * fourth root. Each has the tangents of the contour at its ends and is measured at 3 places.
  *
  * @param surface  any surface
- * @param field  what is drawn
- * @param levels  the values wanted
+ * @param field  what the lines are of: height, curvature, light ...
+ * @param levels  [count], increasing
  * @param tolerance  model units, above 0
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, NOT_INCREASING, BAD_ARGUMENT, NOT_COMPATIBLE,
- * TOLERANCE_NOT_MET, TOO_LARGE, OUT_OF_MEMORY
+ * @return as batten_surface_contours
+ *
+ * Cost: as batten_surface_contours; each cubic is measured at 3 places.
  */
 BATTEN_API batten_status batten_surface_smooth_contours(const batten_surface *surface,
                                                         const batten_surface_field *field,
@@ -139,18 +140,21 @@ BATTEN_API batten_status batten_surface_smooth_contours(const batten_surface *su
                                                         const batten_job *job,
                                                         batten_contours *out);
 /**
- * The same on Bezier triangles in space: lines go on from one to the next where they share
+ * The same on Bezier triangles in space: lines continue from one to the next where they share
  * both corners of an edge. `parameters` are the barycentric coordinates of corners 1 and 2,
  * each in the triangle that the point was found in; those of critical points too. TOO_LARGE
  * likewise.
  *
- * @param field  what is drawn
- * @param levels  the values wanted
+ * @param triangles  in space
+ * @param field  what the lines are of: height, curvature, light ...
+ * @param levels  [count], increasing
  * @param tolerance  model units, above 0
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, NOT_INCREASING, BAD_ARGUMENT, NOT_COMPATIBLE,
  * TOLERANCE_NOT_MET, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the triangles and in what is drawn; 16 to 1024 flat pieces for each.
  */
 BATTEN_API batten_status batten_triangles_contours(const batten_triangles *triangles,
                                                    const batten_surface_field *field,
@@ -161,8 +165,8 @@ BATTEN_API batten_status batten_triangles_contours(const batten_triangles *trian
  * The contours of a field over Bezier triangles, as batten_surface_smooth_contours.
  *
  * @param triangles  of dimension 3, or 1 over a domain
- * @param field  what is drawn
- * @param levels  the values wanted
+ * @param field  what the lines are of: height, curvature, light ...
+ * @param levels  [count], increasing
  * @param tolerance  model units, above 0
  * @param job  threads, progress, cancelling; NULL for one thread
  * @param[out] out  release with batten_contours_release
@@ -198,41 +202,46 @@ typedef struct batten_implicit_from_curve_report {
  * would lose digits. f is scaled so that its gradient is 1 where it is largest on the curve. It
  * is checked by substitution.
  *
- * @param curve    of dimension 2 and one span; a degree that is raised is lowered again first
- * @param[out] report may be NULL
+ * @param curve  of dimension 2 and one span; a degree that was raised is lowered again first
+ * @param[out] report  what was reached; may be NULL
+ * @param[out] out  release with batten_implicit_free
  * @return BATTEN_OK; NOT_COMPATIBLE (dimension, several spans, or a curve that is run over more
  * than once or has a point where all of X, Y and weight vanish: then f is 0 everywhere);
  * UNSUPPORTED above degree 8; TOLERANCE_NOT_MET when substitution misses by 1e-6 of the size
  *
- * Cost of a value: degree^3 / 3.
+ *
+ * Cost: n^2 entries for degree n, and 8 n + 1 values to check it, each of n^3 / 3
+ * multiplications, as later calls of batten_implicit_value.
  * Source: [SAG84], in the form of [BG04].
  */
 BATTEN_API batten_status batten_implicit_from_curve(const batten_curve *curve,
                                                     batten_implicit_from_curve_report *report,
                                                     batten_implicit **out);
 /**
- * NULL is welcome.
+ * Release an implicit form; NULL is welcome.
  *
- * @param implicit  looked at only
+ * @param implicit  of batten_implicit_from_curve, or NULL
  */
 BATTEN_API void batten_implicit_free(batten_implicit *implicit);
-/** f at a point, in model units.
- * @param implicit  looked at only
- * @param x  first coordinate
- * @param y  second coordinate
- * @param[out] gradient [2], without a unit; or NULL */
+/**
+ * f at a point, in model units.
+ * @param implicit  of batten_implicit_from_curve
+ * @param x, y  model units
+ * @param[out] gradient [2], without a unit; or NULL
+ */
 BATTEN_API double batten_implicit_value(const batten_implicit *implicit, double x, double y,
                                         double *gradient);
 /**
  * The parameter of a point of the curve, also outside its domain: from the null vector of the
  * matrix.
  *
- * @param implicit  looked at only
- * @param x  first coordinate
- * @param y  second coordinate
- * @param u  a parameter in the domain
- * @return SINGULAR_HERE where the curve crosses itself or the point is not on it (by 1e-6 of
- * its size)
+ * @param implicit  of batten_implicit_from_curve
+ * @param x, y  model units
+ * @param[out] u  in the parameter of the curve, also beyond its domain
+ * @return BATTEN_OK; SINGULAR_HERE where the curve crosses itself or the point is not on it (by
+ * 1e-6 of its size)
+ *
+ * Cost: degree^3 / 3 multiplications; no allocation.
  */
 BATTEN_API batten_status batten_implicit_invert(const batten_implicit *implicit, double x,
                                                 double y, double *u);

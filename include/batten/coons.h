@@ -65,10 +65,16 @@ typedef struct batten_ribbon {
  * and are exact; a rational surface whose derivatives are of too high a degree is met within
  * `tolerance`.
  *
+ * @param surface  any, in space
+ * @param edge  which of the four
  * @param order  1: slope; 2: and curvature
- * @param[out] curves [order + 1] the curve, slope, curvature; give the references back
+ * @param tolerance  model units, above 0 when the ribbon is not exact
  * @param[out] error  how far slope and curvature are from the truth, 0 when exact; may be NULL
+ * @param[out] curves [order + 1] the curve, slope, curvature; give the references back
  * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, BAD_DEGREE ...
+ *
+ * Cost: linear in the control points of the three rows next to the edge; where it is fitted, a
+ * fit of 25 samples and more for each span.
  */
 BATTEN_API batten_status batten_edge_ribbon(const batten_surface *surface, batten_edge edge,
                                             int order, double tolerance, double *error,
@@ -88,10 +94,13 @@ typedef struct batten_loop_place {
  * A chain whose corners are nearer than `tolerance` is a loop.
  *
  * @param curves [count], 2 or more, open, of one dimension
- * @param[out] places [count]
+ * @param tolerance  model units, 0 or more
+ * @param[out] places  [count], which curve comes next, whether reversed, and the gap after it
  * @return BATTEN_OK; NOT_COMPATIBLE naming the corner, both curves and the gap ("corner 2,
  * between curves 4 and 1, is open by 0.12"); COINCIDENT for a curve without length or two that
  * are the same; NOT_FINITE ...
+ *
+ * Cost: count^2 distances of ends.
  */
 BATTEN_API batten_status batten_curves_loop(int count, const batten_curve *const *curves,
                                             double tolerance, batten_loop_place *places);
@@ -113,9 +122,12 @@ typedef enum batten_blending {
  * 1 at i and H_i the second derivative 1, all else at both ends being 0. (Linear F only have
  * values, cubic F and G values and slopes.)
  *
+ * @param family  which one
  * @param order  1: F; 2: and G; 3: and H
  * @param[out] out [2 * order] curves of dimension 1
  * @return BATTEN_OK; UNSUPPORTED when the family has no G or no H; BAD_ARGUMENT
+ *
+ * Cost: constant.
  * Source: [Coons74]; G1 and H0, H1 in the space of his splines are derived here.
  */
 BATTEN_API batten_status batten_blending_functions(batten_blending family, int order,
@@ -131,6 +143,8 @@ BATTEN_API batten_status batten_blending_functions(batten_blending family, int o
  * 2 are
  * @return BATTEN_OK; NOT_COMPATIBLE naming the axiom: "G1: the second derivative at 1 is 0.4,
  * not 0" (1e-10 is let pass); BAD_ARGUMENT
+ *
+ * Cost: a few evaluations at both ends of each function.
  */
 BATTEN_API batten_status batten_blending_check(int order, const batten_curve *const *functions,
                                                int derivatives);
@@ -145,7 +159,7 @@ typedef enum batten_twist_policy {
     BATTEN_TWIST_KEEP_V,
     BATTEN_TWIST_MEAN,   /**< all give way by half */
     BATTEN_TWIST_GREGORY /**< all hold; the twist turns from the one to the other about the
-                              corner, and the patch is no spline any more. Of order 2; with
+                              corner, and the patch is no longer a spline. Of order 2; with
                             order 3 they are refused */
 } batten_twist_policy;
 
@@ -193,7 +207,8 @@ typedef struct batten_surface_coons_report {
  * mapped to [0, 1]; slopes point inside, per unit of the parameter across. A side may be a
  * point
  * @param options NULL for the defaults
- * @param[out] report may be NULL; with NOT_COMPATIBLE up to the gap that was refused
+ * @param[out] report  what was found; may be NULL; with NOT_COMPATIBLE up to the gap that was
+ *              refused
  * @return BATTEN_OK; NOT_COMPATIBLE naming corner, edges and gap, of a slope also the angle at
  * which the boundary curve leaves the tangent plane; UNSUPPORTED (functions that the family
  * lacks); BAD_ARGUMENT, OVERFLOW ...
@@ -202,7 +217,10 @@ typedef struct batten_surface_coons_report {
  * rational, or the rational curves along each direction share their weights; else, and with
  * Gregory's twists, one within the tolerance. With a tolerance above 0 knots of different
  * curves that are nearer than 1e-9 become one, and the error says how far the surface moved by
- * that. Cost of a point: one of each line and function.
+ * that.
+ *
+ * Cost: linear in the control points of the sides to make it; afterwards each point costs one
+ * of each line and function.
  * Source: [Coons67], [Coons74], [SL] V.2.
  */
 BATTEN_API batten_status batten_surface_coons(const batten_ribbon sides[4],
@@ -217,7 +235,10 @@ BATTEN_API batten_status batten_surface_coons(const batten_ribbon sides[4],
  * @param corners [2][2][4][d]: at (i, j) the point, r_u, r_v and the twist r_uv
  * @param family  not linear; with cubic functions one bicubic span
  * @param[out] out  the result; as it was when the function fails
- * @return a NURBS surface over [0, 1] x [0, 1]
+ * @return BATTEN_OK, with a NURBS surface over [0, 1] x [0, 1]; BAD_ARGUMENT (dimension),
+ * UNSUPPORTED (family), NOT_FINITE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  * Source: [Coons67], [SL] V.2.
  */
 BATTEN_API batten_status batten_surface_corner_patch(int dimension, const double *corners,
@@ -231,11 +252,14 @@ BATTEN_API batten_status batten_surface_corner_patch(int dimension, const double
  * side are joined; their parts of [0, 1] are as their lengths. A side of no curve is the point
  * where its neighbours meet. V0 begins with the first curve, in its direction.
  *
+ * @param curves  [count], open, of one dimension
  * @param counts [4] curves of V0, U1, V1, U0; NULL: 1 each, or 1, 1, 1, 0 of three curves
  * @param tolerance  model units, above 0
  * @param[out] places [count], the loop; may be NULL
  * @param[out] sides [4] by batten_edge, in the directions that batten_surface_coons expects
- * @return also BAD_ARGUMENT when the counts do not add up
+ * @return as batten_curves_loop; BAD_ARGUMENT when the counts do not add up
+ *
+ * Cost: that of batten_curves_loop, and linear in the control points.
  */
 BATTEN_API batten_status batten_boundary_sides(int count, const batten_curve *const *curves,
                                                const int *counts, double tolerance,
@@ -251,14 +275,19 @@ BATTEN_API batten_status batten_boundary_sides(int count, const batten_curve *co
  * boundary curves need not have their speeds. With curvatures there is one factor for the whole
  * edge, a, and a^2 for them: the boundary curves beside it must fit.
  *
+ * @param surface  in space
+ * @param curve  in space
  * @param wish  how many derivatives, with which at the ends, within which tolerance
- * @param[out] ribbon [order + 1] the edge as the surface has it, in the direction of the curve
- * and over [0, 1], and the derivatives across
  * @param[out] angle_error [2] sine of the angle between ends and tangent plane; may be NULL
  * @param[out] error  how far the derivatives are from the truth; may be NULL
+ * @param[out] ribbon [order + 1] the edge as the surface has it, in the direction of the curve
+ * and over [0, 1], and the derivatives across
  * @return BATTEN_OK; NOT_FOUND when no edge runs along the curve, with the distance of the
  * nearest; SINGULAR_HERE where the surface has no tangent plane at an end; NOT_COMPATIBLE when
  * `ends` leave the surface to different sides
+ *
+ * Cost: samples along each edge to find the one beside the curve, then that of
+ * batten_edge_ribbon.
  */
 BATTEN_API batten_status batten_ribbon_along(const batten_surface *surface,
                                              const batten_curve *curve, batten_ribbon_wish wish,
@@ -319,7 +348,10 @@ BATTEN_API batten_status batten_surface_coons_network(
  * @param points  [count_u][count_v][dimension]
  * @param options  NULL for the defaults
  * @param[out] uv  u, v: parameters of the grid lines, 0 .. 1; may be NULL
- * @return also COINCIDENT, naming the line of the grid
+ * @return as batten_surface_coons_network; COINCIDENT, naming the line of the grid
+ *
+ * Cost: linear in the points: one banded system for each line, and four numbers at each of
+ * (count_u - 1) (count_v - 1) patches.
  */
 BATTEN_API batten_status batten_surface_coons_grid(
     batten_grid points, const batten_surface_coons_network_options *options, batten_uv_out uv,

@@ -80,6 +80,8 @@ typedef enum batten_side { BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT } batten_side;
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, TOO_FEW_POINTS, NOT_FINITE, BAD_KNOTS,
  * BAD_WEIGHT, TOO_LARGE or OUT_OF_MEMORY
+ *
+ * Cost: linear in n: one check of each number, and one copy.
  */
 BATTEN_API batten_status batten_curve_create(batten_points points, int degree,
                                              const double *weights, const double *knots,
@@ -89,18 +91,22 @@ BATTEN_API batten_status batten_curve_create(batten_points points, int degree,
  * Make a periodic curve from one period.
  *
  * `point_count` is m >= 1, fewer than p + 1 are allowed; `knots` [m + 1] never decrease and
- * span the period T = knots[m] - knots[0] > 0. For any integer j they go on as knots[j + m] =
- * knots[j] + T, and the points as points[i + m] = points[i]. The wrapped form, which the
+ * span the period T = knots[m] - knots[0] > 0. For any integer j they continue as knots[j + m]
+ * = knots[j] + T, and the points as points[i + m] = points[i]. The wrapped form, which the
  * properties show, has n = m + p points and the knots U[j] = knots[j - p], j = 0 .. m + 2 p. So
  * the domain [U[p], U[n]] is [knots[0], knots[m]]; wrapped point i is points[i modulo m]; and
  * point i has its influence on [U[i], U[i + p + 1]] = [knots[i - p], knots[i + 1]]. No knot may
  * stand more than p times, the seam included. Errors as batten_curve_create.
  *
+ * @param points  [m][dimension], finite
  * @param degree  1 to 25
- * @param weights  one for each point, above 0, or NULL
+ * @param weights  [m], finite and positive; NULL for a polynomial curve
+ * @param knots  [m + 1], one period
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_WEIGHT,
  * BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in m + p.
  */
 BATTEN_API batten_status batten_curve_create_periodic(batten_points points, int degree,
                                                       const double *weights,
@@ -184,13 +190,15 @@ BATTEN_API batten_box batten_curve_box(const batten_curve *curve);
  * Greville abscissa of control point i: (U[i+1] + ... + U[i+p]) / p.
  *
  * @param curve  any curve
+ * @param i  from 0, below the point count
  */
 BATTEN_API double batten_curve_greville(const batten_curve *curve, int i);
-/** Distinct knots of the domain, both ends included.
+/**
+ * Distinct knots of the domain, both ends included.
  * @param curve  any curve
- * @param[out] knots
- * [batten_curve_point_count + 1] at most, or NULL to count.
- * @return how many */
+ * @param[out] knots  [batten_curve_point_count + 1] at most, or NULL to count
+ * @return how many
+ */
 BATTEN_API int batten_curve_spans(const batten_curve *curve, double *knots);
 
 /* ---- evaluation ---- */
@@ -218,26 +226,35 @@ BATTEN_API batten_status batten_curve_evaluate(const batten_curve *curve, double
  * The same, with the derivatives taken from the named side at a knot.
  *
  * @param curve  any curve
- * @param u  a parameter in the domain
- * @param order  of the highest derivative
- * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, OVERFLOW, OUT_OF_MEMORY
+ * @param u  in batten_curve_domain(curve); of a periodic curve any
+ * @param side  at a knot; elsewhere both sides agree
+ * @param order  of the highest derivative, 0 or more
+ * @param[out] out  [order + 1][d]
+ * @return as batten_curve_evaluate
+ *
+ * Cost: as batten_curve_evaluate.
  */
 BATTEN_API batten_status batten_curve_evaluate_side(const batten_curve *curve, double u,
                                                     batten_side side, int order, double *out);
 /** What a curve is beyond its domain. */
 typedef enum batten_beyond {
     BATTEN_BEYOND_REFUSE,   /**< nothing: OUT_OF_DOMAIN */
-    BATTEN_BEYOND_CONTINUE, /**< its last span goes on, a polynomial: grows fast */
+    BATTEN_BEYOND_CONTINUE, /**< its last span continues, a polynomial: grows fast */
     BATTEN_BEYOND_LINEAR    /**< its tangent at the end, with its speed */
 } batten_beyond;
 /**
  * The same as batten_curve_evaluate inside the domain; beyond it as asked for. Periodic curves
  * take any u anyway.
  *
- * @param order  of the highest derivative
- * @param[out] out  the result; as it was when the function fails
- * @return also UNSUPPORTED for a rational curve that shall CONTINUE
+ * @param curve  any curve
+ * @param u  any number
+ * @param beyond  what holds outside the domain
+ * @param order  of the highest derivative, 0 or more
+ * @param[out] out  [order + 1][d]
+ * @return as batten_curve_evaluate; UNSUPPORTED for a rational curve that should CONTINUE;
+ * BAD_ARGUMENT (beyond)
+ *
+ * Cost: as batten_curve_evaluate; CONTINUE takes one evaluation to order p and a Taylor sum.
  */
 BATTEN_API batten_status batten_curve_evaluate_beyond(const batten_curve *curve, double u,
                                                       batten_beyond beyond, int order,
@@ -245,12 +262,18 @@ BATTEN_API batten_status batten_curve_evaluate_beyond(const batten_curve *curve,
 /**
  * Many parameters at once, in any order: the same bits as one by one, much faster.
  * @param curve  any curve
- * @param u  a parameter in the domain
+ * @param count  how many
+ * @param u  [count], in the domain
+ * @param order  of the highest derivative, 0 or more
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out [count][order + 1][d]; of no use after a failure, whose message names the
  * index
  * @return as batten_curve_evaluate, naming the first parameter that fails; CANCELLED,
  * OUT_OF_MEMORY
+ *
+ * Cost: as batten_curve_evaluate for each, without the search and the blends of knots: the
+ * spans are turned into polynomials once, which the curve keeps. Chunks of 4096 are shared
+ * among threads.
  */
 BATTEN_API batten_status batten_curve_evaluate_many(const batten_curve *curve, size_t count,
                                                     const double *u, int order,
@@ -267,19 +290,27 @@ BATTEN_API batten_status batten_curve_evaluate_many(const batten_curve *curve, s
  * 1 at its ends. Periodic curves stay periodic (any u is reduced to the period).
  *
  * @param curve  any curve
+ * @param u  inside the domain or at its ends
+ * @param times  1 or more
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT (times), NOT_FINITE, OUT_OF_DOMAIN or BAD_KNOTS (too often)
+ *
+ * Cost: n + times p blends of points.
  * Source: [Boehm80].
  */
 BATTEN_API batten_status batten_curve_insert_knot(const batten_curve *curve, double u,
                                                   int times, batten_curve **out);
 /**
- * Insert many knots at once: cost n + count p. Rules as for batten_curve_insert_knot.
+ * Insert many knots at once: much faster than one by one. Rules as for
+ * batten_curve_insert_knot.
  * @param curve  any curve
+ * @param count  0 or more
  * @param knots [count], never decreasing (else NOT_INCREASING), inside the domain
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
- * BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, NOT_FINITE, NOT_INCREASING, OUT_OF_DOMAIN, BAD_KNOTS (too often),
+ * TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: n + count p blends of points.
  */
 BATTEN_API batten_status batten_curve_refine(const batten_curve *curve, int count,
                                              const double *knots, batten_curve **out);
@@ -287,12 +318,15 @@ BATTEN_API batten_status batten_curve_refine(const batten_curve *curve, int coun
  * Remove a knot up to `times` times as long as the curve moves by no more than `tolerance`. A
  * periodic curve becomes clamped.
  *
- * @param knot  u: a knot inside the domain; else NOT_FOUND
+ * @param curve  any curve
+ * @param knot  at: a knot inside the domain, else NOT_FOUND; times: 0 or more
  * @param tolerance  model units, 0 or more; of a rational curve the bound takes the smallest
  * weight and the largest coordinate into account, so it may be far too careful
  * @param[out] removed  how often it could be removed; may be NULL
  * @param[out] error  a bound on how far the curve moved; may be NULL
  * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, OVERFLOW, NOT_FOUND, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points, for the copies; each removal solves p + 1 equations.
  * Source: [Tiller92], with all equations checked.
  */
 BATTEN_API batten_status batten_curve_remove_knot(const batten_curve *curve, batten_knot knot,
@@ -319,9 +353,11 @@ BATTEN_API batten_status batten_curve_remove_knots(const batten_curve *curve, do
  * so many times more. Periodic curves stay periodic.
  *
  * @param curve  any curve
+ * @param by  0 or more
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_WEIGHT,
- * BAD_ARGUMENT, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_DEGREE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points of the result, about (p + by)^2 for each span.
  * Source: [Prautzsch84].
  */
 BATTEN_API batten_status batten_curve_elevate(const batten_curve *curve, int by,
@@ -331,8 +367,14 @@ BATTEN_API batten_status batten_curve_elevate(const batten_curve *curve, int by,
  * TOLERANCE_NOT_MET (and the error in the message) otherwise. The result is clamped and keeps
  * both ends; inner knots stand once less for each degree, but once at least. The reverse of
  * elevation.
+ * @param curve  any curve
+ * @param degree  1 to that of the curve
+ * @param tolerance  model units, 0 or more
  * @param[out] error a bound on how far the curve moved; may be NULL
- * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_WEIGHT, BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_DEGREE, BAD_ARGUMENT (tolerance), TOLERANCE_NOT_MET, OVERFLOW,
+ * OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans, about p^2 for each degree.
  */
 BATTEN_API batten_status batten_curve_reduce(const batten_curve *curve, int degree,
                                              double tolerance, double *error,
@@ -342,9 +384,12 @@ BATTEN_API batten_status batten_curve_reduce(const batten_curve *curve, int degr
  * share the point at the cut bit for bit.
  *
  * @param curve  any curve
- * @param[out] left  the part below
- * @param[out] right  the part above
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN, OVERFLOW, OUT_OF_MEMORY
+ * @param u  inside the domain
+ * @param[out] left  the part before
+ * @param[out] right  the part after
+ * @return BATTEN_OK, NOT_FINITE, OUT_OF_DOMAIN, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points, and p^2 at the cut.
  */
 BATTEN_API batten_status batten_curve_split(const batten_curve *curve, double u,
                                             batten_curve **left, batten_curve **right);
@@ -352,8 +397,12 @@ BATTEN_API batten_status batten_curve_split(const batten_curve *curve, double u,
  * The part from a to b, a < b, clamped. Of a periodic curve b may lie beyond the end of the
  * domain, up to one period from a.
  *
+ * @param curve  any curve
+ * @param a, b  parameters in the domain
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, NOT_FINITE, OUT_OF_DOMAIN, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points, and p^2 at both cuts.
  */
 BATTEN_API batten_status batten_curve_subrange(const batten_curve *curve, double a, double b,
                                                batten_curve **out);
@@ -363,20 +412,27 @@ BATTEN_API batten_status batten_curve_subrange(const batten_curve *curve, double
  * (BAD_KNOTS when knots fall together there), the joining knot is kept p times. At most 1
  * million points.
  *
+ * @param first, second  of one dimension
+ * @param tolerance  model units, 0 or more
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_WEIGHT,
- * BAD_ARGUMENT, NOT_COMPATIBLE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT (tolerance), NOT_COMPATIBLE (dimensions, or the gap),
+ * BAD_KNOTS, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points of both, after the degrees are raised.
  */
 BATTEN_API batten_status batten_curve_join(const batten_curve *first,
                                            const batten_curve *second, double tolerance,
                                            batten_curve **out);
 /**
- * The curve run backwards. Knots change their sign, which is exact: the domain [a, b] becomes
+ * The reversed curve. Knots change their sign, which is exact: the domain [a, b] becomes
  * [-b, -a], the point at u is found at -u, and reversing twice gives the same bits. Call
  * batten_curve_set_domain where another domain is wanted.
  *
+ * @param curve  any curve
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
+ * @return BATTEN_OK or OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_reverse(const batten_curve *curve, batten_curve **out);
 /**
@@ -385,8 +441,11 @@ BATTEN_API batten_status batten_curve_reverse(const batten_curve *curve, batten_
  * periodic.
  *
  * @param curve  any curve
+ * @param a, b  finite
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT (a is not below b), BAD_KNOTS, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_set_domain(const batten_curve *curve, double a, double b,
                                                  batten_curve **out);
@@ -394,32 +453,45 @@ BATTEN_API batten_status batten_curve_set_domain(const batten_curve *curve, doub
  * Replace u by (a u + b) / (c u + d); ad - bc > 0 and c u + d > 0 on all knots, else
  * BAD_ARGUMENT. The result is rational; a periodic curve becomes clamped.
  *
+ * @param curve  any curve
+ * @param a, b, c, d  finite
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_KNOTS, BAD_WEIGHT, BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_moebius(const batten_curve *curve, double a, double b,
                                               double c, double d, batten_curve **out);
 /**
  * The clamped form: also what a periodic curve becomes for formats that know no other.
  *
+ * @param curve  any curve
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points, and p^2 at both ends.
  */
 BATTEN_API batten_status batten_curve_clamp(const batten_curve *curve, batten_curve **out);
 /**
  * The same curve with all weights 1 instead of none.
  *
+ * @param curve  any curve
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
+ * @return BATTEN_OK or OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_to_rational(const batten_curve *curve,
                                                   batten_curve **out);
 /**
  * The curve in 1..3 dimensions: coordinates are dropped, or added as 0.
  *
+ * @param curve  any curve
  * @param dimension  coordinates of each point, 1 to 3
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT (dimension), OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension,
                                                    batten_curve **out);
@@ -427,17 +499,25 @@ BATTEN_API batten_status batten_curve_to_dimension(const batten_curve *curve, in
  * A curve in a plane x, y or z = constant as a curve of that plane: the coordinate that is the
  * same all along, but for the rounding of whatever made it (2^-46 of the largest), is dropped.
  *
+ * @param curve  any curve
  * @param[out] axis 0, 1 or 2, the last of several; -1 for none, and when the curve has fewer
  * than 3 dimensions: then the curve comes back as it is. batten_frame_across is the plane.
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
+ * @param[out] out  of dimension 2, or the curve itself
+ * @return BATTEN_OK or OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_flatten(const batten_curve *curve, int *axis,
                                               batten_curve **out);
 /**
  * A curve with control point `index` replaced, of a periodic curve with all its copies.
- * @param point [d]
+ * @param curve  any curve
+ * @param index  of the control point, from 0
+ * @param point  [d], model units
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_MEMORY
+ * @return BATTEN_OK, NOT_FINITE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points, for the copy.
  */
 BATTEN_API batten_status batten_curve_with_point(const batten_curve *curve, int index,
                                                  const double *point, batten_curve **out);
@@ -445,8 +525,12 @@ BATTEN_API batten_status batten_curve_with_point(const batten_curve *curve, int 
  * The curve under an affine map, of which the first d rows and columns count; OVERFLOW when a
  * point leaves the numbers.
  *
+ * @param curve  any curve
+ * @param map  finite, else NOT_FINITE
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, NOT_FINITE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_transform(const batten_curve *curve,
                                                 const batten_affine *map, batten_curve **out);
@@ -458,9 +542,15 @@ BATTEN_API batten_status batten_curve_transform(const batten_curve *curve,
  * |b|) / (b - a) + 1) for each curve with its domain [a, b], are taken for the same knot, and
  * the best known value is used; knots of one curve are never joined.
  *
+ * @param count  1 or more
+ * @param curves  [count]; dimensions may differ
  * @param[out] out  [count]; yours to unref
- * @return also TOO_LARGE, before any work, when the curves would have more than about a million
- *         control points in all; BAD_KNOTS when a curve's knots cannot be told apart in [0, 1]
+ * @return BATTEN_OK; TOO_LARGE, before any work, when the curves would have more than about a
+ * million control points in all; BAD_KNOTS when a curve's knots cannot be told apart in [0, 1];
+ * OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: n log n to sort n knots, then linear in the control points of the results: count times
+ * all distinct knots.
  */
 BATTEN_API batten_status batten_curves_unify(int count, const batten_curve *const *curves,
                                              batten_curve **out);
@@ -473,16 +563,22 @@ BATTEN_API batten_status batten_curves_unify(int count, const batten_curve *cons
  *
  * @param curve  any curve
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: p^2 blends of points for each span.
  */
 BATTEN_API batten_status batten_curve_to_bezier(const batten_curve *curve, batten_curve **out);
 /**
  * From Bezier pieces that share their end points.
  * @param dimension  coordinates of each point, 1 to 3
- * @param points [piece_count * p + 1][d]; weights the same or NULL; breaks [piece_count + 1]
+ * @param pieces  degree, count and breaks [count + 1], increasing
+ * @param points  [count * degree + 1][d]
+ * @param weights  [count * degree + 1], positive, or NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
  * BAD_WEIGHT, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the points.
  */
 BATTEN_API batten_status batten_curve_from_bezier(int dimension, batten_pieces pieces,
                                                   const double *points, const double *weights,
@@ -491,11 +587,15 @@ BATTEN_API batten_status batten_curve_from_bezier(int dimension, batten_pieces p
  * From points and derivatives at increasing parameters: degree 2 k - 1 where k values are
  * given at each, inner knots k times.
  * @param dimension  coordinates of each point, 1 to 3
- * @param values [count][k][d], the point, first, second ...
- * derivative; k = 1..4
+ * @param count  of parameters, 2 or more
+ * @param k  values at each, 1..4
+ * @param parameters  [count], increasing
+ * @param values  [count][k][d], the point, first, second ... derivative
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
- * BAD_WEIGHT, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_ARGUMENT (k, dimension),
+ * TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in count.
  */
 BATTEN_API batten_status batten_curve_from_hermite(int dimension, int count, int k,
                                                    const double *parameters,
@@ -503,11 +603,15 @@ BATTEN_API batten_status batten_curve_from_hermite(int dimension, int count, int
 /**
  * From polynomial pieces in powers of (u - breaks[i]).
  * @param dimension  coordinates of each point, 1 to 3
+ * @param pieces  degree, count and breaks [count + 1], increasing
  * @param coefficients [piece_count][degree + 1][d], constant term first; pieces that do not
  * join within `tolerance` are an error
+ * @param tolerance  model units, 0 or more
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
  * BAD_WEIGHT, BAD_ARGUMENT, NOT_COMPATIBLE, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the pieces, p^2 for each.
  */
 BATTEN_API batten_status batten_curve_from_power(int dimension, batten_pieces pieces,
                                                  const double *coefficients, double tolerance,
@@ -515,16 +619,22 @@ BATTEN_API batten_status batten_curve_from_power(int dimension, batten_pieces pi
 /**
  * The graph (u, f(u)) of a polynomial curve of one dimension, in the plane; clamped.
  *
- * @param function  asked for values
+ * @param function  of dimension 1, polynomial
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_BAD_ARGUMENT for other dimensions, UNSUPPORTED for rational curves
+ * @return BATTEN_OK; BAD_ARGUMENT for other dimensions, UNSUPPORTED for rational curves;
+ * OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_from_function(const batten_curve *function,
                                                     batten_curve **out);
 /**
  * The reverse, for a polynomial curve. Count the pieces with batten_curve_spans() - 1.
+ * @param curve  polynomial
  * @param[out] coefficients [pieces][p + 1][d]
  * @return BATTEN_OK, UNSUPPORTED, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: one evaluation to order p for each span.
  */
 BATTEN_API batten_status batten_curve_to_power(const batten_curve *curve, double *coefficients);
 

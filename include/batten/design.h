@@ -91,6 +91,8 @@ BATTEN_API const char *batten_feature_nearest(const char *name);
  *
  * @param[out] json  release with batten_release
  * @return BATTEN_OK or OUT_OF_MEMORY
+ *
+ * Cost: linear in the table of features.
  */
 BATTEN_API batten_status batten_design_schema(char **json);
 
@@ -113,37 +115,42 @@ BATTEN_API batten_design_options batten_design_defaults(void);
  * Parse a design; every error of the text goes to `notes` with line, column and nearest name.
  *
  * @param text     UTF-8, `length` bytes; it is copied
+ * @param length  bytes of text
  * @param options  NULL for the defaults
- * @param notes    may be NULL, here and below
- * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_BAD_FORMAT when there was an error, BATTEN_TOO_LARGE over a limit; the message
- * is the first one
+ * @param notes  gets every error; may be NULL, here and below
+ * @param[out] out  release with batten_design_free
+ * @return BATTEN_OK; BAD_FORMAT when there was an error, TOO_LARGE over a limit: the message is
+ * the first one; BAD_ARGUMENT (options); OUT_OF_MEMORY
+ *
+ * Cost: linear in the text; a wrong name is compared with all names that are possible there.
  */
 BATTEN_API batten_status batten_design_parse(const char *text, size_t length,
                                              const batten_design_options *options,
                                              batten_notes *notes, batten_design **out);
 /**
- * The same from a file, whose folder is that of the design. Also BATTEN_FILE_ERROR.
+ * The same from a file, whose folder is that of the design.
  *
- * @param path  of a file, UTF-8
+ * @param path  of the file, UTF-8
  * @param allow_outside  whether it may read files outside its folder
- * @param notes  gets what there is to say; may be NULL
- * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, OUT_OF_MEMORY
+ * @param notes  gets every error; may be NULL
+ * @param[out] out  release with batten_design_free
+ * @return as batten_design_parse; FILE_ERROR when it cannot be read
+ *
+ * Cost: as batten_design_parse.
  */
 BATTEN_API batten_status batten_design_open(const char *path, bool allow_outside,
                                             batten_notes *notes, batten_design **out);
 /**
  * NULL is welcome.
  *
- * @param design  as parsed
+ * @param design  NULL is welcome
  */
 BATTEN_API void batten_design_free(batten_design *design);
 /**
  * The text as it stands: loaded and saved it is the same bytes. It ends with a zero byte;
  * `length` may be NULL. Valid until the next edit.
  *
- * @param design  as parsed
+ * @param design  any design
  */
 BATTEN_API const char *batten_design_text(const batten_design *design, size_t *length);
 /** The parameters of the design, in the order of its text. */
@@ -157,15 +164,19 @@ BATTEN_API const char *batten_design_parameter_name(const batten_design *design,
 /**
  * The files that its features read, in the order of its text; one as often as it is named.
  *
- * @param design  as parsed
+ * @param design  any design
  */
 BATTEN_API int batten_design_file_count(const batten_design *design);
 /**
  * The path of such a file as it is opened, beside the design; release with batten_release.
  *
- * @param index  from 0
- * @return also BATTEN_BAD_ARGUMENT when it leaves the folder of the design, and
- * BATTEN_FILE_ERROR when it is not there: then it is not read
+ * @param design  any design
+ * @param index  from 0, below batten_design_file_count
+ * @param[out] path  release with batten_release
+ * @return BATTEN_OK; BAD_ARGUMENT when it leaves the folder of the design, FILE_ERROR when it
+ * is not there: then it is not read; OUT_OF_MEMORY
+ *
+ * Cost: linear in the entries of the design, and one look at the file system.
  */
 BATTEN_API batten_status batten_design_file_path(const batten_design *design, int index,
                                                  char **path);
@@ -176,13 +187,16 @@ BATTEN_API double batten_design_unit_metres(const batten_design *design);
  * A value in several lines cannot be changed as a whole; a new key needs a map that is there.
  * Results that the edit does not reach are kept; pointers to other results, and to names, end.
  *
+ * @param design  any design
  * @param path  "parameters.beam", "features.hull.degree", "features.hull.skin", "units"
  * @param value as one would write it: "3.4 m", "[1, 2, 3]"; quotes are added where YAML needs
  * them
- * @param notes  gets what there is to say; may be NULL
- * @return BATTEN_NOT_FOUND when there is no such place, BATTEN_UNSUPPORTED for a value in
- * several lines, else as batten_design_parse for the new text. On failure the design is as
- * before.
+ * @param notes  gets every error; may be NULL
+ * @return BATTEN_OK; NOT_FOUND when there is no such place, UNSUPPORTED for a value in several
+ * lines, else as batten_design_parse for the new text. On failure the design is as before
+ *
+ * Cost: that of batten_design_parse for the new text; results that the edit does not reach are
+ * not computed again.
  */
 BATTEN_API batten_status batten_design_set(batten_design *design, const char *path,
                                            const char *value, batten_notes *notes);
@@ -202,21 +216,26 @@ typedef struct batten_feature_result {
     bool has_moves;
     double move_max; /**< of fairing */
     int moved_count;
-    const batten_fair_report *fairing; /**< or NULL */
+    const batten_fair_report *fairing;      /**< or NULL */
     const batten_surface_skin_report *skin; /**< or NULL */
 } batten_feature_result;
 
 /**
  * Evaluate the named feature (NULL: all) and what it needs; results are kept and used again
- * until an edit reaches them. A feature that fails ends those that need it; the others are
+ * until an edit reaches them. A feature that fails stops those that need it; the others are
  * evaluated all the same.
  *
- * @param design  as parsed
+ * @param design  any design
+ * @param feature  its name; NULL: all
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param notes  gets what failed and what was left out; may be NULL
  * @return the first failure, its message beginning with file, line, column and feature;
  * BATTEN_PARTLY_READ when nothing failed but a file was read in part (its notes say what was
  * left out); BATTEN_NOT_FOUND when there is no such feature; BATTEN_CANCELLED,
  * BATTEN_OUT_OF_MEMORY at once
+ *
+ * Cost: that of the functions behind the features that are not known yet; comparing what
+ * changed is linear in the design.
  */
 BATTEN_API batten_status batten_design_evaluate(batten_design *design, const char *feature,
                                                 const batten_job *job, batten_notes *notes);
@@ -224,13 +243,13 @@ BATTEN_API batten_status batten_design_evaluate(batten_design *design, const cha
  * How many features were evaluated since the last edit that reached them, also those that
  * failed.
  *
- * @param design  as parsed
+ * @param design  any design
  */
 BATTEN_API int batten_design_result_count(const batten_design *design);
 /**
  * In the order of evaluation.
  *
- * @param design  as parsed
+ * @param design  any design
  * @param index  from 0
  */
 BATTEN_API const batten_feature_result *batten_design_result_at(const batten_design *design,
@@ -238,7 +257,7 @@ BATTEN_API const batten_feature_result *batten_design_result_at(const batten_des
 /**
  * The result of one feature, or NULL when it was not evaluated.
  *
- * @param design  as parsed
+ * @param design  any design
  */
 BATTEN_API const batten_feature_result *batten_design_result(const batten_design *design,
                                                              const char *feature);
@@ -254,21 +273,21 @@ BATTEN_API const char *batten_design_output_name(const batten_design *design, in
 /**
  * The operation that makes it: "check", "picture", "lines-plan"; "write" for a bare file.
  *
- * @param design  as parsed
+ * @param design  any design
  * @param index  from 0
  */
 BATTEN_API const char *batten_design_output_operation(const batten_design *design, int index);
 /**
  * False when the output was made and its report says that a bound is not met.
  *
- * @param design  as parsed
+ * @param design  any design
  * @param index  from 0
  */
 BATTEN_API bool batten_design_output_holds(const batten_design *design, int index);
 /**
  * False when the output was made, and says less than there is: faces are not measured.
  *
- * @param design  as parsed
+ * @param design  any design
  * @param index  from 0
  */
 BATTEN_API bool batten_design_output_is_whole(const batten_design *design, int index);
@@ -277,13 +296,16 @@ BATTEN_API bool batten_design_output_is_whole(const batten_design *design, int i
  * failed since the last edit: that is said, and batten_design_evaluate tries it again. Nothing
  * is written: save the bytes with batten_save_file, and release them with batten_release.
  *
- * @param design  as parsed
- * @param index  from 0
+ * @param design  any design
+ * @param index  of the output, from 0
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param notes  gets what there is to say; may be NULL
+ * @param notes  receives what was odd or left out; may be NULL
  * @param[out] data  release with batten_release
- * @param[out] size  of the data, bytes
- * @return BATTEN_OK, NOT_FOUND, CANCELLED, OUT_OF_MEMORY, PARTLY_READ
+ * @param[out] size  bytes
+ * @return BATTEN_OK; PARTLY_READ with the bytes, as batten_design_evaluate; the first failure
+ * otherwise, with file, line and column; CANCELLED, OUT_OF_MEMORY
+ *
+ * Cost: as batten_design_evaluate for what it needs, and linear in the bytes.
  */
 BATTEN_API batten_status batten_design_output(batten_design *design, int index,
                                               const batten_job *job, batten_notes *notes,

@@ -32,9 +32,9 @@ typedef enum batten_format {
 } batten_format;
 
 /**
- * "iges", "step" ...
+ * The short name of a format, as designs write it: "iges", "step" ...
  *
- * @param format  as printf
+ * @param format  any but BATTEN_FORMAT_AUTO
  */
 BATTEN_API const char *batten_format_name(batten_format format);
 typedef struct batten_format_facts {
@@ -45,15 +45,16 @@ typedef struct batten_format_facts {
     bool is_read, is_written;
 } batten_format_facts;
 /**
- * False when there is no such format.
+ * What is known about a format; false when there is no such format.
  *
- * @param[out] out  the result; as it was when the function fails
+ * @param format  which one
+ * @param[out] out  names, endings, and whether it is read and written
  */
 BATTEN_API bool batten_format_about(batten_format format, batten_format_facts *out);
 /**
- * By the ending of a file name; BATTEN_FORMAT_AUTO when it says nothing.
+ * The format of a file by the ending of its name; BATTEN_FORMAT_AUTO when it says nothing.
  *
- * @param path  of a file, UTF-8
+ * @param path  of the file, UTF-8
  */
 BATTEN_API batten_format batten_format_from_name(const char *path);
 
@@ -84,13 +85,16 @@ BATTEN_API batten_read_options batten_read_defaults(void);
 /**
  * Read bytes into a model.
  *
- * @param[out] data  release with batten_release
- * @param[out] size  of the data, bytes
+ * @param[out] data  the bytes, `size` of them
+ * @param[out] size  bytes
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param notes  receives what was odd; may be NULL
  * @return BATTEN_OK; BATTEN_PARTLY_READ, with a model, when entities were left out (each has a
  * note); BATTEN_BAD_FORMAT, BATTEN_UNSUPPORTED, BATTEN_TOO_LARGE ... without one
+ *
+ * Cost: linear in the bytes; memory within the limits of the options, some ten times the file
+ * for STEP.
  */
 BATTEN_API batten_status batten_read_memory(const char *data, size_t size,
                                             const batten_read_options *options,
@@ -99,12 +103,14 @@ BATTEN_API batten_status batten_read_memory(const char *data, size_t size,
 /**
  * The same from a file.
  *
- * @param path  of a file, UTF-8
+ * @param path  of the file, UTF-8
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param notes  gets what there is to say; may be NULL
- * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, UNSUPPORTED, BAD_FORMAT, PARTLY_READ
+ * @param notes  receives what was odd; may be NULL
+ * @param[out] out  the model; as it was when the function fails
+ * @return as batten_read_memory; FILE_ERROR when it cannot be read
+ *
+ * Cost: as batten_read_memory, with the file in memory.
  */
 BATTEN_API batten_status batten_read_file(const char *path, const batten_read_options *options,
                                           const batten_job *job, batten_notes *notes,
@@ -140,28 +146,41 @@ BATTEN_API batten_write_options batten_write_defaults(void);
  * What the name of a file says: its format, when the options name none (that of points for a
  * model without tables in .csv, .tsv or .txt), and commas in .csv.
  *
- * @param path  of a file, UTF-8
+ * @param path  of the file, UTF-8
+ * @param model  what will be written
+ * @param[out] options  changed where they name no format
  * @return false when the ending names no format, and nothing else does
  */
 BATTEN_API bool batten_write_choose(const char *path, const batten_model *model,
                                     batten_write_options *options);
 
-/** The model as it comes into a file of that format: instances placed, triangles as patches,
+/**
+ * The model as it comes into a file of that format: instances placed, triangles as patches,
  * shapes as meshes where the format has no others, and without the objects that it does not
  * hold; the writers of tables, points and G-code choose themselves.
+ * @param model  looked at only
  * @param options  NULL for the defaults
  * @param notes what was approximated or left out; may be NULL
  * @return BATTEN_OK; UNSUPPORTED when nothing of the model would be in the file, or the format
- * is not written; as batten_mesh_from_body */
+ * is not written; as batten_mesh_from_body
+ *
+ * Cost: linear in the objects; where meshes are made, that of batten_mesh_from_body.
+ */
 BATTEN_API batten_status batten_write_prepare(const batten_model *model,
                                               const batten_write_options *options,
                                               batten_notes *notes, batten_model **out);
 /**
- * @param options  NULL for the defaults
- * @param[out] data, size  the bytes; release with batten_release
- * @param notes what was approximated or left out; may be NULL
+ * Write a model as the bytes of a file.
+ *
  * @param model  looked at only
- * @return BATTEN_OK, BAD_ARGUMENT, UNSUPPORTED, OUT_OF_MEMORY
+ * @param options  NULL for the defaults
+ * @param notes what was approximated or left out; may be NULL
+ * @param[out] data, size  the bytes; release with batten_release
+ * @return BATTEN_OK; BAD_ARGUMENT (options), UNSUPPORTED when nothing of the model would be in
+ * the file, or the format is not written; TOO_LARGE, OUT_OF_MEMORY; as batten_mesh_from_body
+ * where meshes are made
+ *
+ * Cost: linear in the model; that of batten_write_prepare before.
  */
 BATTEN_API batten_status batten_write_memory(const batten_model *model,
                                              const batten_write_options *options,
@@ -170,10 +189,12 @@ BATTEN_API batten_status batten_write_memory(const batten_model *model,
  * Write to a file by batten_save_file.
  *
  * @param model  looked at only
- * @param path  of a file, UTF-8
+ * @param path  of the file, UTF-8; its ending chooses the format unless the options do
  * @param options  NULL for the defaults
- * @param notes  gets what there is to say; may be NULL
- * @return BATTEN_OK, BAD_ARGUMENT, UNSUPPORTED, OUT_OF_MEMORY
+ * @param notes  what was approximated or left out; may be NULL
+ * @return as batten_write_memory; UNSUPPORTED for an ending that names no format; FILE_ERROR
+ *
+ * Cost: as batten_write_memory, with the bytes in memory.
  */
 BATTEN_API batten_status batten_write_file(const batten_model *model, const char *path,
                                            const batten_write_options *options,
@@ -199,19 +220,22 @@ BATTEN_API batten_write_gcode_options batten_write_gcode_defaults(void);
  *
  * Paths are chains of arcs and lines, polylines, and NURBS curves that are arcs and lines
  * exactly (batten_arcs_from_curve_exact), each in a plane z = constant; other curves are left
- * out with a
- * note (make arcs of them first). Inches (G20) when the unit of the model
- * is the inch, else millimetres (G21), into which other units are converted. Coordinates are
- * rounded to `decimals`; centres are computed from the rounded ends, so that both ends of an
- * arc lie on its circle within the last place. An arc sweeps at most a half circle. One
- * that is less than half the last place beside its chord is a line; one of a larger radius
- * than the control takes is lines that are no more than the last place beside it, with a note.
- * Relative moves begin at the machine's origin.
+ * out with a note (make arcs of them first). Inches (G20) when the unit of the model is the
+ * inch, else millimetres (G21), into which other units are converted. Coordinates are rounded
+ * to `decimals`; centres are computed from the rounded ends, so that both ends of an arc lie on
+ * its circle within the last place. An arc sweeps at most a half circle. One that is less than
+ * half the last place beside its chord is a line; one of a larger radius than the control takes
+ * is lines that are no more than the last place beside it, with a note. Relative moves begin at
+ * the machine's origin.
  *
- * @param notes may be NULL
- * @param[out] data, size the text; release with batten_release
+ * @param model  looked at only
+ * @param options  NULL for the defaults
+ * @param notes  what was left out; may be NULL
+ * @param[out] data, size  the text and its length in bytes; release with batten_release
  * @return BATTEN_OK, BAD_ARGUMENT (options), UNSUPPORTED when the model has no path, TOO_LARGE
  * (a million lines for one arc), OVERFLOW (coordinates of 1e9 and more), OUT_OF_MEMORY
+ *
+ * Cost: linear in the paths; each NURBS curve as batten_arcs_from_curve_exact.
  * Source: ISO 6983-1 for the words.
  */
 BATTEN_API batten_status batten_write_gcode(const batten_model *model,

@@ -10,11 +10,11 @@
 extern "C" {
 #endif
 
-/** How a curve goes on beyond its end. */
+/** How a curve continues beyond its end. */
 typedef enum batten_extension {
     BATTEN_EXTEND_LINE,   /**< along its tangent: G1 */
     BATTEN_EXTEND_ARC,    /**< along its circle of curvature, as an exact rational arc: G2 */
-    BATTEN_EXTEND_SPIRAL, /**< curvature goes on at its rate by arc length, a clothoid in the
+    BATTEN_EXTEND_SPIRAL, /**< curvature continues at its rate by arc length, a clothoid in the
                                plane of the circle of curvature: G3, in space G2 where the curve
                                leaves that plane */
     BATTEN_EXTEND_NATURAL /**< the last polynomial or rational piece evaluated beyond its end:
@@ -39,16 +39,15 @@ typedef struct batten_curve_extend_report {
  * Make a curve longer by an arc length.
  *
  * The result has the parameters of the given curve on the old part, which keeps its shape to
- * rounding (verified at every knot and three times between), and goes on with the speed of the
- * end: the new part of its domain is as long as speed asks for. Degrees and rationality are
+ * rounding (verified at every knot and three times between), and continues with the speed of
+ * the end: the new part of its domain is as long as speed asks for. Degrees and rationality are
  * raised where the new part needs it.
  *
  * @param curve  of 2 or 3 dimensions; not periodic
  * @param length  model units, > 0; an ARC may go around once, 2 pi of its radius
  * @param how  tolerance: of a SPIRAL from the clothoid, and of the length of a NATURAL
- * extension;
- * model units, > 0
- * @param[out] report  may be NULL
+ *              extension; model units, > 0
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT (length, tolerance, more than once around), NOT_FINITE,
  * UNSUPPORTED (a function; make its graph first), NOT_COMPATIBLE (a periodic curve has no end),
  * SINGULAR_HERE (the end has no speed; NATURAL needs none), BAD_WEIGHT (NATURAL meets a place
@@ -64,12 +63,15 @@ BATTEN_API batten_status batten_curve_extend(const batten_curve *curve, batten_c
  * The same to a parameter outside the domain, which becomes the new end. A LINE, ARC or SPIRAL
  * is as long as the speed of the end times the way of the parameter.
  * @param curve  any curve
+ * @param end  which end
  * @param how  the kind, and the tolerance
- * @param u beyond the end named; else OUT_OF_DOMAIN
+ * @param u  in the parameter of the curve, beyond the end named; else OUT_OF_DOMAIN
  * @param[out] report  what was reached; may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT, UNSUPPORTED,
  * NOT_COMPATIBLE, SINGULAR_HERE, TOLERANCE_NOT_MET, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_curve_extend_to(const batten_curve *curve, batten_curve_end end,
                                                 batten_lengthening how, double u,
@@ -89,23 +91,23 @@ typedef struct batten_surface_extend_report {
 } batten_surface_extend_report;
 
 /**
- * One surface that goes on beyond an edge, along all lines across it at once.
+ * One surface that continues beyond an edge, along all lines across it at once.
  *
- * The parameters go on with the speeds of the edge, so where these differ along the edge so do
- * the lengths; none of 33 lines gets less than `length`. LINE: straight along the tangents
- * across, G1, exact; ARC: along the circles of curvature of the lines across, G2, within
- * the tolerance; NATURAL: the last patches evaluated beyond the edge, no new knot, exact. The
- * old part keeps its shape and parameters. A surface joined with C1 has a knot of multiplicity
+ * The parameters continue with the speeds of the edge, so where these differ along the edge so
+ * do the lengths; none of 33 lines gets less than `length`. LINE: straight along the tangents
+ * across, G1, exact; ARC: along the circles of curvature of the lines across, G2, within the
+ * tolerance; NATURAL: the last patches evaluated beyond the edge, no new knot, exact. The old
+ * part keeps its shape and parameters. A surface joined with C1 has a knot of multiplicity
  * degree - 1 at the old edge; a rational one whose weights change along the edge as well as
  * across it has a full knot there, and only G1.
  *
  * @param surface  NURBS, in space; not periodic across the edge
  * @param length  model units, > 0; an ARC may go around once
  * @param how  tolerance: of an ARC, model units, > 0; else not used
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT, NOT_FINITE; UNSUPPORTED (SPIRAL, other kinds of surfaces, an
  * ARC at an edge with different weights); NOT_COMPATIBLE (periodic); SINGULAR_HERE (the edge is
- * a point, or stands still across, with the place); BAD_WEIGHT (it cannot go on that far);
+ * a point, or stands still across, with the place); BAD_WEIGHT (it cannot continue that far);
  * TOLERANCE_NOT_MET, OVERFLOW
  *
  * Cost: linear in the control points; about 40 evaluations for each of 33 lines and each of
@@ -120,23 +122,30 @@ BATTEN_API batten_status batten_surface_extend(const batten_surface *surface, ba
  * The part from a to b. Where b <= a the curve must be closed, its ends within `tolerance`, and
  * the part goes over the seam; it keeps the parameters of its first half. With a = b it is the
  * whole curve, begun at a.
+ * @param curve  any curve
+ * @param a, b  parameters in the domain
  * @param tolerance model units, 0 or more; for the ends, which meet halfway
  * @param[out] out  the result; as it was when the function fails
  * @return as batten_curve_subrange; NOT_COMPATIBLE when b <= a and the curve is open;
  * BAD_ARGUMENT (tolerance)
+ *
+ * Cost: as batten_curve_subrange.
  */
 BATTEN_API batten_status batten_curve_trim(const batten_curve *curve, double a, double b,
                                            double tolerance, batten_curve **out);
 
 /**
  * The parts on the side of the plane `normal . x = distance` to which the normal points, in
- * their
- * order along the curve; of a curve in the plane, of a line. What lies in the plane belongs to
- * the part beside it. The parts of a closed curve go over its seam.
+ * their order along the curve; of a curve in the plane, of a line. What lies in the plane
+ * belongs to the part beside it. The parts of a closed curve go over its seam.
+ * @param curve  of dimension 2 or 3
  * @param normal of any length but 0; `distance` in its measure
- * @param tolerance as above
+ * @param distance  of the plane from the origin, in lengths of `normal`
+ * @param tolerance  model units, 0 or more; for the ends, which meet halfway
  * @param[out] out release with batten_curves_release; no curve when nothing is on that side
  * @return as batten_curve_plane_crossings and batten_curve_trim
+ *
+ * Cost: that of batten_curve_plane_crossings, then linear in the control points of the parts.
  */
 BATTEN_API batten_status batten_curve_trim_plane(const batten_curve *curve, batten_vec3 normal,
                                                  double distance, double tolerance,

@@ -55,12 +55,14 @@ BATTEN_API batten_fairness_options batten_fairness_defaults(void);
  * of their values, between knots and the extrema of curvature, so that no sharp bend escapes
  * it. Joints are the knots inside; the seam is one of a periodic curve only.
  *
+ * @param curve  any curve
  * @param points its data [count][dimension], from which the required inflections are counted:
  * the changes of side to which the polygon turns; of a function the values at its distinct
  * knots. at = NULL: none are required
  * @param options  NULL for the defaults
- * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, NOT_COMPATIBLE, OUT_OF_MEMORY
+ * @param[out] out  inflections, extrema, energy and variation; see the struct
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, UNSUPPORTED (points of another dimension),
+ * NOT_COMPATIBLE, OUT_OF_MEMORY
  *
  * Cost: linear in the spans, some 40 evaluations of each; up to 10000 where it bends sharply
  */
@@ -76,11 +78,15 @@ BATTEN_API batten_status batten_curve_fairness(const batten_curve *curve, batten
  * inflection, and steps take part in the extrema. What is below 1e-9 of the largest curvature
  * is neither. In elastica and spans in tension extrema are searched between 64 samples.
  *
+ * @param chain  any chain
  * @param points its data [count][dimension of the chain], as for batten_curve_fairness; those
  * of a function stand at the breaks
  * @param options  NULL for the defaults
- * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, NOT_COMPATIBLE, OUT_OF_MEMORY
+ * @param[out] out  inflections, extrema, energy and variation; see the struct
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, UNSUPPORTED (points of another dimension),
+ * NOT_COMPATIBLE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans; elastica and spans in tension 64 samples each.
  */
 BATTEN_API batten_status batten_chain_fairness(const batten_chain *chain, batten_points points,
                                                const batten_fairness_options *options,
@@ -101,7 +107,8 @@ typedef struct batten_fair_options {
     batten_fair_order order;   /**< BATTEN_FAIR_SWEEPS */
     double relaxation;         /**< 1; (0, 1] */
     int max_moves;             /**< 0: a bound from the number of points */
-    bool stop_when_fair; /**< stop at the verdict (worst first); else go on to the least energy
+    bool
+        stop_when_fair; /**< stop at the verdict (worst first); else continue to the least energy
                           */
     const int *corners; /**< [corner_count] indices of points at which the curve is cut; held */
     int corner_count;
@@ -151,11 +158,11 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  * It is found by an interior-point method in some 20 banded solves; `relaxation` and
  * `max_moves` do not matter. WORST_FIRST releases at most `max_moves` ducks (0: 20 for each
  * point), ALTERNATE alternates at most `max_moves` / count times (0: 100). A second run whose
- * bounds count from the result of the first would go on moving; to go on within the same
+ * bounds count from the result of the first would continue moving; to continue within the same
  * bounds, begin with the same points.
  *
- * Pieces of fewer than 4 points are judged and not moved. Points whose bound is below the last
- * places of the coordinates, and moves that are, are none.
+ * Pieces of fewer than 4 points are judged and not moved. Bounds and moves below the last places
+ * of the coordinates count as 0.
  *
  * In the report, `before` and `after` are of the batten through the points, in pieces between
  * corners; the inflections required are the fewest of any curve within the bounds. An
@@ -166,7 +173,7 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] faired [count][dimension]
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, COINCIDENT,
  *         CANCELLED, INCOMPLETE, or TOLERANCE_NOT_MET with the residual in the message
  *
@@ -189,8 +196,7 @@ typedef enum batten_fair_families {
 /**
  * Fair a table of offsets. A point of a waterline moves in half-breadth only, any other point
  * within the ball of its bound in half-breadth and height; the bound counts from the given
- * table
- * (`within_each`: station by station) and is never exceeded.
+ * table (`within_each`: station by station) and is never exceeded.
  *
  * Each run of at least 4 points of a line is a batten over x; each run of a station is one over
  * its chord length, cut at corners (`corner_angle`). Both are cut at the centre line. Minimised
@@ -205,11 +211,15 @@ typedef enum batten_fair_families {
  *
  * Moves and suspects of the report name station and point; from and to are (x, y, z).
  *
- * @param families  which lines are fair
+ * @param offsets  a table with stations; looked at only
+ * @param families  which lines are battens
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] report  what moved and what is suspect; may be NULL
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, BAD_ARGUMENT, SINGULAR_HERE, TOLERANCE_NOT_MET, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT, SINGULAR_HERE, TOLERANCE_NOT_MET, CANCELLED, OUT_OF_MEMORY
+ *
+ * Cost: linear in the points of the table for each round.
  */
 BATTEN_API batten_status batten_fair_offset_table(const batten_offset_table *offsets,
                                                   batten_fair_families families,

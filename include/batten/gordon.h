@@ -21,12 +21,13 @@ typedef struct batten_surface_gordon_options {
     size_t size;
     double tolerance; /**< model units, > 0; must be set: how far the surface may be from a
                            curve */
-    double gap; /**< model units: the widest gap between two curves that shall meet, and between
-                     the ends of a curve that shall close; 0: the tolerance. Where gaps are
+    double
+        gap; /**< model units: the widest gap between two curves that should meet, and between
+                     the ends of a curve that should close; 0: the tolerance. Where gaps are
                      wider than the tolerance, a curve may lie farther from the surface by the
                      widest gap that there is, as the surface runs midway */
     batten_gordon_blend blend; /**< BATTEN_GORDON_SPLINE */
-    bool cut; /**< curves that go on beyond the outermost ones they meet are cut there; true.
+    bool cut; /**< curves that continue beyond the outermost ones they meet are cut there; true.
                    Else they are refused */
     const char *const *profile_names; /**< [profile_count] for messages, or NULL */
     const char *const *guide_names;   /**< [guide_count], or NULL */
@@ -84,34 +85,33 @@ typedef struct batten_surface_gordon_report {
  * Gordon's surface: u runs along the profiles, v along the guides, both over [0, 1].
  *
  * Where each profile meets each guide is searched for; the order of the curves and their
- * directions are found: u runs as the first profile does that is no point, v as the first such
- * guide. Curves that are not parametrised alike are reparametrised by a monotone function such
- * that all nodes stand at common parameters, the means. Then the curves of each family get few
- * common knots (all they have, exactly, when they fit together as they are and that is no more
- * than twice the mean), and the surface is the sum of the skin of the guides and that of the
- * profiles minus the tensor surface of the nodes, which are met to rounding. What closes
+ * directions are found: u runs as the first profile that is not a point does, v as the first
+ * such guide. Curves that are not parametrised alike are reparametrised by a monotone function
+ * such that all nodes stand at common parameters, the means. Then the curves of each family get
+ * few common knots (all they have, exactly, when they fit together as they are and that is no
+ * more than twice the mean), and the surface is the sum of the skin of the guides and that of
+ * the profiles minus the tensor surface of the nodes, which are met to rounding. What closes
  * smoothly becomes periodic, with two continuous derivatives across the seam; where it stays
- * exact, or the blend is no spline, it is clamped there and as smooth as the curves are.
+ * exact, or the blend is not a spline, it is clamped there and as smooth as the curves are.
  *
  * Each profile must meet each guide in one place; a gap much wider than that place's own does
  * not count, so that a wide `gap` joins nothing that meets more closely elsewhere. Two curves
  * of a family are one when they are within 1e-6 of the size of the network, or twice the widest
  * gap of their own joints. A curve whose ends are within the gap is closed, but not when two
- * different curves begin at them. A curve that is closed may start anywhere; a
- * network whose profiles (guides) all close, closes; the guide at the seam may be given once or
- * twice. A profile may be a point; where all guides end in one point and no profile is given, a
- * pole is made there. Rational curves are made polynomial.
+ * different curves begin at them. A curve that is closed may start anywhere; a network whose
+ * profiles (guides) all close, closes; the guide at the seam may be given once or twice. A
+ * profile may be a point; where all guides end in one point and no profile is given, a pole is
+ * made there. Rational curves are made polynomial.
  *
  * @param profiles  profile_count, guide_count: 1 or more; 2 with poles and the seam of closed
- * ones
- * counted
+ *              ones counted
  * @param options  its tolerance must be set
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; NOT_COMPATIBLE with how many pairs miss each other and the three widest
- * gaps, or naming two curves that meet twice, or whose
- * order differs; COINCIDENT; TOO_FEW_POINTS; BAD_ARGUMENT; NOT_FINITE; UNSUPPORTED (dimension
- * 1); TOO_LARGE with the size it would have; TOLERANCE_NOT_MET with the curve that is missed
+ * gaps, or naming two curves that meet twice, or whose order differs; COINCIDENT;
+ * TOO_FEW_POINTS; BAD_ARGUMENT; NOT_FINITE; UNSUPPORTED (dimension 1); TOO_LARGE with the size
+ * it would have; TOLERANCE_NOT_MET with the curve that is missed
  *
  * Cost: log(n) for each pair of curves with n spans to find where they meet; the common knots
  * as batten_surface_skin; then points_u points_v (profile_count + guide_count). Source:

@@ -69,7 +69,7 @@ typedef struct batten_surface_interpolate_report {
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] uv  u, v: parameters of the grid lines [count_u], [count_v]; may be NULL
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return as batten_curve_interpolate; the message names the direction
  *
  * Cost: linear in the number of points; each direction is factored once. Gaps: their number
@@ -112,8 +112,8 @@ typedef struct batten_net {
  * Twists at the points of a rectangular net.
  *
  * @param method  which of them
- * @param given  u, v: [count_u], [count_v], increasing; 2 or more of each
- *     points, su, sv: [count_u][count_v][d], the points and their derivatives
+ * @param given  u, v: [count_u], [count_v], increasing, 2 or more of each; points, su, sv:
+ *              [count_u][count_v][d], the points and their derivatives
  * @param shape  with SELESNICK, and d = 3; else NULL
  * @param[out] twists  [count_u][count_v][d]
  * @param[out] clamped  SELESNICK: at how many points the curvature asked for cannot be, and the
@@ -145,11 +145,12 @@ typedef struct batten_line_method {
  * @param points  [count_u][count_v][dimension]
  * @param kind  which of them
  * @param closed_u, closed_v  also give the step from the last line back to the first
- * @param[out] uv  u, v: [count_u], [count_v]; closed: one more
  * @param[out] spread  [2] the largest |own - average| of a line of points, in steps, in u and
- * in
- * v; above 0.5 skinning is better; may be NULL
+ *              in v; above 0.5 skinning is better; may be NULL
+ * @param[out] uv  u, v: [count_u], [count_v]; closed: one more
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT naming the two lines
+ *
+ * Cost: linear in the points.
  * Source: [PT97] 9.2.5.
  */
 BATTEN_API batten_status batten_grid_parametrize(batten_grid points,
@@ -192,11 +193,13 @@ BATTEN_API batten_surface_nu_options batten_surface_nu_defaults(void);
  * The tensor product of nu-splines with natural ends: a bicubic surface, C1. Without nu the
  * natural bicubic spline, C2.
  *
- * @param points  the data
+ * @param points  [count_u][count_v][dimension]
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out  the result; as it was when the function fails
- * @return as batten_surface_tensor.
+ * @return as batten_surface_tensor
+ *
+ * Cost: linear in the points: one tridiagonal system for each line.
  * Source: [Nielson74].
  */
 BATTEN_API batten_status batten_surface_nu(batten_grid points,
@@ -205,12 +208,16 @@ BATTEN_API batten_status batten_surface_nu(batten_grid points,
 
 /**
  * The tensor product of curves of the class of Catmull and Rom: local, no equations.
+ * @param points  [count_u][count_v][dimension]
  * @param uv  u, v: parameters of the grid lines; NULL: centripetal, averaged
- * @param along  along_u, along_v: their alpha and `given` are not used
+ * @param along  [2], of the lines along u, along v; their alpha and `given` are not used; NULL
+ *              for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param[out] error  the largest distance of a point from the surface; 0 but for rounding when
- * both pass their points; may be NULL
- * @return as batten_surface_tensor.
+ * @param[out] error  model units, the largest distance of a point from the surface; 0 but for
+ *              rounding when both pass their points; may be NULL
+ * @return as batten_surface_tensor
+ *
+ * Cost: linear in the points; nothing is solved.
  * Source: [CR74].
  */
 BATTEN_API batten_status batten_surface_catmull_rom(
@@ -226,8 +233,9 @@ BATTEN_API batten_status batten_surface_catmull_rom(
  * @param ends_u  how the lines along u end
  * @param ends_v  how the lines along v end
  * @param[out] out  the result; as it was when the function fails
- * @return as batten_surface_tensor and
- * batten_curve_uniform.
+ * @return as batten_surface_tensor and batten_curve_uniform
+ *
+ * Cost: linear in the points; nothing is solved.
  * Source: [Coons74], [Riesenfeld73].
  */
 BATTEN_API batten_status batten_surface_uniform(batten_grid points, int degree_u, int degree_v,
@@ -254,7 +262,7 @@ BATTEN_API batten_surface_tension_options batten_surface_tension_defaults(void);
  * Between the lines of the grid each strip has its own tension, so that single folds can be
  * drawn tight.
  *
- * It is no NURBS; batten_surface_to_nurbs comes near it.
+ * It is not a NURBS surface; batten_surface_to_nurbs comes near it.
  *
  * @param options  NULL for the defaults
  * @param[out] out  the result; as it was when the function fails
@@ -352,7 +360,7 @@ BATTEN_API batten_surface_fit_grid_options batten_surface_fit_grid_defaults(void
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] uv  u, v: parameters of the grid lines [count_u], [count_v]; may be NULL
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return as batten_curve_least_squares; the message names the direction; TOO_LARGE
  * Cost: linear in the number of data.
  * Source: [PT97] 9.4.4, [Dierckx93].

@@ -11,14 +11,14 @@
  * straighter, a large nu draws the bend into its point.
  *
  * Where their knots are decides about them. Knots midway between the data are sound; knots at
- * the data are not: an error of the first slope goes on for ever with changing sign.
+ * the data are not: an error of the first slope continues for ever with changing sign.
  *
  * At a joint P' after it is beta1 times P' before it, and P'' after it beta1^2 P'' + beta2 P'
  * before it. With beta1 = 1 and beta2 = 0 they are the uniform cubic B-splines.
  *
  * Think of a batten that is pulled at its ends. Each span obeys P'''' = sigma^2 P''; first and
- * second derivative go on over every point. Without tension it is the cubic spline, with very
- * much the polygon, and on the way there the turns that the data do not have disappear.
+ * second derivatives are continuous at every point. Without tension it is the cubic spline,
+ * with very much of it the polygon; in between, the turns that the data do not have disappear.
  */
 #include <batten/chain.h>
 
@@ -40,13 +40,15 @@ typedef enum batten_parametrization {
  * Parameters for points, beginning at 0.
  *
  * @param points  [count][dimension]
- * @param kind  which of them
+ * @param kind  any but BATTEN_GIVEN
  * @param closed  also give the step from the last point back to the first
  * @param[out] parameters  [count], or [count + 1] when closed; increasing
- * @return BATTEN_COINCIDENT naming the first pair of neighbours that coincide (uniform steps do
- * not mind), BATTEN_NOT_FINITE, BATTEN_TOO_FEW_POINTS or BATTEN_OVERFLOW
- * Source: [Lee89],
- * [FN89].
+ * @return BATTEN_OK; COINCIDENT naming the first pair of neighbours that coincide (uniform
+ * steps do not mind), NOT_FINITE, TOO_FEW_POINTS, TOO_LARGE, BAD_ARGUMENT (kind), OVERFLOW,
+ * OUT_OF_MEMORY
+ *
+ * Cost: linear in count.
+ * Source: [Lee89], [FN89].
  */
 BATTEN_API batten_status batten_parametrize(batten_points points, batten_parametrization kind,
                                             bool closed, double *parameters);
@@ -71,7 +73,7 @@ typedef struct batten_end {
     double vector[3];
 } batten_end;
 
-/** A derivative that the curve shall have at one of its data points. */
+/** A derivative that the curve must have at one of its data points. */
 typedef struct batten_derivative {
     int index; /**< which data point */
     int order; /**< 1, 2 ... */
@@ -114,8 +116,7 @@ BATTEN_API batten_curve_interpolate_options batten_curve_interpolate_defaults(vo
  *
  * Cost: linear in count. The result is checked: it passes every point within 8 eps of the
  * largest coordinate of data and control points, else TOLERANCE_NOT_MET.
- * Source: [deBoor01] ch.
- * IV, XIII; [PT97] 9.2; [Xin77] for fair ends.
+ * Source: [deBoor01] ch. IV, XIII; [PT97] 9.2; [Xin77] for fair ends.
  */
 BATTEN_API batten_status
 batten_curve_interpolate(batten_points points, const batten_curve_interpolate_options *options,
@@ -234,7 +235,7 @@ BATTEN_API batten_curve_quadratic_options batten_curve_quadratic_defaults(void);
  * @param options    NULL for the defaults
  * @param[out] parameters [count], those of the points; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, NOT_INCREASING,
- * NOT_COMPATIBLE (parameters that are no mid-points, with the knot), OVERFLOW,
+ * NOT_COMPATIBLE (parameters that are not mid-points, with the knot), OVERFLOW,
  * TOLERANCE_NOT_MET (a point is missed by more than rounding)
  *
  * Cost: linear in count.
@@ -332,7 +333,7 @@ typedef struct batten_curve_constrained_report {
  *     [count][dimension], 2 or more
  * @param options  NULL for the defaults
  * @param[out] parameters  [count], may be NULL
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT; NOT_COMPATIBLE
  * naming the point or constraint that contradicts the others; SINGULAR_SYSTEM when the curve is
  * not determined; TOO_LARGE beyond 1000 unknowns, dimension (count - 1) pieces or so;

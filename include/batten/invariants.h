@@ -113,10 +113,15 @@ BATTEN_API batten_status batten_cubic_classify(int dimension, const double *poin
                                                double tolerance, batten_cubic *out);
 /**
  * Many at once, points [count][4][dimension]; a message names the index.
- * @param tolerance  model units, above 0
+ * @param count  how many
+ * @param dimension  2 or 3
+ * @param points  [count][4][dimension], Bezier points
+ * @param tolerance  as batten_cubic_classify
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out [count]; of no use after a failure
- * @return BATTEN_OK, BAD_ARGUMENT
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE with the index, CANCELLED, OUT_OF_MEMORY
+ *
+ * Cost: count times that of batten_cubic_classify; chunks of 4096 are shared among threads.
  */
 BATTEN_API batten_status batten_cubics_classify(size_t count, int dimension,
                                                 const double *points, double tolerance,
@@ -127,10 +132,14 @@ BATTEN_API batten_status batten_cubics_classify(size_t count, int dimension,
  * The spans are the Bezier pieces, so their points are rounded: exact cusps of a spline need a
  * tolerance.
  *
- * @param[out] count how many spans
+ * @param curve  polynomial, of degree 3 at most, dimension 2 or 3
+ * @param tolerance  as batten_cubic_classify
  * @param[out] out   release with batten_cubics_release; parameters in those of the curve, but
  *                   a to r and the invariant with each span from 0 to 1
- * @return also UNSUPPORTED for rational curves and higher degrees
+ * @return as batten_cubic_classify; UNSUPPORTED for rational curves and higher degrees;
+ * OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans.
  */
 BATTEN_API batten_status batten_curve_classify(const batten_curve *curve, double tolerance,
                                                batten_cubics *out);
@@ -172,8 +181,11 @@ typedef struct batten_cubic_place {
 /**
  * Look (lambda, mu) up; any finite numbers, else NOT_FINITE.
  *
+ * @param lambda, mu  any finite numbers
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE
+ *
+ * Cost: constant; no allocation.
  * Source: [SL] III.3, [Liu81].
  */
 BATTEN_API batten_status batten_cubic_look_up(double lambda, double mu,
@@ -184,8 +196,12 @@ BATTEN_API void batten_cubic_from_lengths(double lambda, double mu, double *poin
 /**
  * The form of Stone and DeRose: the affine map that takes P0, P1, P2 to (0, 0), (0, 1), (1, 1)
  * takes P3 to (x, y), which alone decides.
- * @return SINGULAR_HERE when the first three points lie on a line, else as
+ * @param points  [4][2], Bezier points
+ * @param[out] x, y  of the image of P3
+ * @return BATTEN_OK; SINGULAR_HERE when the first three points lie on a line, else as
  * batten_cubic_classify
+ *
+ * Cost: that of batten_cubic_classify.
  */
 BATTEN_API batten_status batten_cubic_canonical(const double *points, double *x, double *y);
 /**
@@ -210,7 +226,7 @@ BATTEN_API batten_cubic_class batten_cubic_canonical_class(double x, double y);
 #define BATTEN_SPECIAL_ENUM(name, word, plural) BATTEN_SPECIAL_##name,
 /**
  * INFLECTION: x'y'' - x''y' changes its sign. UNDULATION: it is 0 and does not. CUSP: the
- * curve stops and turns back, x' and y' vanish to an odd order. PAUSE: it stops and goes on.
+ * curve stops and turns back, x' and y' vanish to an odd order. PAUSE: it stops and continues.
  * CROSSING: it passes twice through a point (a crunode, or a tacnode). ISOLATED: a real point
  * with two conjugate complex parameters, off the curve that is drawn (an acnode).
  */
@@ -293,10 +309,12 @@ BATTEN_API void batten_census_release(batten_census *census);
 /**
  * The same for every span of a polynomial curve. Its Bezier points are rounded when it has
  * more than one span, so what lies on a boundary may come to lie beside it: see the margin.
- * @param tolerance  model units, above 0
- * @param[out] count how many spans
- * @param[out] out   [count]; release with batten_censuses_release
- * @return also UNSUPPORTED for rational curves
+ * @param curve  polynomial, of dimension 2 or 3
+ * @param tolerance  as batten_census_take
+ * @param[out] out  one for each span; release with batten_censuses_release
+ * @return as batten_census_take, naming the span; UNSUPPORTED for rational curves
+ *
+ * Cost: batten_census_take for each span.
  */
 BATTEN_API batten_status batten_curve_census(const batten_curve *curve, double tolerance,
                                              batten_censuses *out);
@@ -365,10 +383,13 @@ BATTEN_API void batten_canonicals_release(batten_canonicals *forms);
  * there are 3 (n - 3) - 1.
  *
  * @param dimension 1 .. 3
+ * @param degree  1..25
  * @param points    [degree + 1][dimension] Bezier points; t from 0 to 1
  * @param tolerance relative, above 0 and below 1: what counts as 0. 1e-10 suits most
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT; BAD_DEGREE; NOT_FINITE; INCOMPLETE as batten_census_take
+ *
+ * Cost: degree^2 multiplications for each coordinate; no allocation.
  * Source: [SL] VIII.3-4, [SuXin80].
  */
 BATTEN_API batten_status batten_canonical_form(int dimension, int degree, const double *points,
@@ -376,10 +397,12 @@ BATTEN_API batten_status batten_canonical_form(int dimension, int degree, const 
 
 /**
  * The forms of every span of a polynomial curve, each with t from 0 to 1 along it.
- * @param tolerance  model units, above 0
- * @param[out] count how many spans
- * @param[out] out  release with batten_canonicals_release
- * @return also UNSUPPORTED for rational curves
+ * @param curve  polynomial
+ * @param tolerance  relative, as batten_canonical_form
+ * @param[out] out  one for each span; release with batten_canonicals_release
+ * @return as batten_canonical_form; UNSUPPORTED for rational curves; OUT_OF_MEMORY
+ *
+ * Cost: batten_canonical_form for each span.
  */
 BATTEN_API batten_status batten_curve_canonical_forms(const batten_curve *curve,
                                                       double tolerance, batten_canonicals *out);
@@ -424,10 +447,12 @@ typedef struct batten_quintic {
 /**
  * The class of plane quintics with pivots 2 and 5: four of the six double points are at
  * infinity, the other two have t = -s and t^2 a root of u^2 + b u + g, so signs decide.
- * @param canonical as found of the span
+ * @param canonical  of batten_canonical_form
  * @param tolerance what counts as 0 of the scaled numbers
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, or NOT_COMPATIBLE for other curves
+ *
+ * Cost: constant; no allocation.
  * Source: [SL] VIII.2.
  */
 BATTEN_API batten_status batten_quintic_classify(const batten_canonical *canonical,
@@ -455,8 +480,11 @@ typedef struct batten_affine_match {
  *
  * @param from, to  of dimension 2 or 3, polynomial
  * @param tolerance model units of `to`, 0 or more
- * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK; BAD_ARGUMENT; UNSUPPORTED for rational curves
+ * @param[out] out  the map, c and f, and the error; see the struct
+ * @return BATTEN_OK; BAD_ARGUMENT; UNSUPPORTED for rational curves; OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points after both curves have common knots; a least-squares map
+ * of 4 unknowns for each coordinate, at most four times.
  */
 BATTEN_API batten_status batten_curve_affine_match(const batten_curve *from,
                                                    const batten_curve *to, double tolerance,
@@ -470,9 +498,14 @@ BATTEN_API batten_status batten_curve_affine_match(const batten_curve *from,
  * map of determinant D makes it |D|^(1/3), or |D|^(1/6), times as long. A straight line has
  * none.
  *
+ * @param curve  of dimension 2 or 3
  * @param tolerance of the result, in its units (model units^(2/3), or ^(1/2) in space), above 0
  * @param[out] error an estimate; may be NULL
+ * @param[out] length  in units of the tolerance
  * @return BATTEN_OK; BAD_ARGUMENT (tolerance, a curve of one dimension); TOLERANCE_NOT_MET
+ *
+ * Cost: Gauss-Legendre on each span, halved until both halves agree with the whole; spans are
+ * divided at flat points first.
  * Source: [Blaschke23].
  */
 BATTEN_API batten_status batten_curve_affine_length(const batten_curve *curve, double tolerance,
@@ -480,10 +513,15 @@ BATTEN_API batten_status batten_curve_affine_length(const batten_curve *curve, d
 /**
  * Parameters that cut a curve into parts of equal affine length, both ends included: affine
  * images of a curve are cut at the images of the same points.
+ * @param curve  of dimension 2 or 3
  * @param count parts, 1 or more
  * @param tolerance of the lengths from the start as a part of the whole, above 0 and below 1
  * @param[out] u [count + 1]
- * @return also SINGULAR_HERE for a curve without affine length
+ * @return as batten_curve_affine_length; BAD_ARGUMENT (count, tolerance); SINGULAR_HERE for a
+ * curve without affine length
+ *
+ * Cost: twice that of batten_curve_affine_length, and some integrals over a piece for each
+ * parameter.
  */
 BATTEN_API batten_status batten_curve_divide_affine(const batten_curve *curve, int count,
                                                     double tolerance, double *u);
@@ -491,10 +529,14 @@ BATTEN_API batten_status batten_curve_divide_affine(const batten_curve *curve, i
  * Affine curvature of a plane curve: det(C_ss, C_sss) with respect to affine arc length s. 0 of
  * parabolas, (a b)^(-2/3) of an ellipse with half axes a and b, below 0 of hyperbolas.
  *
- * @param u  a parameter in the domain
+ * @param curve  of dimension 2
+ * @param u  in batten_curve_domain(curve)
  * @param side  from which side at a knot
+ * @param[out] curvature  model units^(-4/3)
  * @return BATTEN_OK; BAD_ARGUMENT (dimension); SINGULAR_HERE where x'y'' - x''y' is 0; as
  *         batten_curve_evaluate
+ *
+ * Cost: one evaluation to order 4.
  * Source: [Blaschke23].
  */
 BATTEN_API batten_status batten_curve_affine_curvature(const batten_curve *curve, double u,

@@ -70,14 +70,13 @@ typedef struct batten_tangents_report {
  * @param[out] leaving  [count][dimension] derivatives by the parameter, after each point
  * @param[out] arriving [count][dimension] those before it, the same bits except at a kept
  * corner; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT or OVERFLOW naming
  * the points, OUT_OF_MEMORY
  *
  * Two points give their chord. Cost: linear in count.
- * Source: [McConalogue70] (CIRCLE and
- * MIDDLE), [Akima70], [Akima72] (RENNER with CHORD), [Renner82] (RENNER with MIDDLE), [PT97]
- * 9.3.1, [SL] VI.8.
+ * Source: [McConalogue70] (CIRCLE and MIDDLE), [Akima70], [Akima72] (RENNER with CHORD),
+ * [Renner82] (RENNER with MIDDLE), [PT97] 9.3.1, [SL] VI.8.
  */
 BATTEN_API batten_status batten_tangents(batten_points points,
                                          const batten_tangents_options *options,
@@ -111,11 +110,15 @@ BATTEN_API batten_status batten_curve_from_tangents(batten_points points,
  * tangents they go to batten_curve_from_hermite.
  *
  * Arguments as for batten_curve_from_tangents.
- * @param[out] parameters  those of the points; may be NULL
+ * @param points  [count][dimension]
+ * @param[out] parameters  [count], or [count + 1] when closed; increasing
+ * @param tangents  [count][dimension], derivatives by the parameter
  * @param closed  whether the last point is followed by the first
- * @param[out] second [count][dimension]
+ * @param[out] second  [count][dimension], model units by the parameter squared
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_ARGUMENT, TOO_LARGE,
  * OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in count.
  */
 BATTEN_API batten_status batten_second_derivatives(batten_points points,
                                                    const double *parameters,
@@ -227,7 +230,7 @@ typedef struct batten_curved_points {
  *     curvatures: [count] signed, 1 / length; positive: a left turn
  * @param[out] parameters  [count], closed [count + 1]: sums of chords; may be NULL
  * @param[out] solutions  [count - 1], closed [count]: how many each span has, 0..3; may be NULL
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT (a tangent of no
  * length, named), OVERFLOW
  *
@@ -244,16 +247,18 @@ BATTEN_API batten_status batten_curve_from_curvatures(
  * the first three points. Two points: 0.
  * @param points [count][2]
  * @param closed  whether the last point is followed by the first
- * @param[out] curvatures [count]
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_ARGUMENT, TOO_LARGE, OVERFLOW,
- * OUT_OF_MEMORY
+ * @param[out] curvatures  [count], per model unit, positive where the circle turns left
+ * @return BATTEN_OK, UNSUPPORTED (not in the plane), TOO_FEW_POINTS, NOT_FINITE, TOO_LARGE,
+ * COINCIDENT, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in count.
  */
 BATTEN_API batten_status batten_circle_curvatures(batten_points points, bool closed,
                                                   double *curvatures);
 /** What stands beyond the ends of an open row of points, where a local method asks for more
- * points than there are. Their parameters go on in the mirror image of the steps. */
+ * points than there are. Their parameters continue in the mirror image of the steps. */
 typedef enum batten_phantoms {
-    BATTEN_PHANTOM_EXTRAPOLATE, /**< the polynomial through the end points goes on: of the
+    BATTEN_PHANTOM_EXTRAPOLATE, /**< the polynomial through the end points continues: of the
                                      degree that the method reproduces, as points allow */
     BATTEN_PHANTOM_REFLECT,     /**< the points beyond are those inside, mirrored in the end
                                      point: the curve ends without bending where it is C2 */
@@ -296,7 +301,7 @@ typedef struct batten_curve_catmull_rom_report {
  * unless alpha is 0
  * @param options NULL for the defaults
  * @param[out] parameters [count], closed [count + 1]; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @param[out] out a B-spline curve with just so many knots at each parameter as its continuity
  * asks for
  * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT or
@@ -356,9 +361,13 @@ BATTEN_API batten_status batten_tangents_kochanek_bartels(
  * than a half circle together, it has no inflection, cusp or loop if and only if |P'(0)| and
  * |P'(1)|, for a parameter from 0 to 1, are at most these limits.
  *
- * @param chord its length, above 0
+ * @param chord  its length, model units, above 0
+ * @param alpha, beta  radians
+ * @param[out] start, end  model units
  * @return BATTEN_OK; NOT_COMPATIBLE when the angles have opposite signs (one inflection is then
  * right) or turn by a half circle or more; NOT_FINITE, BAD_ARGUMENT
+ *
+ * Cost: constant; no allocation.
  * Source: [SL] III.5.
  */
 BATTEN_API batten_status batten_tangent_limits(double chord, double alpha, double beta,
@@ -404,7 +413,7 @@ typedef struct batten_curve_correct_tangents_report {
  * @param curve   polynomial, of degree 3 at most and dimension 2 or 3
  * @param options NULL for the defaults
  * @param[out] changed [spans], 1 where a span was changed; may be NULL
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @param[out] out     with every knot three times: speeds differ at joins that were corrected.
  *                     A curve without such spans comes back as it is
  * @return BATTEN_OK, UNSUPPORTED (rational, higher degree, curvatures in space), BAD_ARGUMENT,
@@ -446,9 +455,9 @@ BATTEN_API batten_curve_cornered_options batten_curve_cornered_defaults(void);
  * parts are made one by one.
  *
  * Where two straight runs meet there is a corner. A smooth run between two straight ones begins
- * and ends with their directions. With curvature 0 there it has averaged knots
- * instead of knots at its points, one more for each condition that is added; of `ends` only
- * NATURAL then has a meaning for that run, the others leave its free end as it comes.
+ * and ends with their directions. With curvature 0 there it has averaged knots instead of knots
+ * at its points, one more for each condition that is added; of `ends` only NATURAL then has a
+ * meaning for that run, the others leave its free end as it comes.
  *
  * @param points [count][dimension], dimension 2 or 3, count >= 2
  * @param options  NULL for the defaults
@@ -500,7 +509,7 @@ typedef struct batten_curve_directed_report {
  * @param points [count][dimension], dimension 1 to 3, count >= 2
  * @param options  NULL for the defaults
  * @param[out] parameters [count]; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT (indices, tension, a direction of length 0), COINCIDENT,
  * NOT_INCREASING, TOO_FEW_POINTS, NOT_FINITE ...
  * Cost: linear; once more for each round of clamping.

@@ -12,13 +12,16 @@ extern "C" {
 #endif
 
 /**
- * Length over [a, b] inside the domain (all of it with NaN for both), within `tolerance`
- * (model units, above 0; one below the rounding of the numbers is met as far as they can, see
- * `error`). Gauss-Legendre on each span, halved until both halves agree with the whole.
+ * The length of a curve.
+ *
+ * A tolerance below the rounding of the numbers is met as far as they can, see `error`.
  * @param curve  any curve
- * @param[out] error an estimate of the error; may be NULL
- * @param length  model units
+ * @param tolerance  model units, above 0
+ * @param[out] error  an estimate of the error, model units; may be NULL
+ * @param[out] length  model units
  * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: Gauss-Legendre on each span, halved until both halves agree with the whole.
  */
 BATTEN_API batten_status batten_curve_length(const batten_curve *curve, double tolerance,
                                              double *error, double *length);
@@ -42,16 +45,26 @@ BATTEN_API batten_status batten_curve_length_between(const batten_curve *curve, 
  * Parameters at which the arc length from the start is s[i] (never decreasing, at most
  * `tolerance` outside the length).
  * @param curve  any curve
+ * @param count  how many
+ * @param s  [count], never decreasing, model units; at most `tolerance` outside the length
+ * @param tolerance  model units, above 0
  * @param[out] u [count]
  * @return BATTEN_OK, NOT_FINITE, NOT_INCREASING, OUT_OF_DOMAIN, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: that of batten_curve_length, then for each parameter a search in the table and a few
+ * Newton steps, each an integral over a part of a span.
  */
 BATTEN_API batten_status batten_curve_at_length(const batten_curve *curve, int count,
                                                 const double *s, double tolerance, double *u);
 /**
  * The length of a chain: exact where its spans go by arc length, else to 1e-12 of it. Of a
  * function (dimension 1) the length it rises and falls.
- * @param[out] error a bound; may be NULL
+ * @param chain  any chain
+ * @param[out] error  a bound, model units; may be NULL
+ * @param[out] length  model units
  * @return BATTEN_OK, OVERFLOW
+ *
+ * Cost: linear in the spans; constant for those that go by arc length, an integral for others.
  */
 BATTEN_API batten_status batten_chain_length(const batten_chain *chain, double *error,
                                              double *length);
@@ -59,8 +72,11 @@ BATTEN_API batten_status batten_chain_length(const batten_chain *chain, double *
  * The tight axis-parallel box: of the ends and of all places where a coordinate turns back.
  *
  * @param curve  any curve
- * @param[out] out  the result; as it was when the function fails
+ * @param[out] out  model units
  * @return BATTEN_OK or OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans: for each coordinate the roots of its derivative where the control
+ * points leave them open.
  */
 BATTEN_API batten_status batten_curve_bounds(const batten_curve *curve, batten_box *out);
 
@@ -119,12 +135,15 @@ typedef struct batten_region {
  * Area and moments by Green's theorem. Polynomial curves are integrated exactly but for
  * rounding, rational ones by halving until `precision` is met.
  *
+ * @param curve  plane and closed
  * @param closing_tolerance    model units: ends that are no farther apart are joined by a line
  * @param precision relative, > 0; `error` says what was reached
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_COMPATIBLE when the curve is not closed or not plane; BAD_ARGUMENT;
  * COINCIDENT when the area is 0 to rounding, as of a curve run there and back;
  * TOLERANCE_NOT_MET
+ *
+ * Cost: p evaluations for each span of a polynomial curve; more where a rational one is halved.
  */
 BATTEN_API batten_status batten_curve_region(const batten_curve *curve,
                                              double closing_tolerance, double precision,
@@ -133,21 +152,30 @@ BATTEN_API batten_status batten_curve_region(const batten_curve *curve,
 /**
  * How often a closed plane curve runs around a point, counterclockwise counted positive: by
  * crossings of a ray with pieces that run one way.
- * @param closing_tolerance as batten_curve_region
+ * @param curve  plane and closed
+ * @param point  model units
+ * @param closing_tolerance  as batten_curve_region
  * @param[out] out  the result; as it was when the function fails
- * @return NOT_COMPATIBLE; SINGULAR_HERE when the point is on the curve, to 1e-12 of its size
+ * @return BATTEN_OK; NOT_COMPATIBLE when the curve is not closed or not plane; BAD_ARGUMENT;
+ * SINGULAR_HERE when the point is on the curve, to 1e-12 of its size; OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans: the roots of the derivative to divide it, one distance of the
+ * point, one crossing for each piece.
  */
 BATTEN_API batten_status batten_curve_winding(const batten_curve *curve, batten_vec2 point,
                                               double closing_tolerance, int *out);
 /**
  * By how many full turns the tangent of a plane curve turns from start to end, corners and,
  * when the ends meet within `closing_tolerance`, that in the closing point included: a whole
- * number for a
- * closed curve, 1 or -1 when it does not cross itself.
+ * number for a closed curve, 1 or -1 when it does not cross itself.
  *
- * @param[out] out  the result; as it was when the function fails
- * @return SINGULAR_HERE at a cusp, where the tangent turns back and neither way is the right
- * one; NOT_COMPATIBLE for other dimensions
+ * @param curve  plane
+ * @param closing_tolerance  model units, 0 or more
+ * @param[out] out  in turns
+ * @return BATTEN_OK; SINGULAR_HERE at a cusp, where the tangent turns back and neither
+ * direction is the right one; NOT_COMPATIBLE for other dimensions; BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans: the roots of both derivatives on each.
  */
 BATTEN_API batten_status batten_curve_turning(const batten_curve *curve,
                                               double closing_tolerance, double *out);
@@ -177,10 +205,13 @@ BATTEN_API batten_status batten_surface_area(const batten_surface *surface, doub
                                              const batten_job *job, batten_area_measures *out);
 /**
  * Parameters that cut a curve into parts of equal length, both ends included.
+ * @param curve  any curve
  * @param count parts, 1 or more
  * @param tolerance of the lengths from the start, model units, > 0
  * @param[out] u [count + 1]
  * @return as batten_curve_at_length; BAD_ARGUMENT (count)
+ *
+ * Cost: as batten_curve_at_length for count + 1 lengths.
  */
 BATTEN_API batten_status batten_curve_divide(const batten_curve *curve, int count,
                                              double tolerance, double *u);
@@ -203,8 +234,12 @@ BATTEN_API batten_status batten_curve_divide_equal_chords(const batten_curve *cu
  * Parameters of a polyline on a curve no farther from it than `height`, both ends and all
  * distinct knots included. Pieces are halved until their control polygons, which enclose them,
  * lie that near to their chords: a bound, not an estimate.
+ * @param curve  any curve
  * @param height model units, > 0
- * @return BATTEN_OK; BAD_ARGUMENT; TOO_LARGE beyond a million parts. Release `out->at`.
+ * @param[out] out  release `out->at` with batten_release
+ * @return BATTEN_OK; BAD_ARGUMENT; TOO_LARGE beyond a million parts; OUT_OF_MEMORY
+ *
+ * Cost: one halving of p + 1 control points for each part.
  */
 BATTEN_API batten_status batten_curve_divide_chord(const batten_curve *curve, double height,
                                                    batten_parameters *out);
@@ -216,8 +251,10 @@ BATTEN_API batten_status batten_curve_divide_chord(const batten_curve *curve, do
  * @param curve  any curve
  * @param height model units, > 0; HUGE_VAL: any
  * @param angle  radians, > 0 and at most pi
- * @param[out] out  the result; as it was when the function fails
+ * @param[out] out  release `out->at` with batten_release
  * @return as batten_curve_divide_chord
+ *
+ * Cost: as batten_curve_divide_chord.
  */
 BATTEN_API batten_status batten_curve_divide_turn(const batten_curve *curve, double height,
                                                   double angle, batten_parameters *out);
@@ -235,13 +272,18 @@ typedef enum batten_piece_kind {
  * Parameters that cut a curve into pieces of one kind, both ends included: as few as there can
  * be, but for CONVEX, where half turns are counted from the last cut.
  *
- * Each piece is looked at once more by itself: INCOMPLETE, with the place, when it is not what
- * it should be.
+ * Each piece is looked at once more by itself: it is INCOMPLETE, with the place, when it is not
+ * what it should be.
  *
+ * @param curve  any curve
+ * @param kind  of the pieces
  * @param direction of MONOTONE; NULL: all coordinates
+ * @param[out] out  release `out->at` with batten_release
  * @return BATTEN_OK; BAD_ARGUMENT (direction); NOT_COMPATIBLE (CONVEX, not in the plane);
  * UNSUPPORTED (SPIRAL and CONVEX of dimension 1); SINGULAR_HERE (no direction at a knot);
- * INCOMPLETE. Release `out->at`.
+ * INCOMPLETE; OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans: the roots of a polynomial on each, twice for SPIRAL and CONVEX.
  */
 BATTEN_API batten_status batten_curve_divide_pieces(const batten_curve *curve,
                                                     batten_piece_kind kind,

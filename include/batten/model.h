@@ -27,7 +27,7 @@ typedef enum batten_object_kind {
  * "row of points", "curve", "surface", "table of offsets", "set of Bezier triangles", "body",
  * "mesh", "instance".
  *
- * @param kind  which of them
+ * @param kind  of an object
  */
 BATTEN_API const char *batten_object_kind_name(batten_object_kind kind);
 
@@ -43,8 +43,9 @@ typedef struct batten_object {
     double colour[3]; /**< sRGB, 0..1 */
     batten_object_kind kind;
     const batten_curve *curve;
-    const batten_chain *chain; /**< of a CURVE: what it truly is, when that is no NURBS; `curve`
-                                    is then near to it */
+    const batten_chain
+        *chain; /**< of a CURVE: what it truly is, when not NURBS; `curve` is then
+                                    near to it */
     const batten_surface *surface;
     const batten_offset_table *offset_table;
     const batten_triangles *triangles;
@@ -60,9 +61,13 @@ typedef struct batten_object {
 /* A model is filled by its maker, then shared as const. */
 
 /**
+ * An empty model.
+ *
  * @param unit_metres  how many metres one unit is; 0 when nothing says so
- * @param[out] out  the result; as it was when the function fails
+ * @param[out] out  give the reference back with batten_model_unref
  * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_model_create(double unit_metres, batten_model **out);
 /** One more reference to a model, from borrowed to yours. */
@@ -74,9 +79,13 @@ BATTEN_API void batten_model_unref(batten_model *model);
  * model has it. */
 BATTEN_API const char *batten_model_name(const batten_model *model);
 /**
- * @param name  is copied; NULL and "" for none
- * @param model  looked at only
+ * Name a model.
+ *
+ * @param model  any model that nobody else holds
+ * @param name  copied; NULL and "" for none
  * @return BATTEN_OK, OUT_OF_MEMORY
+ *
+ * Cost: linear in the name.
  */
 BATTEN_API batten_status batten_model_set_name(batten_model *model, const char *name);
 /** How many metres one unit of the model is. */
@@ -86,21 +95,24 @@ BATTEN_API int batten_model_count(const batten_model *model);
 /**
  * The object of this index, 0 .. batten_model_count() - 1; borrowed.
  *
- * @param model  looked at only
+ * @param model  any model
  */
 BATTEN_API const batten_object *batten_model_object(const batten_model *model, int index);
 /**
  * The index of the first object of that name, or -1.
  *
- * @param model  looked at only
+ * @param model  any model
  */
 BATTEN_API int batten_model_find(const batten_model *model, const char *name);
 /**
  * Copy an object in: names and arrays are copied, geometry is referenced.
  *
- * @param model  looked at only
+ * @param model  any model that nobody else holds
+ * @param object  see the struct
  * @return BATTEN_OK; BAD_ARGUMENT, NOT_FINITE; TOO_LARGE for instances within instances more
- * than 32 deep
+ * than 32 deep; OUT_OF_MEMORY
+ *
+ * Cost: linear in the names and points that are copied.
  */
 BATTEN_API batten_status batten_model_add(batten_model *model, const batten_object *object);
 /**
@@ -109,9 +121,13 @@ BATTEN_API batten_status batten_model_add(batten_model *model, const batten_obje
  * outside of bodies, meshes, surfaces and triangles stays outside: u of a surface then runs the
  * other way.
  *
- * @param model  looked at only
+ * @param model  any model that nobody else holds
+ * @param object  see the struct
+ * @param map  finite and not singular
  * @return as batten_model_add; BAD_ARGUMENT for a singular map; UNSUPPORTED for a table of
  * offsets
+ *
+ * Cost: linear in the geometry of the object.
  */
 BATTEN_API batten_status batten_model_add_mapped(batten_model *model,
                                                  const batten_object *object,
@@ -121,10 +137,13 @@ BATTEN_API batten_status batten_model_add_mapped(batten_model *model,
  * model itself when it has none. Objects without a layer or a colour have that of the instance,
  * and are hidden when an instance around them is.
  *
+ * @param model  looked at only
  * @param[out] out  the result; as it was when the function fails
- * @return TOO_LARGE, before the work, for more objects (instances among them) than 100,000 and
- * 40 times those of the model and its definitions, or than a million; for more points than 10
- * million and 40 times theirs
+ * @return BATTEN_OK; TOO_LARGE, before the work, for more objects (instances among them) than
+ * 100,000 and 40 times those of the model and its definitions, or than a million; for more
+ * points than 10 million and 40 times theirs; BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the geometry of the result.
  */
 BATTEN_API batten_status batten_model_flat(const batten_model *model, batten_model **out);
 /**
@@ -138,22 +157,25 @@ BATTEN_API batten_status batten_model_once(const batten_model *model, batten_mod
 /**
  * How deep instances lie within instances: 0 without any.
  *
- * @param model  looked at only
+ * @param model  any model
  */
 BATTEN_API int batten_model_depth(const batten_model *model);
 /**
  * The box of all objects; false when there is none.
  *
- * @param model  looked at only
+ * @param model  any model
  */
 BATTEN_API bool batten_model_box(const batten_model *model, batten_box *box);
 /**
  * The same model in another unit; geometry is scaled. A model without a unit is taken to be in
  * that unit already.
  *
- * @param unit_metres  metres of one unit
+ * @param model  looked at only
+ * @param unit_metres  metres of one unit, above 0
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the geometry.
  */
 BATTEN_API batten_status batten_model_to_unit(const batten_model *model, double unit_metres,
                                               batten_model **out);
@@ -168,8 +190,12 @@ typedef enum batten_patches {
  * The same model with its Bezier triangles as exact NURBS patches, named "NAME.1", "NAME.2"
  * ...; the model itself when it has none.
  *
+ * @param model  looked at only
+ * @param patches  how each triangle becomes patches
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK; TOO_LARGE for more than a million patches
+ * @return BATTEN_OK; TOO_LARGE for more than a million patches; OUT_OF_MEMORY
+ *
+ * Cost: linear in the triangles.
  */
 BATTEN_API batten_status batten_model_with_patches(const batten_model *model,
                                                    batten_patches patches, batten_model **out);
@@ -177,11 +203,15 @@ BATTEN_API batten_status batten_model_with_patches(const batten_model *model,
  * The same model with its surfaces, Bezier triangles and bodies as meshes, one for each object,
  * under the same name, layer, group and colour. Definitions of instances are meshed once, by
  * what they measure where they are defined. Points, curves, tables and meshes stay.
+ * @param model  looked at only
  * @param options NULL for the defaults; `most` is for all objects together
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param notes faces that were left out, and chords that are not met, each with its object; may
  * be NULL
+ * @param[out] out  the model; as it was when the function fails
  * @return BATTEN_OK, as batten_mesh_from_body, also when faces were left out
+ *
+ * Cost: that of batten_mesh_from_body for each object.
  */
 BATTEN_API batten_status batten_model_meshed(const batten_model *model,
                                              const batten_mesh_options *options,

@@ -16,8 +16,13 @@ extern "C" {
  * length of `direction` does not matter; BAD_ARGUMENT when it is 0 or not finite. Complete but
  * for turns within the rounding of the control points, by Descartes' rule of signs.
  *
- * @param[out] out  the result; as it was when the function fails
+ * @param curve  any curve
+ * @param direction  of any length but 0
+ * @param[out] out  release `out->at` with batten_release
  * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans: on each the roots of a polynomial of degree p - 1, of a rational
+ * curve 2 p - 2.
  */
 BATTEN_API batten_status batten_curve_turns(const batten_curve *curve, batten_vec3 direction,
                                             batten_parameters *out);
@@ -26,8 +31,13 @@ BATTEN_API batten_status batten_curve_turns(const batten_curve *curve, batten_ve
  * A coordinate that is constant on a piece gives both ends of the piece.
  *
  * @param curve  any curve
- * @param[out] out  the result; as it was when the function fails
+ * @param axis  0, 1 or 2, below the dimension
+ * @param value  model units
+ * @param[out] out  release `out->at` with batten_release
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans: on each that reaches the value the roots of a polynomial of degree
+ * p, and those of its derivative.
  */
 BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int axis,
                                                 double value, batten_parameters *out);
@@ -36,8 +46,13 @@ BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int a
  * All u at which a curve of 2 or 3 dimensions meets the plane `normal . x = distance`, in the
  * same way.
  *
- * @param[out] out  the result; as it was when the function fails
- * @return also BAD_ARGUMENT for a normal of 0, UNSUPPORTED for a function
+ * @param curve  of dimension 2 or 3
+ * @param normal  of any length but 0
+ * @param distance  of the plane from the origin, in lengths of `normal`
+ * @param[out] out  release `out->at` with batten_release
+ * @return as batten_curve_crossings; BAD_ARGUMENT for a normal of 0, UNSUPPORTED for a function
+ *
+ * Cost: as batten_curve_crossings.
  */
 BATTEN_API batten_status batten_curve_plane_crossings(const batten_curve *curve,
                                                       batten_vec3 normal, double distance,
@@ -48,7 +63,12 @@ BATTEN_API batten_status batten_curve_plane_crossings(const batten_curve *curve,
  * Places where it touches itself, or runs along itself, may be left out; the point in which a
  * closed curve ends is none.
  *
+ * @param curve  of dimension 2
+ * @param[out] out  release `out->at` with batten_release
  * @return BATTEN_OK, NOT_COMPATIBLE, OUT_OF_MEMORY
+ *
+ * Cost: n log n for n pieces whose boxes overlap little; where many overlap, for each pair of
+ * them a halving of both.
  */
 BATTEN_API batten_status batten_curve_self_crossings(const batten_curve *curve,
                                                      batten_parameters *out);
@@ -83,10 +103,17 @@ BATTEN_API batten_status batten_curve_deviation(const batten_curve *curve, batte
  * inside the patch first: where the surface winds between samples, a nearer point can be
  * missed.
  *
+ * @param surface  in space
+ * @param points  [count][3]
+ * @param start  [count][2], parameters near the feet; or NULL
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param[out] distances  [count], or NULL
+ * @param[out] distances  [count], model units; may be NULL
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, OUT_OF_MEMORY
+ * @return BATTEN_OK, UNSUPPORTED (points of another dimension), TOO_FEW_POINTS, NOT_FINITE,
+ * OUT_OF_DOMAIN, CANCELLED, OUT_OF_MEMORY
+ *
+ * Cost: (2 p + 2) (2 q + 2) evaluations on each patch that comes near enough, for each point;
+ * chunks of 16 points are shared among threads.
  */
 BATTEN_API batten_status batten_surface_deviation(const batten_surface *surface,
                                                   batten_points points, const double *start,
@@ -95,12 +122,15 @@ BATTEN_API batten_status batten_surface_deviation(const batten_surface *surface,
 
 /**
  * The same, and where the feet are.
- * @param surface  any surface
- * @param points  the data
- * @param start  where it begins
+ * @param surface  in space
+ * @param points  [count][3]
+ * @param start  [count][2], parameters near the feet; or NULL
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param feet  uv: [count][2], distances: [count]; each may be NULL
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, OUT_OF_MEMORY
+ * @return as batten_surface_deviation
+ *
+ * Cost: as batten_surface_deviation.
  */
 BATTEN_API batten_status batten_surface_project(const batten_surface *surface,
                                                 batten_points points, const double *start,
@@ -120,14 +150,21 @@ typedef struct batten_polylines {
 } batten_polylines;
 /**
  * Where a surface meets the plane `normal . x = distance`, found along isoparametric lines on a
- * `cells_u` x `cells_v` grid (every point is on the surface, and on the plane to
- * rounding, coarser only where knots nearly coincide; loops
- * smaller than a cell can be missed). Across the seam of a closed surface a line goes on, and
- * its parameters jump. A rim of the surface that lies in the plane belongs to the section; a
- * line in its inside where the plane only touches does not.
+ * `cells_u` x `cells_v` grid (every point is on the surface, and on the plane to rounding,
+ * coarser only where knots nearly coincide; loops smaller than a cell can be missed). Across
+ * the seam of a closed surface a line continues, and its parameters jump. A rim of the surface
+ * that lies in the plane belongs to the section; a line in its inside where the plane only
+ * touches does not.
  *
- * @param[out] out  the result; as it was when the function fails
+ * @param surface  in space
+ * @param normal  of any length but 0
+ * @param distance  of the plane from the origin, in lengths of `normal`
+ * @param cells_u, cells_v  of the grid, 1 or more
+ * @param[out] out  release with batten_polylines_release
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, NOT_COMPATIBLE, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: about 2 cells_u cells_v crossings of isoparametric lines, and one evaluation for each
+ * node.
  */
 BATTEN_API batten_status batten_surface_section(const batten_surface *surface,
                                                 batten_vec3 normal, double distance,
@@ -136,7 +173,7 @@ BATTEN_API batten_status batten_surface_section(const batten_surface *surface,
 /**
  * Release all polylines and their row.
  *
- * @param lines  they run along the hull
+ * @param lines  of batten_surface_section
  */
 BATTEN_API void batten_polylines_release(batten_polylines *lines);
 

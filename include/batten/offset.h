@@ -13,8 +13,8 @@ extern "C" {
 /** What goes around the outside of a corner. */
 typedef enum batten_offset_corner {
     BATTEN_OFFSET_ROUND, /**< an arc about the corner: the true offset */
-    BATTEN_OFFSET_MITRE, /**< both sides go on straight until they meet */
-    BATTEN_OFFSET_SQUARE /**< both sides go on straight as far as the tangent of the arc in its
+    BATTEN_OFFSET_MITRE, /**< both sides continue straight until they meet */
+    BATTEN_OFFSET_SQUARE /**< both sides continue straight as far as the tangent of the arc in its
                               middle */
 } batten_offset_corner;
 
@@ -52,14 +52,14 @@ typedef struct batten_curve_offset_report {
  * the first and the second derivative of the true offset at their ends. With REMOVE the offset
  * is cut where it crosses itself and wherever it comes too near to the curve, and what is left
  * is joined: none, one or several curves. Pieces keep the parameters of the curve where nothing
- * was cut. An end of an open curve keeps distance too, as if it had a round cap.
- * Loops that come nearer by less than three tolerances may stay, and parts whose ends lie
- * within the tolerance of each other are joined there.
+ * was cut. An end of an open curve keeps distance too, as if it had a round cap. Loops that
+ * come nearer by less than three tolerances may stay, and parts whose ends lie within the
+ * tolerance of each other are joined there.
  *
  * @param curve    of 2 or 3 dimensions; periodic curves give clamped closed ones
  * @param distance model units; negative: to the right
  * @param options  NULL for the defaults
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, also with no curve when nothing is that far inside; BAD_ARGUMENT,
  * NOT_FINITE, UNSUPPORTED (dimension 1), SINGULAR_HERE (curve along `normal`, or a point),
  * TOLERANCE_NOT_MET, TOO_LARGE
@@ -75,7 +75,7 @@ BATTEN_API batten_status batten_curve_offset(const batten_curve *curve, double d
 typedef struct batten_surface_offset_options {
     size_t size;
     double tolerance; /**< model units: how far from the true offset; 0: the true one, of the
-                           kind "offset", where it is no NURBS surface. 1e-4 */
+                           kind "offset", where it is not a NURBS surface. 1e-4 */
     bool keep;        /**< make it also where it turns over; else that is refused. false */
     int most_points;  /**< of the surface near it; more are TOLERANCE_NOT_MET. 4,000,000 */
 } batten_surface_offset_options;
@@ -108,13 +108,14 @@ typedef struct batten_surface_offset_report {
  *
  * Where 1 - distance * curvature vanishes the offset has a ridge. Principal curvatures are
  * sampled, at degree + 1 places or more of each span both ways, and the extreme ones refined by
- * a search around them; what lies between samples and is no extreme near one is not seen.
+ * a search around them; what lies between samples and not near an extreme of them is not seen.
  * Whether far parts of the offset cross each other is not asked.
  *
  * @param surface  NURBS, in space; knots where normals jump by more than 1e-6 are refused
  * @param distance model units; negative: against the normal
  * @param options  NULL for the defaults
- * @param[out] report may be NULL; filled in also after SINGULAR_HERE for a turned offset
+ * @param[out] report  what was reached; may be NULL; filled in also after SINGULAR_HERE for a
+ *              turned offset
  * @return BATTEN_OK; BAD_ARGUMENT, NOT_FINITE; UNSUPPORTED (other kinds: make them NURBS first,
  * with the error that this has); NOT_COMPATIBLE (a crease, with its place and angle);
  * SINGULAR_HERE (no normal, with the place; or an offset that turns over, with place, radius

@@ -38,15 +38,19 @@ typedef struct batten_table_station {
 } batten_table_station;
 
 /**
- * Everything is copied; a name that is NULL becomes "". There is a station, stations have
- * increasing x and a point each; a point's line must exist. `unit_metres`: how many metres one
- * unit of the numbers is; 0 when the table does not say.
+ * A table of offsets. Everything is copied; a name that is NULL becomes "". There is at least
+ * one station; stations have increasing x and at least one point each; a point's line must
+ * exist.
  *
- * @param line_count  how many lines
- * @param lines  they run along the hull
+ * @param unit_metres  how many metres one unit of the numbers is; 0 when the table does not say
+ * @param line_count  how many lines, 0 or more
+ * @param lines  [line_count], their names and families
  * @param station_count  how many stations, 1 or more
+ * @param stations  [station_count], from aft to forward
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: linear in the points.
  */
 BATTEN_API batten_status batten_offset_table_create(double unit_metres, int line_count,
                                                     const batten_table_line *lines,
@@ -56,52 +60,52 @@ BATTEN_API batten_status batten_offset_table_create(double unit_metres, int line
 /**
  * One more reference to a table, from borrowed to yours.
  *
- * @param offsets  a table
+ * @param offsets  any table of offsets
  */
 BATTEN_API batten_offset_table *batten_offset_table_ref(const batten_offset_table *offsets);
 /**
  * Give a reference to a table back; NULL is welcome.
  *
- * @param offsets  a table
+ * @param offsets  any table of offsets
  */
 BATTEN_API void batten_offset_table_unref(batten_offset_table *offsets);
 
 /**
  * How many metres one unit of the table is; 0 when it does not say.
  *
- * @param offsets  a table
+ * @param offsets  any table of offsets
  */
 BATTEN_API double batten_offset_table_unit_metres(const batten_offset_table *offsets);
 /**
  * How many lines run along the hull.
  *
- * @param offsets  a table
+ * @param offsets  any table of offsets
  */
 BATTEN_API int batten_offset_table_line_count(const batten_offset_table *offsets);
 /**
  * The line of this index; borrowed.
  *
- * @param offsets  a table
+ * @param offsets  any table of offsets
  */
 BATTEN_API const batten_table_line *batten_offset_table_line(const batten_offset_table *offsets,
                                                              int line);
 /**
  * How many stations there are.
  *
- * @param offsets  a table
+ * @param offsets  any table of offsets
  */
 BATTEN_API int batten_offset_table_station_count(const batten_offset_table *offsets);
 /**
  * The station of this index; borrowed.
  *
- * @param offsets  a table
+ * @param offsets  any table of offsets
  */
 BATTEN_API const batten_table_station *
 batten_offset_table_station(const batten_offset_table *offsets, int station);
 /**
  * The box of all points.
  *
- * @param offsets  a table
+ * @param offsets  any table of offsets
  */
 BATTEN_API batten_box batten_offset_table_box(const batten_offset_table *offsets);
 
@@ -123,10 +127,12 @@ BATTEN_API batten_offset_table_selection batten_offset_table_everything(void);
  * Stations and lines that are left without points are left out. NOT_FOUND when nothing is
  * left.
  *
- * @param offsets  a table
- * @param selection  what is kept, in which numbers
+ * @param offsets  looked at only
+ * @param selection  what is kept, in which numbers; NULL for everything
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_ARGUMENT, NOT_FOUND,
  * OUT_OF_MEMORY
+ *
+ * Cost: linear in the points.
  */
 BATTEN_API batten_status batten_offset_table_select(
     const batten_offset_table *offsets, const batten_offset_table_selection *selection,

@@ -22,9 +22,9 @@ typedef enum batten_picture_format {
 /**
  * By the ending of a file name.
  *
- * @param path  of a file, UTF-8
- * @param format  as printf
- * @return false when it is none of them
+ * @param path  of the file, UTF-8
+ * @param[out] format  which one
+ * @return false when the ending names none of them
  */
 BATTEN_API bool batten_picture_format_from_name(const char *path,
                                                 batten_picture_format *format);
@@ -105,6 +105,8 @@ BATTEN_API batten_draw_options batten_draw_defaults(void);
  * @param[out] size  of the data, bytes
  * @return BATTEN_OK, BAD_ARGUMENT (no objects, sizes), NOT_FINITE, TOO_LARGE, OVERFLOW,
  * OUT_OF_MEMORY
+ *
+ * Cost: linear in the model and in what is drawn; memory of a PNG 4 bytes for each pixel.
  */
 BATTEN_API batten_status batten_draw(const batten_model *model,
                                      const batten_draw_options *options, char **data,
@@ -150,9 +152,13 @@ typedef struct batten_panel {
  * farther; what lies beyond is cut off.
  *
  * @param count panels, 1..64; rows and columns follow the shape of the sheet
+ * @param panels  [count], each with its title and model
  * @param options  NULL for the defaults
+ * @param[out] data  release with batten_release
  * @param[out] size  of the data, bytes
  * @return as batten_draw
+ *
+ * Cost: as batten_draw for all models.
  */
 BATTEN_API batten_status batten_draw_panels(int count, const batten_panel *panels,
                                             const batten_draw_options *options, char **data,
@@ -181,6 +187,7 @@ BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
  * could not be drawn.
  *
  * @param model  looked at only
+ * @param plan  NULL for the defaults
  * @param options  NULL for the defaults
  * @param notes  may be NULL
  * @param[out] data  release with batten_release
@@ -188,6 +195,9 @@ BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
  * @return BATTEN_OK, BAD_ARGUMENT (no hull, no room on the sheet), NOT_FINITE, NOT_INCREASING,
  * TOO_LARGE (more than 400 lines of a family), OVERFLOW, OUT_OF_MEMORY, or what the sections
  * report
+ *
+ * Cost: one section of each surface for each line, some 100 x 100 cells; then linear in what is
+ * drawn.
  */
 BATTEN_API batten_status batten_draw_lines_plan(const batten_model *model,
                                                 const batten_draw_lines_plan_options *plan,
@@ -239,6 +249,9 @@ BATTEN_API batten_draw_cubic_plane_options batten_draw_cubic_plane_defaults(void
  * @param[out] size  of the data, bytes
  * @return BATTEN_OK, BAD_ARGUMENT (low >= high, sizes), UNSUPPORTED (other curves), NOT_FINITE
  * ...
+ *
+ * Cost: constant for the plane, one look-up for each pixel of a coarse grid; linear in the
+ * spans.
  * Source: [SL] III.3, [Liu81].
  */
 BATTEN_API batten_status batten_draw_cubic_plane(const batten_model *model,

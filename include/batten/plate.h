@@ -89,11 +89,16 @@ BATTEN_API void batten_developable_release(batten_developable *developable);
 /**
  * Do the tangent planes at both ends of a line from first(s) to second(t) agree?
  *
+ * @param first, second  of dimension 2 or 3
+ * @param s  on the first
+ * @param t  on the second
  * @param[out] condition det(first'(s), second'(t), second(t) - first(s)): 0 where they do, or
  * where a tangent runs along the line
  * @param[out] warp the angle between the planes, radians, 0 to pi; NaN where one has no plane.
  * pi, with condition 0, where the surface would turn over
- * @return BATTEN_OK, OUT_OF_DOMAIN
+ * @return as batten_curve_evaluate
+ *
+ * Cost: two evaluations to order 1; no allocation.
  */
 BATTEN_API batten_status batten_ruling_condition(const batten_curve *first, double s,
                                                  const batten_curve *second, double t,
@@ -149,8 +154,8 @@ typedef struct batten_unrolled {
  * Closed surfaces are cut at their seam. Outlines that overlap themselves in the plane are not
  * looked for.
  *
- * @param surface in space or in the plane, any kind: what is no NURBS is converted within the
- * tolerance
+ * @param surface  in space or in the plane, any kind: any other than NURBS is converted within
+ *              the tolerance
  * @param options NULL for the defaults
  * @param[out] out filled; give it back with batten_unrolled_release
  * @return BATTEN_OK; BAD_ARGUMENT (tolerance); NOT_COMPATIBLE where no lines are straight
@@ -173,9 +178,12 @@ BATTEN_API void batten_unrolled_release(batten_unrolled *unrolled);
 
 /**
  * Where a point of the surface is in the plane: a mark.
+ * @param unrolled  of batten_surface_unroll
  * @param u, v of `unrolled->surface`
  * @param[out] out as exact as the edges
  * @return BATTEN_OK or OUT_OF_DOMAIN
+ *
+ * Cost: three points of the surface and two of the edges.
  */
 BATTEN_API batten_status batten_unrolled_at(const batten_unrolled *unrolled, double u, double v,
                                             batten_vec2 *out);
@@ -243,8 +251,7 @@ typedef struct batten_fold {
  *
  * Cost: linear in the number of samples, which is doubled from 65 until the surfaces and
  * the lengths of their edges are within the tolerance.
- * Source: [Huffman76], [DuncanDuncan82],
- * [FuchsTabachnikov99].
+ * Source: [Huffman76], [DuncanDuncan82], [FuchsTabachnikov99].
  */
 BATTEN_API batten_status batten_fold_create(const batten_curve *crease,
                                             const batten_fold_create_options *options,

@@ -14,27 +14,40 @@ extern "C" {
 
 /**
  * One Bezier curve on [0, 1].
- * @param points [degree + 1][dimension]; weights [degree + 1] or
- * NULL
+ * @param dimension  1, 2 or 3
+ * @param degree  1..25
+ * @param points  [degree + 1][dimension]
+ * @param weights  [degree + 1], above 0, or NULL
  * @param[out] out  the result; as it was when the function fails
  * @return as batten_curve_create
+ *
+ * Cost: linear in the points.
  */
 BATTEN_API batten_status batten_curve_bezier(int dimension, int degree, const double *points,
                                              const double *weights, batten_curve **out);
 /**
  * The same from its first point and the edges of its polygon: P(t) = start + sum a_i f_i(t),
  * f_i = the sum of the Bernstein polynomials from i on.
+ * @param dimension  1, 2 or 3
+ * @param degree  1..25
+ * @param start  [dimension]
  * @param edges [degree][dimension]
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_DEGREE, BAD_ARGUMENT
+ *
+ * Cost: linear in the points.
  * Source: [Bezier74].
  */
 BATTEN_API batten_status batten_curve_from_edges(int dimension, int degree, const double *start,
                                                  const double *edges, batten_curve **out);
 /**
  * The reverse, for a clamped polynomial curve of one span.
- * @param[out] start [dimension], edges [degree][dimension]
+ * @param curve  clamped, polynomial, of one span
+ * @param[out] start  [dimension]
+ * @param[out] edges  [degree][dimension]
  * @return BATTEN_OK, BAD_ARGUMENT
+ *
+ * Cost: linear in the points.
  */
 BATTEN_API batten_status batten_curve_to_edges(const batten_curve *curve, double *start,
                                                double *edges);
@@ -55,13 +68,15 @@ typedef enum batten_polygon_end {
  *
  * @param points [count][dimension]; a vertex that stands twice draws the curve near, one that
  * stands `degree` times is a corner
+ * @param degree  1..25
  * @param weights [count], or NULL
- * @param ends  how it ends
+ * @param ends  how the first and the last span come about
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, BAD_DEGREE, TOO_FEW_POINTS (degree + 1; CLOSED and REPEATED: 2),
  * BAD_ARGUMENT (PHANTOM above degree 3), NOT_FINITE, BAD_WEIGHT, TOO_LARGE
- * Source: [Coons74],
- * [Riesenfeld73].
+ *
+ * Cost: linear in count.
+ * Source: [Coons74], [Riesenfeld73].
  */
 BATTEN_API batten_status batten_curve_uniform(batten_points points, int degree,
                                               const double *weights, batten_polygon_end ends,
@@ -70,9 +85,14 @@ BATTEN_API batten_status batten_curve_uniform(batten_points points, int degree,
 /**
  * An arc in the plane about (0, 0) from angle 0, in (0, 2 pi], as polynomial cubics: as many
  * equal pieces as keep it within `tolerance`; it is nowhere inside the circle.
+ * @param radius  model units, above 0
+ * @param angle  radians
+ * @param tolerance  model units, above 0
  * @param[out] error radius (sqrt(1 + (4/27) sin^6(w/4) / cos^2(w/4)) - 1) for pieces of angle
  * w, which is exact; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, OUT_OF_MEMORY
+ *
+ * Cost: linear in the pieces, of which there are 100,000 at most.
  */
 BATTEN_API batten_status batten_curve_arc_cubic(double radius, double angle, double tolerance,
                                                 double *error, batten_curve **out);
@@ -106,7 +126,7 @@ BATTEN_API batten_curve_schoenberg_options batten_curve_schoenberg_defaults(void
  *
  * @param options NULL for the defaults
  * @param[out] parameters [count]; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return as batten_curve_interpolate; BAD_DEGREE outside 1..25
  * Cost: linear in count.
  * Source: [Schoenberg67].
@@ -147,14 +167,16 @@ typedef batten_status (*batten_evaluator)(void *user, double u, int order, doubl
  * Schoenberg's operator on these clamped knots [point_count + degree + 1]; those without inner
  * ones make it Bernstein's.
  *
- * @param dimension  coordinates of each point, 1 to 3
- * @param axis  its direction
- * @param function  asked for values
- * @param user  handed to the function as it is
- * @param[out] report  what was reached; may be NULL
+ * @param dimension  1, 2 or 3: numbers that the function gives
+ * @param axis  degree, and clamped knots [point_count + degree + 1]
+ * @param function  asked for values at Greville's abscissas
+ * @param user  handed to the function at each call
+ * @param[out] report  how far the curve is from the function; may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_ARGUMENT,
  * TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: one value for each control point, and samples on each span for the report.
  */
 BATTEN_API batten_status batten_function_schoenberg(int dimension, const batten_axis *axis,
                                                     batten_evaluator function, void *user,
@@ -167,14 +189,17 @@ BATTEN_API batten_status batten_function_schoenberg(int dimension, const batten_
  *
  * Splines on the knots are reproduced; smooth functions are met within O(h^(p + 1)).
  *
- * @param dimension  coordinates of each point, 1 to 3
- * @param axis  its direction
- * @param function  asked for values
- * @param user  handed to the function as it is
- * @param[out] report  what was reached; may be NULL
+ * @param dimension  1, 2 or 3: numbers that the function gives
+ * @param axis  degree p, and clamped knots [point_count + degree + 1]
+ * @param function  asked for values and derivatives up to p
+ * @param user  handed to the function at each call
+ * @param[out] report  how far the curve is from the function; may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_ARGUMENT,
  * TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: one value with p derivatives and about p^2 multiplications for each control point, and
+ * samples on each span for the report.
  * Source: [BF73].
  */
 BATTEN_API batten_status batten_function_de_boor_fix(int dimension, const batten_axis *axis,
@@ -199,15 +224,14 @@ typedef struct batten_curve_minimax_report {
  *
  * @param count at least degree + 2
  * @param parameters [count], increasing
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK: `error` exceeds `bound` by rounding, which grows with the degree;
  * BAD_DEGREE outside 0..25, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING; INCOMPLETE when
  * exchanges did not end
  *
  * The curve is a Bezier curve of dimension 1 over the parameters (degree 0: a line that is
  * level). Cost: some degree exchanges of degree^3 + degree count.
- * Source: [Remez34],
- * [Stiefel59] for one point exchanged at a time.
+ * Source: [Remez34], [Stiefel59] for one point exchanged at a time.
  */
 BATTEN_API batten_status batten_curve_minimax(int count, const double *parameters,
                                               const double *values, int degree,
@@ -219,13 +243,17 @@ BATTEN_API batten_status batten_curve_minimax(int count, const double *parameter
  * a millionth, or the status is INCOMPLETE. Peaks narrower than a 32nd of the distance of the
  * polynomial's extrema may be missed.
  *
- * @param domain  where it is asked for
+ * @param domain  where the function is approximated, a < b
  * @param degree  1 to 25
- * @param user  handed to the function as it is
+ * @param function  asked for values; of one dimension
+ * @param user  handed to the function at each call
  * @param[out] report  what was reached; may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_ARGUMENT, SINGULAR_SYSTEM, OUT_OF_MEMORY,
  * INCOMPLETE
+ *
+ * Cost: 32 (degree + 2) values at first, then for each exchange degree^3 multiplications and
+ * some values around each extremum.
  */
 BATTEN_API batten_status batten_function_minimax(batten_interval domain, int degree,
                                                  batten_evaluator function, void *user,

@@ -123,7 +123,7 @@ BATTEN_API batten_surface_scattered_options batten_surface_scattered_defaults(vo
  * data's scale or more, 1e-9 when knots alone do not meet the tolerance. Where a part of the
  * domain holds no data (bins four times as wide as the data are dense) the penalty weighs 1e-2
  * of that scale at least, however small lambda becomes, unless lambda is given or the target
- * cannot be met so: the surface goes on calmly there. `outside` of the report says how far it
+ * cannot be met so: the surface continues calmly there. `outside` of the report says how far it
  * leaves the box of the data nonetheless. Systems are solved directly where that is cheap, else
  * (some 125 spans each way) by conjugate gradients; lambda is then chosen on 80 spans, so a
  * target of rms is met nearly, and `freedom` is not asked.
@@ -137,7 +137,7 @@ BATTEN_API batten_surface_scattered_options batten_surface_scattered_defaults(vo
  * @param values  [count][dimension]; dimension 1: a function of (u, v)
  * @param options NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @param[out] out clamped, over the domain
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN naming the datum;
  * COINCIDENT when the parameters span no area; BAD_DEGREE, BAD_ARGUMENT, TOO_LARGE;
@@ -178,10 +178,11 @@ BATTEN_API batten_status batten_surface_cloud(const batten_cloud *cloud,
 
 /**
  * The bilinear surface of four corners: a base for clouds.
- * @param corners (0, 0), (1, 0), (0,
- * 1), (1, 1) [4][3]
+ * @param corners  [4][3]: (0, 0), (1, 0), (0, 1), (1, 1)
  * @param[out] out  the result; as it was when the function fails
  * @return as batten_surface_create
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_surface_from_corners(const double *corners,
                                                      batten_surface **out);
@@ -189,9 +190,11 @@ BATTEN_API batten_status batten_surface_from_corners(const double *corners,
 /**
  * The graph (u, v, f(u, v)) of a polynomial surface of one dimension, in space; clamped.
  *
- * @param function  asked for values
+ * @param function  a polynomial NURBS surface of dimension 1
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, BAD_ARGUMENT when it is none
+ * @return BATTEN_OK, BAD_ARGUMENT for any other surface, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_surface_from_function(const batten_surface *function,
                                                       batten_surface **out);
@@ -199,11 +202,13 @@ BATTEN_API batten_status batten_surface_from_function(const batten_surface *func
 
 /**
  * The plane over each triangle; continuous.
- * @param domain  where it is asked for
- * @param count  how many
+ * @param domain  vertices, and corners [count][3]
+ * @param count  of triangles
  * @param values [vertex_count]
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, TOO_LARGE, OUT_OF_MEMORY
+ * @return as batten_triangles_create; TOO_FEW_POINTS without a triangle
+ *
+ * Cost: linear in the triangles.
  */
 BATTEN_API batten_status batten_triangles_linear(const batten_triangulation *domain, int count,
                                                  const double *values, batten_triangles **out);
@@ -221,6 +226,8 @@ BATTEN_API batten_status batten_triangles_linear(const batten_triangulation *dom
  * part across it counts, and must be the same on both sides; or NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; NOT_FINITE naming the vertex or triangle; as batten_triangles_create
+ *
+ * Cost: linear in the triangles.
  * Source: [CT65], [Farin86].
  */
 BATTEN_API batten_status batten_triangles_clough_tocher(const batten_triangulation *domain,
@@ -234,14 +241,16 @@ BATTEN_API batten_status batten_triangles_clough_tocher(const batten_triangulati
  * in the middle. C1 everywhere; quadratic functions are met exactly. Pieces 6 t + 2 e and
  * 6 t + 2 e + 1 lie on edge e.
  *
- * @param domain  where it is asked for
- * @param count  how many
- * @param values  one for each place
- * @param gradients  [vertex count][2], of the values
+ * @param domain  vertices, and corners [count][3]
+ * @param count  of triangles
+ * @param values  [vertex_count]
+ * @param gradients  [vertex_count][2]
  * @param[out] thinnest the least part that is cut off an edge, at most 1/2; where it is near 0,
  * pieces are thin; may be NULL
  * @return as above; SINGULAR_HERE naming triangles whose centres' line misses their edge (by
  * rounding, where they are very thin); BAD_ARGUMENT where three triangles share an edge
+ *
+ * Cost: n log n for n edges, which are sorted; else linear in the triangles.
  * Source: [PS77].
  */
 BATTEN_API batten_status batten_triangles_powell_sabin(const batten_triangulation *domain,
@@ -271,15 +280,18 @@ BATTEN_API batten_status batten_triangle_gradients(const batten_plane_triangles 
 /**
  * The gradients for which the network of cubics along all edges bends least (from few points
  * they are often better than local ones, but their error falls slower with the distance): the
- * integral of
- * the squares of its second derivatives along the edges is minimal. The system has two unknowns
- * for each vertex; conjugate gradients reach 1e-14 in about 30 steps whatever its size.
+ * integral of the squares of its second derivatives along the edges is minimal. The system has
+ * two unknowns for each vertex; conjugate gradients reach 1e-14 in about 30 steps whatever its
+ * size.
  *
- * @param triangles  a set of Bezier triangles
- * @param values  one for each place
+ * @param triangles  as batten_triangulate makes them
+ * @param values  [vertex_count]
+ * @param[out] iterations  how many steps; may be NULL
  * @param gradients [vertex_count][2] in: where to begin; out: the solution
- * @param[out] iterations may be NULL
  * @return BATTEN_OK, INCOMPLETE (200 steps were not enough), OUT_OF_MEMORY
+ *
+ * Cost: linear in the triangles for each step of conjugate gradients, of which there are 200 at
+ * most.
  * Source: [Nielson83].
  */
 BATTEN_API batten_status batten_triangle_network(const batten_plane_triangles *triangles,
@@ -290,8 +302,12 @@ BATTEN_API batten_status batten_triangle_network(const batten_plane_triangles *t
  * normals of neighbours, planes through the values, falls. The edges then follow ridges and
  * valleys. Angles depend on the scale of the values.
  *
- * @param[out] swaps may be NULL
+ * @param[out] triangles  as batten_triangulate makes them; changed
+ * @param values  [vertex_count]
+ * @param[out] swaps  how many; may be NULL
  * @return BATTEN_OK, INCOMPLETE (more than 20 swaps for each edge), OUT_OF_MEMORY
+ *
+ * Cost: some ten angles for each edge that is looked at; each swap looks at four edges again.
  * Source: [DLR90], the angle between normals.
  */
 BATTEN_API batten_status batten_triangles_swap(batten_plane_triangles *triangles,
@@ -325,12 +341,12 @@ typedef struct batten_triangles_scattered_report {
     int conflicting; /**< a point with that difference to the first one there, or -1 */
     int slivers;     /**< left out on the rim */
     int swaps;
-    int planes;      /**< vertices whose gradient is that of a plane */
-    int iterations;  /**< of the network */
-    double thinnest; /**< of Powell and Sabin, as there; else 0.5 */
+    int planes;        /**< vertices whose gradient is that of a plane */
+    int iterations;    /**< of the network */
+    double thinnest;   /**< of Powell and Sabin, as there; else 0.5 */
     double error, rms; /**< the largest distance of a value from the function: at vertices of
                           several points half of the conflict and more, else 0 */
-    int worst;       /**< the point where it is; -1 when max is 0 */
+    int worst;         /**< the point where it is; -1 when max is 0 */
 } batten_triangles_scattered_report;
 
 /**
@@ -340,7 +356,7 @@ typedef struct batten_triangles_scattered_report {
  * @param values  [count]
  * @param options NULL for the defaults: Clough and Tocher, local gradients, Delaunay
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return as batten_triangulate and the functions above; NOT_FINITE naming the value; TOO_LARGE
  * when the pieces would have more than 10 million control points; CANCELLED
  * Cost: O(n log n).

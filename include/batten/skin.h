@@ -95,17 +95,17 @@ typedef struct batten_surface_skin_report {
  * sections and `start`, `end` hold; an even degree has averaged knots. Circle and curvature
  * ends are not possible. A clamped end has the given derivative all along the section. A
  * section may be a point (all control points equal): a pole. Sections that are periodic, all of
- * them, stay so, and so does the surface along u. With `align` the message says
- * which sections were reversed.
+ * them, stay so, and so does the surface along u. With `align` the message says which sections
+ * were reversed.
  *
  * With a tolerance, spans of sections are first stretched, corners held, so that their speed
- * does not jump where their tangent goes on; then a section moves at most as
+ * does not jump where their tangent continues; then a section moves at most as
  * `report->deviation` says, a bound at equal parameters; corners stay corners; the ends of
  * sections do not move. If that needs as many knots as the exact union, that is taken. When all
  * sections have knots and legs that are symmetric about their middle, so has the surface.
  *
  * Nothing twists when the right points belong together: `align` looks for the direction,
- * `turn` or `starts` for the begin of closed sections, `match` for all between. All go by
+ * `turn` or `starts` for the start of closed sections, `match` for all between. All go by
  * distances, so mirrored sections give the mirrored surface. A section matched otherwise than
  * by its parameters is replaced within a quarter of the tolerance, and periodic ones are then
  * clamped.
@@ -118,17 +118,15 @@ typedef struct batten_surface_skin_report {
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] v [count] parameters of the sections, 0 .. 1 unless given; may be NULL
- * @param[out] report may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT naming two sections, TOO_LARGE with the size it
  * would have, NOT_COMPATIBLE when an interpolated weight is not positive or a section is closed
- * while another is open, TOLERANCE_NOT_MET
- * when a section is missed by more than 1e-13 of its size beyond its deviation; BAD_ARGUMENT
- * ...
+ * while another is open, TOLERANCE_NOT_MET when a section is missed by more than 1e-13 of its
+ * size beyond its deviation; BAD_ARGUMENT ...
  *
  * Cost: linear in sections times common control points; with a tolerance the search fits every
  * section about three times for each knot it keeps.
- * Source: [PT97] 10.3;
- * [Woodward88]; [HB91] for creases.
+ * Source: [PT97] 10.3; [Woodward88]; [HB91] for creases.
  */
 BATTEN_API batten_status batten_surface_skin(batten_curve_row sections,
                                              const batten_surface_skin_options *options,
@@ -163,18 +161,24 @@ BATTEN_API batten_status batten_surface_skin_procedural(
 /**
  * (1 - v) first(u) + v second(u), after unifying; u and v in [0, 1].
  *
+ * @param first, second  of one dimension
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, OUT_OF_DOMAIN,
  * BAD_ARGUMENT, NOT_COMPATIBLE, TOLERANCE_NOT_MET, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points after degrees and knots are made common.
  */
 BATTEN_API batten_status batten_surface_ruled(const batten_curve *first,
                                               const batten_curve *second, batten_surface **out);
 /**
  * curve(u) + v * along, v in [0, 1].
  *
+ * @param curve  of 1 to 3 dimensions, taken into space
+ * @param along  model units, not 0
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, OUT_OF_DOMAIN,
- * BAD_ARGUMENT, NOT_COMPATIBLE, TOLERANCE_NOT_MET, TOO_LARGE, OUT_OF_MEMORY
+ * @return BATTEN_OK; NOT_FINITE, BAD_ARGUMENT (along), TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 along,
                                                  batten_surface **out);
@@ -227,13 +231,12 @@ typedef struct batten_surface_skin_rows_report {
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] uv  u: one for each point; may be NULL
  *     v: [row_count]; may be NULL
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT, NOT_FINITE, NOT_INCREASING naming the row;
  * BAD_DEGREE, BAD_ARGUMENT; TOO_LARGE before the work; TOLERANCE_NOT_MET when a point is missed
  * by more than 1e-11 of the size; and as batten_surface_skin
  * Cost: points n of a row that has fewer than the N control points: n N + n^3.
- * Source: [PT00],
- * [PK96].
+ * Source: [PT00], [PK96].
  */
 BATTEN_API batten_status batten_surface_skin_rows(
     batten_rows points, const batten_surface_skin_rows_options *options, const batten_job *job,

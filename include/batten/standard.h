@@ -15,16 +15,22 @@ extern "C" {
 /**
  * The segment from a to b, in `dimension` coordinates, degree 1, domain [0, 1].
  *
+ * @param a, b  [dimension], apart or not
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_curve_line(int dimension, const double *a, const double *b,
                                            batten_curve **out);
 /**
  * A polyline through points [count][dimension], degree 1; knots by chord length.
  *
+ * @param points  [count][dimension], neighbours apart, count >= 2
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: linear in count.
  */
 BATTEN_API batten_status batten_curve_polyline(batten_points points, batten_curve **out);
 /**
@@ -32,28 +38,39 @@ BATTEN_API batten_status batten_curve_polyline(batten_points points, batten_curv
  * degree 2, ceil(angle / 90 degrees) pieces, domain [0, 1].
  *
  * @param radius  model units, above 0
+ * @param angle  radians, in (0, 2 pi]
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_curve_arc(double radius, double angle, batten_curve **out);
 /**
  * An arc in space in the xy-plane of `frame`, from `start` to `start + angle` radians.
  *
+ * @param frame  its origin is the centre; it is made orthonormal
  * @param radius  model units, above 0
+ * @param start  radians
+ * @param angle  radians, in (0, 2 pi]
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_curve_arc_in(const batten_frame *frame, double radius,
                                              double start, double angle, batten_curve **out);
 /**
  * The arc through three points of the plane or space.
  *
- * @param dimension  coordinates of each point, 1 to 3
- * @param a  the lower end
- * @param b  the upper end
- * @param c  the end
+ * @param dimension  2 or 3
+ * @param a  the start, [dimension]
+ * @param b  a point between, [dimension]
+ * @param c  the end, [dimension]
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, COINCIDENT, BAD_ARGUMENT, SINGULAR_SYSTEM
+ * @return BATTEN_OK, NOT_FINITE, COINCIDENT, BAD_ARGUMENT, SINGULAR_SYSTEM (the points lie on a
+ * line), OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_curve_arc_through(int dimension, const double *a,
                                                   const double *b, const double *c,
@@ -96,41 +113,57 @@ BATTEN_API batten_status batten_curve_ellipse(double a, double b, double start, 
  * The rational quadratic from a to c with end tangents that meet in b, and shoulder weight w:
  * below 1 an ellipse, 1 a parabola, above 1 a hyperbola.
  *
- * @param dimension  coordinates of each point, 1 to 3
+ * @param dimension  1, 2 or 3
+ * @param a  the start, [dimension]
+ * @param b  where the end tangents meet, [dimension]
+ * @param c  the end, [dimension]
+ * @param w  above 0
  * @param[out] out  the result; as it was when the function fails
  * @return as batten_curve_create
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_curve_conic(int dimension, const double *a, const double *b,
                                             const double *c, double w, batten_curve **out);
 /**
  * The same, through a further point of the plane inside the triangle a b c.
  *
- * @param q  the further point
+ * @param a  the start
+ * @param b  where the end tangents meet
+ * @param c  the end
+ * @param q  the further point, inside the triangle
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, SINGULAR_SYSTEM
+ * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT (q), SINGULAR_SYSTEM (a triangle without area),
+ * OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_curve_conic_through(batten_vec2 a, batten_vec2 b, batten_vec2 c,
                                                     batten_vec2 q, batten_curve **out);
 /**
  * The conic arc through five points of the plane, in their order along it.
- * @param points  five points of the plane
+ * @param points  [5][2], in their order along the conic
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, UNSUPPORTED (dimension), BAD_ARGUMENT (not five), NOT_FINITE, COINCIDENT,
  * SINGULAR_SYSTEM
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_curve_conic_five(batten_points points, batten_curve **out);
 
 /* ---- surfaces ---- */
 
 /**
- * Four corners: S(0,0), S(1,0), S(0,1), S(1,1).
+ * The bilinear surface of four corners, over [0, 1] x [0, 1].
  *
- * @param p00  S(0, 0)
+ * @param p00  S(0, 0), model units
  * @param p10  S(1, 0)
  * @param p01  S(0, 1)
  * @param p11  S(1, 1)
  * @param[out] out  the result; as it was when the function fails
  * @return as batten_surface_create
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_surface_bilinear(batten_vec3 p00, batten_vec3 p10,
                                                  batten_vec3 p01, batten_vec3 p11,
@@ -140,28 +173,43 @@ BATTEN_API batten_status batten_surface_bilinear(batten_vec3 p00, batten_vec3 p1
  * around, v along the profile. A profile that crosses the axis is refused, one that touches it
  * has a pole.
  *
+ * @param profile  in space
+ * @param origin  of the axis
+ * @param axis  its direction, of any length but 0
+ * @param angle  radians
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points of the profile, times 2 for each started quarter turn and
+ * 1.
  */
 BATTEN_API batten_status batten_surface_revolved(const batten_curve *profile,
                                                  batten_vec3 origin, batten_vec3 axis,
                                                  double angle, batten_surface **out);
 /**
- * About the z-axis of `frame`, from its origin up. u around, v up.
+ * A cylinder about the z-axis of `frame`, from its origin up; u runs around, v up.
  *
+ * @param frame  where it stands; it is made orthonormal
  * @param radius  model units, above 0
- * @param height  model units
+ * @param height  model units, above 0
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_surface_cylinder(const batten_frame *frame, double radius,
                                                  double height, batten_surface **out);
 /**
- * Radius r0 at the origin and r1 at `height`; one of them may be 0.
+ * A cone about the z-axis of `frame`: radius r0 at the origin and r1 at `height`; one of them
+ * may be 0. u runs around, v up.
  *
  * @param frame  where it stands
+ * @param r0, r1  model units, 0 or more
+ * @param height  model units, above 0
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_surface_cone(const batten_frame *frame, double r0, double r1,
                                              double height, batten_surface **out);
@@ -181,8 +229,12 @@ BATTEN_API batten_status batten_surface_sphere(const batten_frame *frame, double
 /**
  * x^2 / a^2 + y^2 / b^2 + z^2 / c^2 = 1 in the frame; its poles are on the z-axis.
  *
+ * @param frame  where it stands
+ * @param a, b, c  half axes, model units, above 0
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_surface_ellipsoid(const batten_frame *frame, double a, double b,
                                                   double c, batten_surface **out);
@@ -191,8 +243,12 @@ BATTEN_API batten_status batten_surface_ellipsoid(const batten_frame *frame, dou
  * a and b.
  *
  * @param frame  where it stands
+ * @param a, b  half axes of the rim, model units, above 0
+ * @param height  model units, above 0
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_surface_paraboloid(const batten_frame *frame, double a,
                                                    double b, double height,
@@ -202,19 +258,25 @@ BATTEN_API batten_status batten_surface_paraboloid(const batten_frame *frame, do
  * v runs along one family of its straight lines.
  *
  * @param frame  where it stands
- * @param height  model units
+ * @param a, b, c  half axes, model units, above 0
+ * @param height  low and high, model units, low < high
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_surface_hyperboloid(const batten_frame *frame, double a,
                                                     double b, double c, batten_interval height,
                                                     batten_surface **out);
 /**
- * `major` > `minor` > 0.
+ * The torus about the z-axis of `frame`, its tube in the xy-plane.
  *
  * @param frame  where it stands
+ * @param major, minor  radii, model units, major > minor > 0
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: constant.
  */
 BATTEN_API batten_status batten_surface_torus(const batten_frame *frame, double major,
                                               double minor, batten_surface **out);

@@ -9,9 +9,9 @@
  * They answer the calls for any surface, with derivatives up to order 3;
  * batten_surface_to_nurbs gives the equal or near NURBS surface, which the changes need.
  *
- * The control points of a NURBS surface are P[i][j], i along u, j along v, j fastest:
- * points[(i * count_v + j) * dimension + k]. Degrees p, q; knots U [count_u + p + 1],
- * V [count_v + q + 1]; domain [U[p], U[count_u]] x [V[q], V[count_v]].
+ * The control points of a NURBS surface are P[i][j], i along u, j along v, j fastest: points[(i
+ * * count_v + j) * dimension + k]. Degrees p, q; knots U [count_u + p + 1], V [count_v + q +
+ * 1]; domain [U[p], U[count_u]] x [V[q], V[count_v]].
  */
 #include <batten/curve.h>
 
@@ -65,14 +65,17 @@ typedef struct batten_uv_grid {
 /* ---- making, keeping ---- */
 
 /**
- * @param v  a parameter in the domain
- * @param points [count_u][count_v][dimension];
- * @param weights [count_u][count_v] or NULL.
- * Rules and errors as for batten_curve_create, in each direction.
- * @param u  a parameter in the domain
+ * Make a NURBS surface from its control points and knots; the arrays are copied. Rules as for
+ * batten_curve_create, in each direction.
+ * @param dimension  d, 1..3
+ * @param u, v  degree, number of points and knots of each direction, and whether it is periodic
+ * @param points  [count_u][count_v][d], finite
+ * @param weights  [count_u][count_v], finite and positive; NULL for a polynomial surface
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_DEGREE, BAD_KNOTS, BAD_WEIGHT,
  * BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_surface_create(int dimension, const batten_axis *u,
                                                const batten_axis *v, const double *points,
@@ -122,9 +125,15 @@ BATTEN_API bool batten_surface_is_closed(const batten_surface *surface,
 BATTEN_API batten_box batten_surface_box(const batten_surface *surface);
 /**
  * An equal NURBS surface, exact where mathematics allows it, else within `tolerance`.
+ * @param surface  any surface
+ * @param tolerance  model units, above 0 where the surface is not exactly NURBS
  * @param[out] error the deviation, 0 when exact; may be NULL
+ * @param[out] out  the surface itself when it is a NURBS surface
  * @return BATTEN_OK; TOLERANCE_NOT_MET, TOO_LARGE and what the kind of surface refuses;
  * OUT_OF_MEMORY
+ *
+ * Cost: nothing for a NURBS surface; linear in the control points where the kind is exact; else
+ * the patches are divided until samples are within the tolerance.
  */
 BATTEN_API batten_status batten_surface_to_nurbs(const batten_surface *surface,
                                                  double tolerance, double *error,
@@ -185,10 +194,14 @@ BATTEN_API bool batten_surface_is_periodic(const batten_surface *surface,
 
 /**
  * A point and its derivatives up to the total order `order`.
- * @param v  a parameter in the domain
- * @param[out] out [BATTEN_SURFACE_DERIVATIVES(order)][dimension]
- * Sides, domain and errors as for curves; a periodic direction takes any parameter. Of a
- * surface that is no NURBS `order` is at most 3, else BAD_ARGUMENT.
+ *
+ * Sides, domain and errors are as for curves; a periodic direction takes any parameter. Of a
+ * surface of another kind than NURBS `order` is at most 3, else BAD_ARGUMENT.
+ *
+ * @param surface  any surface
+ * @param u, v  in their domains
+ * @param order  of the highest derivative, 0 or more
+ * @param[out] out  [BATTEN_SURFACE_DERIVATIVES(order)][dimension]
  * @return BATTEN_OK, OUT_OF_DOMAIN; what the kind of surface refuses; OUT_OF_MEMORY
  *
  * Cost: (p + 1)(q + 1) d multiplications for each derivative in u, (q + 1) d for each more;
@@ -218,12 +231,15 @@ BATTEN_API batten_status batten_surface_evaluate_side(const batten_surface *surf
  * Many points in any order. A parameter outside the domain is found before anything is
  * written; after OVERFLOW, CANCELLED or OUT_OF_MEMORY the content of `out` is open.
  * @param surface  any surface
- * @param uv
- * [count][2]
+ * @param count  how many
+ * @param uv  [count][2], in the domain
+ * @param order  of the highest derivative, 0 or more
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out [count][BATTEN_SURFACE_DERIVATIVES(order)][dimension]
  * @return as batten_surface_evaluate, naming the first place that fails; CANCELLED,
  * OUT_OF_MEMORY
+ *
+ * Cost: as batten_surface_evaluate for each; chunks are shared among threads.
  */
 BATTEN_API batten_status batten_surface_evaluate_many(const batten_surface *surface,
                                                       size_t count, const double *uv, int order,
@@ -231,11 +247,15 @@ BATTEN_API batten_status batten_surface_evaluate_many(const batten_surface *surf
 /**
  * All points (u[i], v[j]); u and v need not be sorted.
  * @param surface  any surface
- * @param places  the parameters
+ * @param places  the parameters, count_u of u and count_v of v
+ * @param order  of the highest derivative, 0 or more
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out [count_u][count_v][BATTEN_SURFACE_DERIVATIVES(order)][dimension]
  * @return as batten_surface_evaluate, naming the first place that fails; CANCELLED,
  * OUT_OF_MEMORY
+ *
+ * Cost: of a NURBS surface the basis functions once for each u and each v, then (p + 1)(q + 1)
+ * d multiplications for a place and less; rows are shared among threads.
  */
 BATTEN_API batten_status batten_surface_evaluate_grid(const batten_surface *surface,
                                                       batten_uv_grid places, int order,
@@ -244,23 +264,27 @@ BATTEN_API batten_status batten_surface_evaluate_grid(const batten_surface *surf
  * Unit normal Su x Sv, in space. Where that vanishes (a pole, a collapsed edge) the limit from
  * inside the domain, and `*is_limit` true; SINGULAR_HERE where no limit exists (the apex of a
  * cone, a fold). Limits along rays that differ by less than 1e-6 radians count as one.
- * @param surface  any surface
- * @param u  a parameter in the domain
- * @param v  a parameter in the domain
- * @param is_limit may be NULL
- * @return BATTEN_OK, BAD_ARGUMENT, SINGULAR_HERE
+ * @param surface  of dimension 2 or 3
+ * @param u, v  parameters in the domain
+ * @param is_limit  whether it is a limit only; may be NULL
+ * @param[out] normal  of length 1
+ * @return as batten_surface_evaluate; BAD_ARGUMENT (dimension), SINGULAR_HERE
+ *
+ * Cost: one evaluation to order 1; where it vanishes some dozen to higher orders.
  * Source: [PT97] 5.3 for the derivatives, [Farin02] ch. 16 for degenerate normals.
  */
 BATTEN_API batten_status batten_surface_normal(const batten_surface *surface, double u,
                                                double v, bool *is_limit, batten_vec3 *normal);
 /**
- * Points and unit normals on a grid;
- * @param surface  any surface
- * @param places  the parameters
+ * Points and unit normals on a grid.
+ * @param surface  of dimension 2 or 3
+ * @param places  the parameters, count_u of u and count_v of v
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
- * @param[out] points, normals [count_u][count_v][3], either
- * may be NULL; a normal without a limit is (0, 0, 0).
- * @return BATTEN_OK, BAD_ARGUMENT
+ * @param[out] points, normals  [count_u][count_v][3], either may be NULL; a normal without a
+ *              limit is (0, 0, 0)
+ * @return as batten_surface_evaluate_grid; BAD_ARGUMENT (dimension)
+ *
+ * Cost: as batten_surface_evaluate_grid to order 1.
  */
 BATTEN_API batten_status batten_surface_normal_grid(const batten_surface *surface,
                                                     batten_uv_grid places,
@@ -268,11 +292,18 @@ BATTEN_API batten_status batten_surface_normal_grid(const batten_surface *surfac
                                                     double *normals);
 /**
  * The curve at a fixed parameter: `direction` is the one that is fixed; the curve runs along
- * the other and keeps its knots. Of a surface that is no NURBS it is near, within 1e-9 of its
- * size.
+ * the other and keeps its knots. Of a surface of another kind than NURBS it is near, within
+ * 1e-9 of its size.
  *
+ * @param surface  any surface
+ * @param direction  the one that is fixed
+ * @param at  a parameter in the domain of that direction
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, OUT_OF_DOMAIN, OUT_OF_MEMORY
+ * @return BATTEN_OK, OUT_OF_DOMAIN, NOT_FINITE, OUT_OF_MEMORY; of another kind than NURBS also
+ * TOLERANCE_NOT_MET
+ *
+ * Cost: of a NURBS surface one point of each of its lines; of another kind a curve is fitted to
+ * samples.
  */
 BATTEN_API batten_status batten_surface_isocurve(const batten_surface *surface,
                                                  batten_direction direction, double at,
@@ -318,9 +349,14 @@ BATTEN_API batten_status batten_surface_refine(const batten_surface *surface,
                                                const double *knots, batten_surface **out);
 /**
  * Remove a knot up to `times` times as long as the surface moves by no more than `tolerance`.
+ * @param surface  a NURBS surface
+ * @param knot  direction, at: a knot inside the domain, times: 0 or more
+ * @param tolerance  model units, 0 or more
  * @param[out] removed  how often it could be removed; may be NULL
- * @param[out] error    a bound on how far the surface moved; may be NULL
+ * @param[out] error  a bound on how far the surface moved, model units; may be NULL
  * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, OVERFLOW, NOT_FOUND, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points; each removal solves p + 1 equations for every line.
  */
 BATTEN_API batten_status batten_surface_remove_knot(const batten_surface *surface,
                                                     batten_knot_line knot, double tolerance,
@@ -344,10 +380,16 @@ BATTEN_API batten_status batten_surface_elevate(const batten_surface *surface,
 /**
  * Lower the degree, moving the surface by at most `tolerance`; TOLERANCE_NOT_MET otherwise.
  *
+ * @param surface  a NURBS surface
  * @param direction  u or v
+ * @param degree  1 to that of the surface
+ * @param tolerance  model units, 0 or more
  * @param[out] error  a bound, model units; may be NULL
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_WEIGHT, BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_DEGREE, BAD_ARGUMENT (tolerance), TOLERANCE_NOT_MET, OVERFLOW,
+ * OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points, about p^2 for each degree and point.
  */
 BATTEN_API batten_status batten_surface_reduce(const batten_surface *surface,
                                                batten_direction direction, int degree,
@@ -389,9 +431,14 @@ BATTEN_API batten_status batten_surface_subrange(const batten_surface *surface,
  * control points of the two edges must then be within `tolerance`. The second domain is moved
  * to follow the first.
  *
+ * @param first, second  NURBS surfaces of one dimension
+ * @param direction  along which the second follows
+ * @param tolerance  model units, 0 or more
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT,
- * NOT_COMPATIBLE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT (tolerance), NOT_COMPATIBLE (dimensions, or the gap),
+ * BAD_KNOTS, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points of both, after degrees and knots are made common.
  */
 BATTEN_API batten_status batten_surface_join(const batten_surface *first,
                                              const batten_surface *second,
@@ -493,8 +540,11 @@ BATTEN_API batten_status batten_surface_with_point(const batten_surface *surface
  * The image, at the same parameters: under a map that mirrors, Su x Sv is on the other side.
  *
  * @param surface  any surface
+ * @param map  finite, else NOT_FINITE
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, NOT_FINITE (the map), OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points; a surface of another kind keeps the map.
  */
 BATTEN_API batten_status batten_surface_transform(const batten_surface *surface,
                                                   const batten_affine *map,
@@ -506,8 +556,11 @@ BATTEN_API batten_status batten_surface_transform(const batten_surface *surface,
  * sides, and are taken as they are.
  *
  * @param surface  any surface
+ * @param map  finite, else NOT_FINITE
  * @param[out] out  the result; as it was when the function fails
  * @return as batten_surface_transform
+ *
+ * Cost: as batten_surface_transform.
  */
 BATTEN_API batten_status batten_surface_transform_sides(const batten_surface *surface,
                                                         const batten_affine *map,
@@ -516,14 +569,18 @@ BATTEN_API batten_status batten_surface_transform_sides(const batten_surface *su
 /* ---- other forms ---- */
 
 /**
- * From Bezier patches that share their edges: points [mu * p + 1][mv * q + 1][dimension],
- * breaks_u [mu + 1], breaks_v [mv + 1]; weights the same or NULL.
+ * From Bezier patches that share their edges.
  *
- * @param pieces_u  degree, number and breaks along u
- * @param pieces_v  the same along v
+ * @param dimension  d, 1..3
+ * @param pieces_u  degree p, number mu and breaks [mu + 1] along u
+ * @param pieces_v  degree q, number mv and breaks [mv + 1] along v
+ * @param points  [mu * p + 1][mv * q + 1][d]
+ * @param weights  [mu * p + 1][mv * q + 1], positive, or NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
  * BAD_WEIGHT, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the points.
  */
 BATTEN_API batten_status batten_surface_from_bezier(int dimension, batten_pieces pieces_u,
                                                     batten_pieces pieces_v,
@@ -531,23 +588,28 @@ BATTEN_API batten_status batten_surface_from_bezier(int dimension, batten_pieces
                                                     batten_surface **out);
 /**
  * Bicubic Hermite (Ferguson) net: at each node S, Su, Sv, Suv.
- * @param[out] parameters  those of the points; may be NULL
- * @param values [count_u][count_v][4][dimension]
+ * @param[out] parameters  u [count_u], v [count_v], increasing
+ * @param values  [count_u][count_v][4][dimension]: S, Su, Sv, Suv
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
  * BAD_WEIGHT, BAD_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the nodes.
  */
 BATTEN_API batten_status batten_surface_from_hermite(batten_uv parameters, batten_grid values,
                                                      batten_surface **out);
 /**
  * From pieces in powers of (u - breaks_u[i]), (v - breaks_v[j]).
+ * @param dimension  d, 1..3
  * @param pieces_u  degree, number and breaks along u
  * @param pieces_v  the same along v
- * @param coefficients [mu][mv][p + 1][q + 1][dimension]
- * @param tolerance  model units, above 0
+ * @param coefficients  [mu][mv][p + 1][q + 1][d], constant term first
+ * @param tolerance  model units, 0 or more: how far pieces may be apart at their edges
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, BAD_KNOTS,
  * BAD_WEIGHT, BAD_ARGUMENT, NOT_COMPATIBLE, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the pieces, p q (p + q) for each.
  */
 BATTEN_API batten_status batten_surface_from_power(int dimension, batten_pieces pieces_u,
                                                    batten_pieces pieces_v,

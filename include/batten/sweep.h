@@ -29,9 +29,10 @@ typedef struct batten_screw {
  *                     kept
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; COINCIDENT when one of them is a point, or both lie along one line: a
- * surface without area; TOO_LARGE (10 million control
- * points), OVERFLOW
- * Source: [PT97] 10.4
+ * surface without area; TOO_LARGE (10 million control points), OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points of the result: the product of those of both.
+ * Source: [PT97] 10.4.
  */
 BATTEN_API batten_status batten_surface_translational(const batten_curve *curve,
                                                       const batten_curve *path,
@@ -47,18 +48,19 @@ typedef struct batten_surface_swung_report {
 } batten_surface_swung_report;
 
 /**
- * Swing a profile P(u) of the xz-plane along a trajectory T(v) of the xy-plane:
- * (factor Px Tx, factor Px Ty, Pz). Heights stay, horizontal lines are copies of T in other
- * sizes. With the unit circle and factor 1 it is the surface of revolution.
+ * Swing a profile P(u) of the xz-plane along a trajectory T(v) of the xy-plane: (factor Px Tx,
+ * factor Px Ty, Pz). Heights stay, horizontal lines are copies of T in other sizes. With the
+ * unit circle and factor 1 it is the surface of revolution.
  *
  * @param profile     in space with y = 0, or in the plane: then its coordinates are x and z
  * @param trajectory  in space with z = 0, or in the plane
- * @param factor      > 0
- * @param[out] report may be NULL
+ * @param factor  above 0
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; NOT_COMPATIBLE for a curve that leaves its plane by more than 1e-12 of its
- * size, naming its control point; COINCIDENT for a curve that is a point,
- * or when all swings within one line; BAD_ARGUMENT;
- * TOO_LARGE, OVERFLOW
+ * size, naming its control point; COINCIDENT for a curve that is a point, or when all swings
+ * within one line; BAD_ARGUMENT, NOT_FINITE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points of the result: the product of those of both.
  * Source: [PT97] 8.5 and 10.1; [Woodward87].
  */
 BATTEN_API batten_status batten_surface_swung(const batten_curve *profile,
@@ -70,9 +72,15 @@ BATTEN_API batten_status batten_surface_swung(const batten_curve *profile,
  * The tabulated cylinder: straight lines through a curve along `direction`, from the signed
  * distance `from` to `to`; u along the curve, v along the lines, in model units.
  *
+ * @param curve  of 1 to 3 dimensions, taken into space
+ * @param direction  of any length but 0
+ * @param from, to  model units, from < to
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT (no direction, or from >= to), NOT_FINITE, COINCIDENT for a
- * curve that is a point or lies along the direction: a surface without area
+ * curve that is a point or lies along the direction: a surface without area; OVERFLOW,
+ * OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_surface_tabulated(const batten_curve *curve,
                                                   batten_vec3 direction, double from, double to,
@@ -81,9 +89,13 @@ BATTEN_API batten_status batten_surface_tabulated(const batten_curve *curve,
 /**
  * The cone of straight lines from a curve (v = 0) to an apex (v = 1): a pole.
  *
+ * @param curve  of 1 to 3 dimensions, taken into space
+ * @param apex  model units
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; COINCIDENT when the curve is a point or lies on a line through the apex: a
- * surface without area; NOT_FINITE
+ * surface without area; NOT_FINITE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_surface_conical(const batten_curve *curve, batten_vec3 apex,
                                                 batten_surface **out);
@@ -91,11 +103,12 @@ BATTEN_API batten_status batten_surface_conical(const batten_curve *curve, batte
 /**
  * The ruled surface whose lines join points of equal shares of arc length. Both curves are
  * followed at even speed within `tolerance` (polylines exactly).
- * @param first  one of two
- * @param second  the other
- * @param tolerance model units, > 0
- * @param[out] error how far the curves were moved at most; may be NULL
+ * @param first, second  of 1 to 3 dimensions
+ * @param tolerance  model units, above 0
+ * @param[out] error  how far the curves were moved at most, model units; may be NULL
  * @return as batten_curve_even_speed and batten_surface_ruled
+ *
+ * Cost: batten_curve_even_speed for both curves, then that of batten_surface_ruled.
  */
 BATTEN_API batten_status batten_surface_ruled_by_length(const batten_curve *first,
                                                         const batten_curve *second,
@@ -119,9 +132,9 @@ typedef struct batten_surface_sweep_options {
     double tolerance; /**< model units, > 0: how far the surface may be from the true sweep */
     int degree;       /**< along the path, 3 */
     batten_frame_kind frames; /**< rotation-minimising */
-    batten_vec3 x;            /**< where the x-axis of the first frame shall look, as far as the
+    batten_vec3 x;         /**< where the x-axis of the first frame should point, as far as the
                                    tangent lets it; 0: as batten_curve_frames chooses */
-    const batten_vec3 *up;    /**< instead of `frames`: the y-axis looks this way */
+    const batten_vec3 *up; /**< instead of `frames`: the y-axis looks this way */
     const batten_curve *guide;   /**< instead of `frames`: the y-axis looks at the point of this
                                       curve that has the same share of its parameters */
     const batten_curve *scale;   /**< functions (dimension 1) over the shares of the spine's
@@ -165,14 +178,14 @@ typedef struct batten_surface_sweep_report {
  * @param sections  count: sections, 1 or more
  * @param options  NULL for the defaults
  * @param job  may be NULL
- * @param[out] report  may be NULL
+ * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; NOT_COMPATIBLE naming a corner that is not allowed, or the part of the
  * spine where sections run into each other (curvature times reach 1 or more); COINCIDENT (a
  * spine no longer than the tolerance, a section that is a point); SINGULAR_HERE (no tangent, no
- * frame); BAD_ARGUMENT (a scale that is not above 0 all along, with the
- * place where it is least); TOLERANCE_NOT_MET where 2000 sections would not do, with what was
- * reached, or below the rounding of the coordinates; TOO_LARGE (a path of too many spans, or a
- * surface of more than a million control points, before the work), OVERFLOW ...
+ * frame); BAD_ARGUMENT (a scale that is not above 0 all along, with the place where it is
+ * least); TOLERANCE_NOT_MET where 2000 sections would not do, with what was reached, or below
+ * the rounding of the coordinates; TOO_LARGE (a path of too many spans, or a surface of more
+ * than a million control points, before the work), OVERFLOW ...
  *
  * Cost: each section that is placed or measured costs a frame, 6 evaluations of the spine, and
  * one step for each of its control points; minimising frames are found to 1e-10 radians first.
@@ -186,13 +199,15 @@ BATTEN_API batten_status batten_surface_sweep(batten_curve_row sections,
                                               batten_surface **out);
 /**
  * The same with as many surfaces as there are parts between corners that split.
- * @param sections  the curves, in their order
+ * @param sections  [count], in their order
+ * @param spine  the curve along which they stand
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] report  what was reached; may be NULL
  * @param[out] out in the order of the spine; release with batten_surfaces_release
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, BAD_DEGREE, BAD_ARGUMENT,
- * NOT_COMPATIBLE, SINGULAR_HERE, TOLERANCE_NOT_MET, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * @return as batten_surface_sweep, OUT_OF_MEMORY and CANCELLED among them
+ *
+ * Cost: as batten_surface_sweep for each part.
  */
 BATTEN_API batten_status batten_surfaces_sweep(batten_curve_row sections,
                                                const batten_curve *spine,
@@ -204,12 +219,15 @@ BATTEN_API batten_status batten_surfaces_sweep(batten_curve_row sections,
  * The true sweep, a surface of kind "sweep": exact but for the frames, 1e-10 radians.
  * Corners cannot split.
  *
- * @param sections  the curves, in their order
+ * @param sections  [count], in their order
  * @param spine  the curve along which they stand
- * @param options  NULL for the defaults
+ * @param options  NULL for the defaults; the tolerance does not count
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, BAD_ARGUMENT, NOT_COMPATIBLE,
  * SINGULAR_HERE, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: the frames of the spine to make it; a point of the surface costs one section, one point
+ * of the spine and a search for its frame.
  */
 BATTEN_API batten_status batten_surface_sweep_procedural(
     batten_curve_row sections, const batten_curve *spine,
@@ -218,11 +236,16 @@ BATTEN_API batten_status batten_surface_sweep_procedural(
 /**
  * A pipe: the sweep of a circle of this radius around the spine; rational, with the weights of
  * the circle all along.
+ * @param radius  model units, above 0
+ * @param spine  in space
  * @param options  as for batten_surfaces_sweep
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] report  what was reached; may be NULL
- * @param[out] out  the result; as it was when the function fails
- * @return also BAD_ARGUMENT (radius); NOT_COMPATIBLE where radius times curvature is 1 or more
+ * @param[out] out  in the order of the spine; release with batten_surfaces_release
+ * @return as batten_surfaces_sweep; BAD_ARGUMENT (radius); NOT_COMPATIBLE where radius times
+ * curvature is 1 or more
+ *
+ * Cost: as batten_surfaces_sweep.
  */
 BATTEN_API batten_status batten_surfaces_pipe(double radius, const batten_curve *spine,
                                               const batten_surface_sweep_options *options,
@@ -235,14 +258,19 @@ BATTEN_API batten_status batten_surfaces_pipe(double radius, const batten_curve 
 /**
  * The surface that a curve leaves when it is turned about an axis and moved along it: a
  * helicoid, a thread. v is the angle.
+ * @param curve  of 1 to 3 dimensions, taken into space
  * @param screw  pitch: model units for a full turn, of any sign; 0: a revolution, within the
  * tolerance
  *     angle: radians, > 0, at most 1000 turns
+ * @param tolerance  model units, above 0
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] report  what was reached; may be NULL
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; COINCIDENT when the curve is a point; TOLERANCE_NOT_MET as for sweeps;
- * BAD_ARGUMENT, NOT_FINITE, TOO_LARGE
+ * BAD_ARGUMENT, NOT_FINITE, TOO_LARGE, CANCELLED, OUT_OF_MEMORY
+ *
+ * Cost: as batten_surface_sweep; a turn takes some ten placed sections, more for a small
+ * tolerance.
  */
 BATTEN_API batten_status batten_surface_helical(const batten_curve *curve, batten_screw screw,
                                                 double tolerance, const batten_job *job,
@@ -277,9 +305,11 @@ BATTEN_API batten_surface_two_rails_options batten_surface_two_rails_defaults(vo
  * section is drawn in the xy-plane; its chord comes to lie between the rails, its y-axis
  * square to the chord and to the mean of their tangents: Z x chord.
  *
- * v is the share of the way, 0 to 1; of planes, the share of the height. Rails may meet at
- * their ends: a pole, with a section that is scaled.
+ * v is the share of the length along the rails, 0 to 1; of planes, the share of the height.
+ * Rails may meet at their ends: a pole, with a section that is scaled.
  *
+ * @param section  in the xy-plane
+ * @param rails  [2], in space
  * @param options  NULL for the defaults
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] report  what was reached; may be NULL
@@ -287,7 +317,10 @@ BATTEN_API batten_surface_two_rails_options batten_surface_two_rails_defaults(vo
  * @return BATTEN_OK; NOT_COMPATIBLE where the rails cross or meet inside, with the place, or,
  * of planes, do not have the same heights or do not rise; COINCIDENT for a section whose ends
  * are one point, rails no longer than the tolerance, or rails that coincide; SINGULAR_HERE
- * where the mean tangent vanishes or lies along the chord; TOLERANCE_NOT_MET ...
+ * where the mean tangent vanishes or lies along the chord; TOLERANCE_NOT_MET, BAD_ARGUMENT,
+ * NOT_FINITE, TOO_LARGE, CANCELLED, OUT_OF_MEMORY
+ *
+ * Cost: as batten_surface_sweep.
  */
 BATTEN_API batten_status
 batten_surface_two_rails(const batten_curve *section, const batten_curve *const rails[2],

@@ -71,6 +71,8 @@ typedef struct batten_triangle_places {
  * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, NOT_FINITE, BAD_WEIGHT, TOO_LARGE;
  * SINGULAR_HERE naming a triangle of the domain that has no area, BAD_ARGUMENT one that goes
  * round clockwise or names no vertex
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_triangles_create(const batten_triangles_parts *parts,
                                                  batten_triangles **out);
@@ -149,11 +151,13 @@ BATTEN_API batten_status batten_triangles_evaluate(const batten_triangles *trian
 /**
  * Many points in any order, with the same bits. After a failure the content of `out` is open.
  * @param triangles  a set of Bezier triangles
- * @param places  triangle: [count]
- *     at: [count][3]
+ * @param places  triangle: [count], indices from 0; at: [count][3], barycentric coordinates
+ * @param order  of the highest derivative, 0 or more
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] out  [count][BATTEN_SURFACE_DERIVATIVES(order)][dimension]
- * @return BATTEN_OK, NOT_FINITE, OUT_OF_DOMAIN
+ * @return as batten_triangles_evaluate; CANCELLED
+ *
+ * Cost: as batten_triangles_evaluate for each; chunks of 256 are shared among threads.
  */
 BATTEN_API batten_status batten_triangles_evaluate_many(const batten_triangles *triangles,
                                                         batten_triangle_places places,
@@ -162,11 +166,15 @@ BATTEN_API batten_status batten_triangles_evaluate_many(const batten_triangles *
 /**
  * Unit normal Su x Sv; where that vanishes (a collapsed edge) the limit, as for surfaces.
  *
- * @param triangles  a set of Bezier triangles
+ * @param triangles  of dimension 2 or 3
  * @param triangle  its index, from 0
- * @param at  a parameter in the domain
+ * @param at  barycentric coordinates [3]
  * @param[out] is_limit  whether the normal is a limit only; may be NULL
- * @return BATTEN_OK, NOT_FINITE, OUT_OF_DOMAIN, BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
+ * @param[out] normal  of length 1
+ * @return as batten_triangles_evaluate; BAD_ARGUMENT (dimension), SINGULAR_HERE where there is
+ * no limit
+ *
+ * Cost: one evaluation to order 1; where it vanishes that of a surface's normal.
  */
 BATTEN_API batten_status batten_triangles_normal(const batten_triangles *triangles,
                                                  int triangle, const double at[3],
@@ -176,8 +184,11 @@ BATTEN_API batten_status batten_triangles_normal(const batten_triangles *triangl
  *
  * @param triangles  a set of Bezier triangles
  * @param triangle  its index, from 0
+ * @param edge  0, 1 or 2
  * @param[out] out  the result; as it was when the function fails
- * @return as batten_curve_create
+ * @return BATTEN_OK or OUT_OF_MEMORY
+ *
+ * Cost: linear in the degree.
  */
 BATTEN_API batten_status batten_triangles_edge(const batten_triangles *triangles, int triangle,
                                                int edge, batten_curve **out);
@@ -185,13 +196,18 @@ BATTEN_API batten_status batten_triangles_edge(const batten_triangles *triangles
 /* ---- changes: exact but for rounding ---- */
 
 /**
+ * The triangles under an affine map.
+ *
  * The domain stays as it is. Under a map that mirrors, triangles in space are turned, so that
  * their outside stays outside: corners 1 and 2 change places, and so do the coordinates of the
  * domain.
  *
+ * @param triangles  a set of Bezier triangles
+ * @param map  finite, else NOT_FINITE
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, OVERFLOW,
- * OUT_OF_MEMORY
+ * @return BATTEN_OK, NOT_FINITE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_triangles_transform(const batten_triangles *triangles,
                                                     const batten_affine *map,
@@ -200,9 +216,11 @@ BATTEN_API batten_status batten_triangles_transform(const batten_triangles *tria
  * Raise the degree by `by` >= 0.
  *
  * @param triangles  a set of Bezier triangles
+ * @param by  0 or more
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE,
- * TOO_LARGE, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_DEGREE, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points, for each degree.
  */
 BATTEN_API batten_status batten_triangles_elevate(const batten_triangles *triangles, int by,
                                                   batten_triangles **out);
@@ -211,8 +229,13 @@ BATTEN_API batten_status batten_triangles_elevate(const batten_triangles *triang
  * those away from corners 1 and 2 follow at the end. BAD_ARGUMENT when the point is on an edge.
  *
  * @param triangles  a set of Bezier triangles
+ * @param triangle  its index, from 0
+ * @param at  barycentric coordinates [3], all above 0
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT, SINGULAR_HERE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points, for the copy; n^3 / 2 blends of points for the three
+ * parts.
  */
 BATTEN_API batten_status batten_triangles_split(const batten_triangles *triangles, int triangle,
                                                 const double at[3], batten_triangles **out);
@@ -222,17 +245,22 @@ BATTEN_API batten_status batten_triangles_split(const batten_triangles *triangle
  *
  * @param triangles  a set of Bezier triangles
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, TOO_LARGE,
- * OUT_OF_MEMORY
+ * @return BATTEN_OK, TOO_LARGE, SINGULAR_HERE, OUT_OF_MEMORY
+ *
+ * Cost: n^3 blends of points for each triangle; over a domain n log n for n edges, which are
+ * sorted.
  */
 BATTEN_API batten_status batten_triangles_halve(const batten_triangles *triangles,
                                                 batten_triangles **out);
 /**
  * Some of the triangles.
- * @param which [count]
+ * @param triangles  a set of Bezier triangles
+ * @param count  1 or more
+ * @param which  [count], indices from 0
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_WEIGHT, OUT_OF_DOMAIN, BAD_ARGUMENT,
- * SINGULAR_HERE, TOO_LARGE, OUT_OF_MEMORY
+ * @return BATTEN_OK, TOO_FEW_POINTS, OUT_OF_DOMAIN, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points that are copied; the domain keeps all its vertices.
  */
 BATTEN_API batten_status batten_triangles_select(const batten_triangles *triangles, int count,
                                                  const int *which, batten_triangles **out);
@@ -240,10 +268,11 @@ BATTEN_API batten_status batten_triangles_select(const batten_triangles *triangl
  * The triangles of two sets of one dimension, first those of the first, all of the higher
  * degree; rational when one is. Over no domain. NOT_COMPATIBLE when the dimensions differ.
  *
- * @param second  the other
+ * @param first, second  of one dimension
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_DEGREE, BAD_WEIGHT, BAD_ARGUMENT, NOT_COMPATIBLE,
- * SINGULAR_HERE, TOO_LARGE, OUT_OF_MEMORY
+ * @return BATTEN_OK, NOT_COMPATIBLE, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points of the result.
  */
 BATTEN_API batten_status batten_triangles_together(const batten_triangles *first,
                                                    const batten_triangles *second,
@@ -254,7 +283,9 @@ BATTEN_API batten_status batten_triangles_together(const batten_triangles *first
  *
  * @param triangles  a set of Bezier triangles
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT, OUT_OF_MEMORY
+ *
+ * Cost: linear in the control points.
  */
 BATTEN_API batten_status batten_triangles_from_function(const batten_triangles *triangles,
                                                         batten_triangles **out);
@@ -265,11 +296,15 @@ BATTEN_API batten_status batten_triangles_from_function(const batten_triangles *
  * Change the control points of one triangle next to a shared edge so that it meets another with
  * equal derivatives up to `order` in the plane of the domain. Rows 0 .. order are replaced.
  *
+ * @param triangles  a set of Bezier triangles over a domain
  * @param keep, change  triangles that share two vertices of the domain
- * @param order 0..n
- * @param[out] moved  the longest way of a control point; may be NULL
+ * @param order  0..n, n the degree
+ * @param[out] moved  the longest move of a control point, model units; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT without a domain, or for a rational set; NOT_COMPATIBLE when
  * no edge is shared
+ *
+ * Cost: linear in the control points, for the copy; n^3 blends of points for the neighbour's
+ * blossom.
  * Source: [Farin86] c'(r, j, k) = the blossom of the neighbour.
  */
 BATTEN_API batten_status batten_triangles_join_smoothly(const batten_triangles *triangles,
@@ -282,13 +317,18 @@ BATTEN_API batten_status batten_triangles_join_smoothly(const batten_triangles *
  * the two corners, the corners' tangents stay. So that this is exact the result is one degree
  * higher.
  *
- * @param kept  edge_kept, edge_changed: edges 0..2, whose control points agree within
- * `tolerance`
- * @param changed  the side that moves
- * @param[out] moved  the longest way of a control point against the elevated set; may be NULL
+ * @param triangles  polynomial, in space
+ * @param kept  the triangle and the edge that stay
+ * @param changed  the triangle and the edge that move; the control points of both edges agree
+ *              within `tolerance`
+ * @param tolerance  model units, 0 or more
+ * @param[out] moved  the longest move of a control point against the elevated set, model units;
+ *              may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT for a rational set or a dimension below 3; BAD_DEGREE;
  * NOT_COMPATIBLE when the edges differ or the triangles would fold back over each other;
  * SINGULAR_HERE where a corner has no tangent plane
+ *
+ * Cost: linear in the control points, for the elevated copy.
  * Source: [Farin02] ch. 17.
  */
 BATTEN_API batten_status batten_triangles_join_tangents(const batten_triangles *triangles,
@@ -349,8 +389,11 @@ BATTEN_API batten_status batten_triangles_joins(const batten_triangles *triangle
  * (0, 1), and the centre at (1, 1). Exact.
  *
  * @param triangles  a set of Bezier triangles
+ * @param triangle  its index, from 0
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, OUT_OF_MEMORY
+ *
+ * Cost: n^4 blends of points at most, for degree n.
  * Source: [Hu96], by blossoms.
  */
 BATTEN_API batten_status batten_triangles_to_patches(const batten_triangles *triangles,
@@ -362,6 +405,8 @@ BATTEN_API batten_status batten_triangles_to_patches(const batten_triangles *tri
  * @param triangle  its index, from 0
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK, OUT_OF_MEMORY
+ *
+ * Cost: n^3 / 6 blends of points, for degree n.
  */
 BATTEN_API batten_status batten_triangles_to_pole_patch(const batten_triangles *triangles,
                                                         int triangle, batten_surface **out);
@@ -370,8 +415,12 @@ BATTEN_API batten_status batten_triangles_to_pole_patch(const batten_triangles *
  * ribbons can be taken from it. Exact.
  *
  * @param triangles  a set of Bezier triangles
+ * @param triangle  its index, from 0
+ * @param edge  0, 1 or 2
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, NOT_FINITE, BAD_WEIGHT, BAD_ARGUMENT, SINGULAR_HERE, OUT_OF_MEMORY
+ * @return BATTEN_OK, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: as batten_triangles_to_pole_patch.
  */
 BATTEN_API batten_status batten_triangles_half_at_edge(const batten_triangles *triangles,
                                                        int triangle, int edge,
@@ -380,8 +429,11 @@ BATTEN_API batten_status batten_triangles_half_at_edge(const batten_triangles *t
  * Each Bezier patch m x n of a NURBS surface as two triangles of degree m + n, over the domain
  * (u, v): corners at (0, 0), (1, 0), (1, 1) and at (0, 0), (1, 1), (0, 1) of the patch. Exact.
  *
+ * @param surface  a NURBS surface
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK; BAD_DEGREE when m + n > 25
+ * @return BATTEN_OK; BAD_DEGREE when m + n > 25; TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ *
+ * Cost: linear in the patches, (m + n)^3 for each at most.
  */
 BATTEN_API batten_status batten_triangles_from_surface(const batten_surface *surface,
                                                        batten_triangles **out);
