@@ -223,7 +223,6 @@ BATTEN_API batten_status batten_surface_nu(batten_grid points,
 BATTEN_API batten_status batten_surface_catmull_rom(
     batten_grid points, batten_uv uv, const batten_curve_catmull_rom_options *const along[2],
     const batten_job *job, double *error, batten_surface **out);
-
 /**
  * The uniform B-spline surface of a net, with the ends of batten_curve_uniform in each
  * direction.
@@ -255,7 +254,6 @@ typedef struct batten_surface_tension_options {
 /** The defaults of surfaces in tension: those beside the fields of
  * batten_surface_tension_options. */
 BATTEN_API batten_surface_tension_options batten_surface_tension_defaults(void);
-
 /**
  * The tensor product of splines in tension with natural ends: C2, of the kind "tension".
  * Without tension it is the natural bicubic spline; with very much tension bilinear patches.
@@ -346,7 +344,6 @@ typedef struct batten_surface_fit_grid_options {
 
 /** The defaults of grid fits: those beside the fields of batten_surface_fit_grid_options. */
 BATTEN_API batten_surface_fit_grid_options batten_surface_fit_grid_defaults(void);
-
 /**
  * The surface with few control points and the least sum of squared distances from a grid.
  *
@@ -370,7 +367,6 @@ BATTEN_API batten_status batten_surface_fit_grid(batten_grid points,
                                                  const batten_job *job, batten_uv_out uv,
                                                  batten_surface_fit_report *report,
                                                  batten_surface **out);
-
 /**
  * A smooth surface near a grid: least squares plus lambda times a penalty of roughness.
  *

@@ -35,7 +35,6 @@ typedef enum batten_parametrization {
     BATTEN_FOLEY_CHORD, /**< the same with Euclidean lengths ("modified chord") */
     BATTEN_GIVEN
 } batten_parametrization;
-
 /**
  * Parameters for points, beginning at 0.
  *
@@ -97,7 +96,6 @@ typedef struct batten_curve_interpolate_options {
 
 /** Cubic, centripetal, knots at the data, not-a-knot ends. */
 BATTEN_API batten_curve_interpolate_options batten_curve_interpolate_defaults(void);
-
 /**
  * A curve through points.
  *
@@ -129,7 +127,6 @@ typedef struct batten_convexity {
     bool promised; /**< the spline is convex (points 1) or concave (-1) everywhere */
     int at;        /**< the first point that stands out, where the promise fails; or -1 */
 } batten_convexity;
-
 /**
  * Will the cubic spline through points of a function be convex, or concave? Convex points are
  * not enough: it can still swing beside a sudden turn. A promise is kept; without one the
@@ -170,7 +167,6 @@ typedef struct batten_curve_weighted_options {
 
 /** Chord parameters, natural ends, nu 0, all weights 1: the cubic spline. */
 BATTEN_API batten_curve_weighted_options batten_curve_weighted_defaults(void);
-
 /**
  * The weighted nu-spline through points: a cubic for each span, with a common tangent at the
  * points.
@@ -220,7 +216,6 @@ typedef struct batten_curve_quadratic_options {
 
 /** Knots midway between the data, chord parameters. */
 BATTEN_API batten_curve_quadratic_options batten_curve_quadratic_defaults(void);
-
 /**
  * A quadratic spline through points.
  *
@@ -249,7 +244,6 @@ typedef enum batten_beta_use {
     BATTEN_BETA_NEAR,   /**< control points: the curve is drawn to them, and passes the ends */
     BATTEN_BETA_THROUGH /**< the joints: the curve passes all of them */
 } batten_beta_use;
-
 /**
  * A Beta-spline near or through points, of one Bezier piece for each step from point to point;
  * point i belongs to the parameter i. At the ends of an open curve there is no curvature; a
@@ -319,7 +313,6 @@ typedef struct batten_curve_constrained_report {
     int redundant; /**< equations that followed from others */
     double error_max; /**< the largest distance from a point */
 } batten_curve_constrained_report;
-
 /**
  * The B-spline or Bezier curve through (or near) points, with the constraints, whose squared
  * derivative has the least integral: half of it, plus half the sum of the weights times the
@@ -370,7 +363,6 @@ typedef struct batten_chain_tension_options {
 
 /** Chord parameters, natural ends, tension 0, nothing automatic. */
 BATTEN_API batten_chain_tension_options batten_chain_tension_defaults(void);
-
 /**
  * The spline in tension through points, as a chain of spans of kind TENSION.
  *

@@ -35,7 +35,6 @@ typedef struct batten_plane_triangles {
     int merged;  /**< points that became the vertex of an earlier one */
     int slivers; /**< triangles left out on the rim */
 } batten_plane_triangles;
-
 /**
  * The triangulation of Delaunay: no point is inside the circle round any triangle. Together the
  * triangles fill the convex hull, but for slivers that are left out.
@@ -62,7 +61,6 @@ BATTEN_API batten_status batten_triangulate(batten_points points,
  * @param triangles  a set of Bezier triangles
  */
 BATTEN_API void batten_plane_triangles_release(batten_plane_triangles *triangles);
-
 /**
  * The triangle in which a point lies, found by walking from another one.
  *
@@ -109,10 +107,8 @@ typedef struct batten_cloud {
                                      smallest rectangle around it in the plane of least squares */
 } batten_cloud;
 
-/** The defaults of surfaces near scattered data: those beside the fields of
- * batten_surface_scattered_options. */
+/** The defaults of surfaces near scattered data: beside the fields of the options. */
 BATTEN_API batten_surface_scattered_options batten_surface_scattered_defaults(void);
-
 /**
  * A tensor product spline near values at scattered parameters.
  *
@@ -150,7 +146,6 @@ BATTEN_API batten_surface_scattered_options batten_surface_scattered_defaults(vo
 BATTEN_API batten_status batten_surface_scattered(
     const double *uv, batten_points values, const batten_surface_scattered_options *options,
     const batten_job *job, batten_surface_fit_report *report, batten_surface **out);
-
 /**
  * A surface near a cloud of points, whose parameters are their feet on a base surface, then on
  * the surface itself.
@@ -175,7 +170,6 @@ BATTEN_API batten_status batten_surface_cloud(const batten_cloud *cloud,
                                               const batten_job *job, double *uv,
                                               batten_surface_fit_report *report,
                                               batten_surface **out);
-
 /**
  * The bilinear surface of four corners: a base for clouds.
  * @param corners  [4][3]: (0, 0), (1, 0), (0, 1), (1, 1)
@@ -186,7 +180,6 @@ BATTEN_API batten_status batten_surface_cloud(const batten_cloud *cloud,
  */
 BATTEN_API batten_status batten_surface_from_corners(const double *corners,
                                                      batten_surface **out);
-
 /**
  * The graph (u, v, f(u, v)) of a polynomial surface of one dimension, in space; clamped.
  *
@@ -314,7 +307,6 @@ BATTEN_API batten_status batten_triangles_swap(batten_plane_triangles *triangles
                                                const double *values, int *swaps);
 
 /* ---- from points to surface ---- */
-
 typedef enum batten_triangle_element {
     BATTEN_ELEMENT_CLOUGH_TOCHER,
     BATTEN_ELEMENT_POWELL_SABIN,
@@ -348,7 +340,6 @@ typedef struct batten_triangles_scattered_report {
                           several points half of the conflict and more, else 0 */
     int worst;         /**< the point where it is; -1 when max is 0 */
 } batten_triangles_scattered_report;
-
 /**
  * A function of dimension 1 over the hull of scattered points, through their values.
  *
@@ -366,7 +357,6 @@ BATTEN_API batten_status batten_triangles_scattered(
     const batten_job *job, batten_triangles_scattered_report *report, batten_triangles **out);
 
 /* ---- values at (x, y) ---- */
-
 typedef enum batten_outside {
     BATTEN_OUTSIDE_REFUSED, /**< OUT_OF_DOMAIN names the place */
     BATTEN_OUTSIDE_CLAMPED  /**< the nearest point of the rim is taken instead */
@@ -383,7 +373,6 @@ typedef struct batten_outside_points {
     batten_outside rule;
     size_t *count; /**< gets how many there were; or NULL */
 } batten_outside_points;
-
 /**
  * A set over a domain as a function of (x, y), at many places.
  *
