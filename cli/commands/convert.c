@@ -240,14 +240,14 @@ static void copy_notes(const batten_notes *from, batten_notes *to)
 /* Tolerance and chord in the unit of the result. What one asks of all shapes holds for meshes
  * too. */
 static batten_status set_lengths(const batten_model *model, const arguments *given,
-                                 batten_write_options *write)
+                                 batten_write_options *write, batten_mesh_options *mesh)
 {
     const double metres = batten_model_unit_metres(model);
     batten_status status = unit_length_in(given, "tolerance", metres, &write->tolerance);
     if (status == BATTEN_OK)
-        status = unit_length_in(given, "chord", metres, &write->mesh.chord);
+        status = unit_length_in(given, "chord", metres, &mesh->chord);
     if (status == BATTEN_OK && !arguments_has(given, "chord"))
-        write->mesh.chord = write->tolerance;
+        mesh->chord = write->tolerance;
     return status;
 }
 
@@ -256,13 +256,15 @@ static batten_status write_model(const batten_model *model, const arguments *giv
                                  outcome *o)
 {
     batten_write_options chosen = *write;
+    batten_mesh_options mesh = *write->mesh;
     batten_notes *said = NULL; /* all notes, since they are counted */
+    chosen.mesh = &mesh;
     batten_write_choose(o->output, model, &chosen);
     o->format = chosen.format;
     o->read = tally_of(model, TALLY_BODIES);
     o->is_read_placed = o->read.count[BATTEN_OBJECT_INSTANCE] > 0;
     unit_words(batten_model_unit_metres(model), o->unit);
-    batten_status status = set_lengths(model, given, &chosen);
+    batten_status status = set_lengths(model, given, &chosen, &mesh);
     if (status == BATTEN_OK)
         status = tally_placed(model, TALLY_BODIES, &o->read_all);
     if (status == BATTEN_OK)
@@ -305,7 +307,8 @@ static bool schema_option(const arguments *given, batten_step_schema *schema)
     return !word;
 }
 
-static bool write_options(const arguments *given, batten_write_options *write)
+static bool write_options(const arguments *given, batten_write_options *write,
+                          batten_mesh_options *mesh)
 {
     double degrees = 0;
     if (!unit_length_check("convert", given, "tolerance") ||
@@ -320,7 +323,8 @@ static bool write_options(const arguments *given, batten_write_options *write)
         return false;
     }
     if (arguments_has(given, "angle"))
-        write->mesh.angle = degrees * (acos(-1.0) / 180);
+        mesh->angle = degrees * (acos(-1.0) / 180);
+    write->mesh = mesh;
     write->no_parameter_curves = arguments_has(given, "no-pcurves");
     write->solids = arguments_has(given, "solids");
     write->as_text = arguments_has(given, "text");
@@ -413,10 +417,11 @@ static int run_convert(const arguments *given)
 {
     double units[2] = {0, 0};
     batten_write_options write = batten_write_defaults();
+    batten_mesh_options mesh = batten_mesh_defaults();
     batten_format format = BATTEN_FORMAT_AUTO;
     if (!unit_option(given, "from-unit", &units[0]) || !unit_option(given, "unit", &units[1]) ||
         !formats_option("convert", given, "from-format", &format) ||
-        !write_options(given, &write))
+        !write_options(given, &write, &mesh))
         return EXIT_USAGE;
     outcome o = {.output = output_of(given)};
     if (!o.output)

@@ -19,7 +19,8 @@
  *       batten_mesh_options options = batten_mesh_defaults();
  *       options.angle = 0.1;
  *
- *   NULL instead of options asks for the defaults, where some make sense.
+ *   NULL instead of options asks for the defaults, where some make sense. The same holds for a
+ *   batten_job, which starts from BATTEN_JOB, and for options inside options.
  */
 #include <batten/approximate.h>
 #include <batten/arcs.h>

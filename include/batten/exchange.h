@@ -135,9 +135,11 @@ typedef struct batten_write_options {
     bool solids;  /**< IGES: bodies as solids and shells that share their edges (186,
                        514), which fewer programs read than trimmed faces (144) */
     bool as_text; /**< STL and PLY: the readable form */
-    batten_mesh_options mesh; /**< for the formats of meshes: how shapes become triangles */
-    bool eighths;             /**< tables of offsets in feet, inches and eighths, "1-7-4" */
-    bool commas;              /**< points: commas between the coordinates, not blanks */
+    const batten_mesh_options
+        *mesh;    /**< for the formats of meshes: how shapes become triangles;
+                                          NULL for the defaults */
+    bool eighths; /**< tables of offsets in feet, inches and eighths, "1-7-4" */
+    bool commas;  /**< points: commas between the coordinates, not blanks */
 } batten_write_options;
 /** The defaults of writers: those beside the fields of batten_write_options. */
 BATTEN_API batten_write_options batten_write_defaults(void);

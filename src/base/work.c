@@ -87,8 +87,11 @@ batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat
                            void *context)
 {
     assert(size > 0);
-    const batten_job alone = BATTEN_JOB;
-    crew all = {.job = job ? job : &alone,
+    batten_job chosen = BATTEN_JOB;
+    const batten_status taken = BAT_TAKE_OPTIONS(batten_job, job, &chosen);
+    if (taken != BATTEN_OK)
+        return taken;
+    crew all = {.job = &chosen,
                 .count = count,
                 .size = size,
                 .piece_count = count / size + (count % size != 0),
@@ -111,19 +114,20 @@ batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat
 
 batten_status bat_work_step(bat_work *work, uint64_t steps, double fraction, const char *what)
 {
-    const batten_job *job = work->job;
+    batten_job job = BATTEN_JOB;
+    const batten_status taken = BAT_TAKE_OPTIONS(batten_job, work->job, &job);
+    if (taken != BATTEN_OK)
+        return taken;
     work->steps = work->steps > UINT64_MAX - steps ? UINT64_MAX : work->steps + steps;
-    if (!job)
-        return BATTEN_OK;
-    if (job->work_limit > 0 && work->steps > job->work_limit)
+    if (job.work_limit > 0 && work->steps > job.work_limit)
         return bat_fail(BATTEN_INCOMPLETE,
                         "%s: stopped at %.0f %% after %llu of %llu steps allowed", what,
                         100 * fraction, (unsigned long long)work->steps,
-                        (unsigned long long)job->work_limit);
-    if (job->is_cancelled && job->is_cancelled(job->user))
+                        (unsigned long long)job.work_limit);
+    if (job.is_cancelled && job.is_cancelled(job.user))
         return bat_fail(BATTEN_CANCELLED, "%s: cancelled at %.0f %%", what, 100 * fraction);
-    if (job->progress)
-        job->progress(job->user, fraction, what);
+    if (job.progress)
+        job.progress(job.user, fraction, what);
     return BATTEN_OK;
 }
 

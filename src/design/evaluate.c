@@ -142,17 +142,20 @@ static void list_result(bat_design_state *s, int i)
 static batten_status run_wanted(bat_design_state *s, const bat_graph *graph, const bool *wanted,
                                 const batten_job *job, batten_notes *notes)
 {
-    batten_status first = BATTEN_OK;
+    batten_job chosen = BATTEN_JOB;
+    batten_status first = BAT_TAKE_OPTIONS(batten_job, job, &chosen);
+    if (first != BATTEN_OK)
+        return first;
     char message[1024] = "";
     const int count = s->document.feature_count;
     for (int k = 0; k < count; k++) {
         const int i = s->document.order[k];
         if (!wanted[i] || s->results[i].done || !inputs_are_done(s, graph, i))
             continue;
-        watch w = {job, (double)k / count, 1.0 / count};
-        const batten_job inner = job ? watched_job(&w) : BATTEN_JOB;
-        if (job && job->progress)
-            job->progress(job->user, w.begin, s->document.features[i].name);
+        watch w = {&chosen, (double)k / count, 1.0 / count};
+        const batten_job inner = watched_job(&w);
+        if (chosen.progress)
+            chosen.progress(chosen.user, w.begin, s->document.features[i].name);
         const batten_status status = run_feature(s, i, job ? &inner : NULL, notes);
         list_result(s, i);
         const bool ends = status == BATTEN_CANCELLED || status == BATTEN_OUT_OF_MEMORY;

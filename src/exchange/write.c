@@ -18,7 +18,7 @@ batten_write_options batten_write_defaults(void)
                                   .name = "",
                                   .tolerance = 0,
                                   .date = NULL,
-                                  .mesh = batten_mesh_defaults()};
+                                  .mesh = NULL};
 }
 
 /* "points, curves and surfaces" */
@@ -213,7 +213,7 @@ static batten_status mesh_what_is_not_held(const bat_format_row *row, const batt
     if (row->holds & BAT_HOLDS(SURFACE))
         kinds &= ~BAT_HOLDS(TRIANGLES);
     if (kinds)
-        return bat_model_meshed(model, kinds, &options->mesh, NULL, notes, out);
+        return bat_model_meshed(model, kinds, options->mesh, NULL, notes, out);
     *out = batten_model_ref(model);
     return BATTEN_OK;
 }
@@ -245,7 +245,11 @@ batten_status batten_write_prepare(const batten_model *model,
                                    batten_model **out)
 {
     batten_write_options chosen = batten_write_defaults();
+    batten_mesh_options mesh = batten_mesh_defaults();
     batten_status status = BAT_TAKE_OPTIONS(batten_write_options, options, &chosen);
+    if (status == BATTEN_OK)
+        status = BAT_TAKE_OPTIONS(batten_mesh_options, chosen.mesh, &mesh);
+    chosen.mesh = &mesh;
     if (status != BATTEN_OK)
         return status;
     options = &chosen;

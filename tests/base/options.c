@@ -1,5 +1,5 @@
 /* The size of options: every public function that takes some checks it and respects it. */
-#include "support/test.h"
+#include "support/options.h"
 
 #include <batten/batten.h>
 #include <dirent.h>
@@ -13,6 +13,7 @@ typedef struct {
     batten_body *body;
     batten_triangles *triangles;
     batten_model *model;
+    batten_offset_table *table;
 } stage;
 
 static batten_curve *line_in(int dimension)
@@ -51,6 +52,9 @@ static stage stage_set(void)
     const batten_triangles_parts one = {
         .dimension = 2, .degree = 1, .count = 1, .points = corners};
     CHECK_OK(batten_triangles_create(&one, &s.triangles));
+    const batten_table_point keel = {.line = -1};
+    const batten_table_station station = {"0", 0, 1, &keel};
+    CHECK_OK(batten_offset_table_create(1, 0, NULL, 1, &station, &s.table));
     return s;
 }
 
@@ -64,6 +68,7 @@ static void stage_clear(stage *s)
     batten_chain_unref(s->chain);
     batten_body_unref(s->body);
     batten_triangles_unref(s->triangles);
+    batten_offset_table_unref(s->table);
 }
 
 static const double dots[16], wrong = (double)NAN;
@@ -141,6 +146,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     ROW(batten_surface_catmull_rom, batten_curve_catmull_rom, (no_grid, no_directions, along, NULL, NULL, &surface)) \
     ROW(batten_surface_gordon, batten_surface_gordon, (no_curves, no_curves, o, NULL, NULL, &surface)) \
     ROW(batten_surface_skin_rows, batten_surface_skin_rows, (no_rows, o, NULL, no_uv, NULL, &surface)) \
+    ROW(batten_surface_coons, batten_surface_coons, (sides, o, NULL, &surface)) \
     ROW(batten_surface_fill, batten_surface_fill, (0, &side, o, NULL, &surface)) \
     ROW(batten_curve_continuity, batten_curve_continuity, (s->line, o, &joins)) \
     ROW(batten_arcs_from_chain, batten_arcs, (s->chain, o, NULL, &chain)) \
@@ -157,6 +163,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     const batten_cloud cloud = {{3, 0, dots}, s->plane}; \
     const batten_curve_catmull_rom_options *const along[2] = {given, given}; \
     const batten_ribbon side = {0}; \
+    const batten_ribbon sides[4] = {{line, NULL, NULL}, {line, NULL, NULL}, {line, NULL, NULL}, {line, NULL, NULL}}; \
     batten_curve *curve = NULL; \
     batten_chain *chain = NULL; \
     batten_surface *surface = NULL; \
@@ -177,7 +184,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
 
 /* Whatever a call made all the same. */
 #define RELEASE_OUTPUTS \
-    (void)rails, (void)no_curves, (void)net, (void)cloud, (void)along, (void)side; \
+    (void)rails, (void)no_curves, (void)net, (void)cloud, (void)along, (void)side, (void)sides; \
     (void)join, (void)size, (void)strip, (void)unrolled, (void)fold, (void)triangles; \
     batten_surfaces_release(&surfaces); \
     batten_curves_release(&curves); \
@@ -192,87 +199,107 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     batten_model_unref(model)
 /* clang-format on */
 
-#define ENTRY_FUNCTION(function, type, arguments)                           \
-    static batten_status call_##function(const stage *s, const void *given) \
-    {                                                                       \
-        const type##_options *o = given;                                    \
-        (void)o;                                                            \
-        OUTPUTS;                                                            \
-        const batten_status status = function arguments;                    \
-        RELEASE_OUTPUTS;                                                    \
-        return status;                                                      \
-    }                                                                       \
-    static void default_##function(void *options)                           \
-    {                                                                       \
-        const type##_options defaults = type##_defaults();                  \
-        memcpy(options, &defaults, sizeof defaults);                        \
+#define ENTRY_FUNCTION(function, type, arguments)                            \
+    static batten_status call_##function(const void *set, const void *given) \
+    {                                                                        \
+        const stage *s = set;                                                \
+        const type##_options *o = given;                                     \
+        (void)o;                                                             \
+        OUTPUTS;                                                             \
+        const batten_status status = function arguments;                     \
+        RELEASE_OUTPUTS;                                                     \
+        return status;                                                       \
+    }                                                                        \
+    static void default_##function(void *options)                            \
+    {                                                                        \
+        const type##_options defaults = type##_defaults();                   \
+        memcpy(options, &defaults, sizeof defaults);                         \
     }
 ENTRIES(ENTRY_FUNCTION)
 
-typedef struct {
-    const char *function, *type;
-    size_t size;
-    void (*defaults)(void *options);
-    batten_status (*call)(const stage *s, const void *options);
-} entry;
+/* ---- those whose options are named otherwise, or have no defaults without a number ---- */
+
+static void default_fair(void *options)
+{
+    const batten_fair_options defaults = batten_fair_defaults(1);
+    memcpy(options, &defaults, sizeof defaults);
+}
+
+static void default_fairness(void *options)
+{
+    const batten_fairness_options defaults = batten_fairness_defaults();
+    memcpy(options, &defaults, sizeof defaults);
+}
+
+static void default_selection(void *options)
+{
+    const batten_offset_table_selection everything = batten_offset_table_everything();
+    memcpy(options, &everything, sizeof everything);
+}
+
+static batten_status call_batten_curve_fairness(const void *set, const void *options)
+{
+    const stage *s = set;
+    batten_fairness out;
+    return batten_curve_fairness(s->line, (batten_points){3, 0, NULL}, options, &out);
+}
+
+static batten_status call_batten_chain_fairness(const void *set, const void *options)
+{
+    const stage *s = set;
+    batten_fairness out;
+    return batten_chain_fairness(s->chain, (batten_points){2, 0, NULL}, options, &out);
+}
+
+static batten_status call_batten_fair_points(const void *set, const void *options)
+{
+    (void)set;
+    return batten_fair_points(none, NULL, options, NULL, NULL, many);
+}
+
+static batten_status call_batten_fair_offset_table(const void *set, const void *options)
+{
+    const stage *s = set;
+    batten_offset_table *out = NULL;
+    const batten_status status =
+        batten_fair_offset_table(s->table, BATTEN_FAIR_STATIONS, options, NULL, NULL, &out);
+    batten_offset_table_unref(out);
+    return status;
+}
+
+static batten_status call_batten_offset_table_select(const void *set, const void *options)
+{
+    const stage *s = set;
+    batten_offset_table *out = NULL;
+    const batten_status status = batten_offset_table_select(s->table, options, &out);
+    batten_offset_table_unref(out);
+    return status;
+}
 
 #define ENTRY_ROW(function, type, arguments) \
     {#function, #type "_options", sizeof(type##_options), default_##function, call_##function},
-static const entry entries[] = {ENTRIES(ENTRY_ROW)};
+static const options_taker takers[] = {
+    ENTRIES(ENTRY_ROW){"batten_fair_points", "batten_fair_options", sizeof(batten_fair_options),
+                       default_fair, call_batten_fair_points},
+    {"batten_fair_offset_table", "batten_fair_options", sizeof(batten_fair_options),
+     default_fair, call_batten_fair_offset_table},
+    {"batten_offset_table_select", "batten_offset_table_selection",
+     sizeof(batten_offset_table_selection), default_selection,
+     call_batten_offset_table_select}};
 
 /* ---- the tests ---- */
-
-enum { MOST_BYTES = 1024 };
-
-static void set_size(unsigned char *options, size_t size)
-{
-    memcpy(options, &size, sizeof size);
-}
 
 TEST(a_size_that_nobody_set_or_that_is_longer_than_ours_is_refused)
 {
     stage s = stage_set();
-    for (int i = 0; i < COUNT(entries); i++) {
-        const entry *e = &entries[i];
-        const size_t sizes[] = {0, sizeof(size_t) - 1, e->size + 1, SIZE_MAX};
-        _Alignas(16) unsigned char options[MOST_BYTES] = {0};
-        CHECK(e->size < sizeof options);
-        e->defaults(options);
-        for (int k = 0; k < COUNT(sizes); k++) {
-            set_size(options, sizes[k]);
-            CHECK_STATUS(e->call(&s, options), BATTEN_BAD_ARGUMENT);
-            CHECK_MESSAGE("the size in a");
-            CHECK_MESSAGE(e->type);
-        }
-    }
+    check_wrong_sizes(COUNT(takers), takers, &s);
     stage_clear(&s);
 }
 
-/* What stands beyond the size that an older caller gave is no concern of ours: it may be
- * anything, here what crashes when it is followed. */
 TEST(a_shorter_struct_gives_what_the_defaults_give)
 {
     stage s = stage_set();
-    for (int i = 0; i < COUNT(entries); i++) {
-        const entry *e = &entries[i];
-        _Alignas(16) unsigned char options[MOST_BYTES];
-        char message[512];
-        e->defaults(options);
-        const batten_status whole = e->call(&s, options);
-        CHECK(whole != BATTEN_BAD_ARGUMENT || !strstr(batten_message(), "the size in a"));
-        snprintf(message, sizeof message, "%s", whole == BATTEN_OK ? "" : batten_message());
-        for (size_t size = sizeof size; size < e->size; size += sizeof size) {
-            e->defaults(options);
-            memset(options + size, 0xA5, sizeof options - size);
-            set_size(options, size);
-            const batten_status shorter = e->call(&s, options);
-            if (whole == BATTEN_OUT_OF_MEMORY || shorter == BATTEN_OUT_OF_MEMORY)
-                continue; /* when allocations are made to fail */
-            CHECK_INT(shorter, whole);
-            if (whole != BATTEN_OK)
-                CHECK_TEXT(batten_message(), message);
-        }
-    }
+    check_shorter_options(COUNT(takers), takers, &s);
     stage_clear(&s);
 }
 
@@ -305,6 +332,16 @@ TEST(sizes_of_options_inside_options_are_checked_too)
     writing.size = SIZE_MAX;
     CHECK(!batten_write_choose("a.csv", s.model, &writing));
     CHECK(!writing.commas);
+    batten_mesh_options triangles = batten_mesh_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    triangles.size = 7;
+    writing = batten_write_defaults();
+    writing.format = BATTEN_FORMAT_STL;
+    writing.mesh = &triangles;
+    CHECK_STATUS(batten_write_memory(s.model, &writing, NULL, &data, &size),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the size in a batten_mesh_options is 7;");
 
     const batten_surface *const both[2] = {s.plane, s.plane};
     batten_surface_blend_end ends[2] = {batten_surfaces_blend_defaults(BATTEN_EDGE_U0),
@@ -314,9 +351,5 @@ TEST(sizes_of_options_inside_options_are_checked_too)
     CHECK_MESSAGE("the size in a batten_surface_blend_end is 1;");
     CHECK(surface == NULL);
 
-    batten_fair_options fair = batten_fair_defaults(1);
-    fair.size = 0;
-    CHECK_STATUS(batten_fair_points(none, NULL, &fair, NULL, NULL, many), BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("the size in a batten_fair_options is 0;");
     stage_clear(&s);
 }

@@ -161,3 +161,37 @@ TEST(pairwise_sums_round_less_than_plain_ones)
         CHECK_BITS(bat_sum(values, (size_t)count, 1), count * (count - 1) / 2);
     CHECK_BITS(bat_sum(values, 100, 3), 3 * 99 * 50);
 }
+
+/* ---- the size of a job ---- */
+
+TEST(a_job_whose_size_nobody_set_or_that_is_longer_than_ours_is_refused)
+{
+    static const size_t sizes[] = {0, sizeof(size_t) - 1, sizeof(batten_job) + 1, SIZE_MAX};
+    double values[COUNT_ITEMS];
+    for (int k = 0; k < COUNT(sizes); k++) {
+        batten_job job = BATTEN_JOB;
+        bat_work work = {&job, 0};
+        job.size = sizes[k];
+        CHECK_STATUS(bat_parallel(&job, COUNT_ITEMS, 10, fill, values), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("the size in a batten_job is");
+        CHECK_STATUS(bat_work_step(&work, 1, 0.5, "fairing"), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("the size in a batten_job is");
+    }
+}
+
+/* What stands beyond the size that an older caller gave is no callback. */
+TEST(a_shorter_job_is_one_thread_and_asks_nothing)
+{
+    double values[COUNT_ITEMS];
+    for (size_t size = sizeof size; size < sizeof(batten_job); size += sizeof size) {
+        unsigned char bytes[sizeof(batten_job)];
+        batten_job job = BATTEN_JOB;
+        memset(bytes, 0xA5, sizeof bytes);
+        job.size = size;
+        memcpy(bytes, &job, size);
+        memcpy(&job, bytes, sizeof job);
+        bat_work work = {&job, 0};
+        CHECK_OK(bat_parallel(&job, COUNT_ITEMS, 10, fill, values));
+        CHECK_OK(bat_work_step(&work, 1, 0.5, "fairing"));
+    }
+}

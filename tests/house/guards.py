@@ -146,6 +146,27 @@ def interface(_):
     yield 'conversions-not-called-from', len(odd), odd
 
 
+def options(_):
+    """Every public function that takes a struct with a `size` has a row in some tests/.../options.c."""
+    sized = set()
+    for header in tracked('include/*.h'):
+        for match in re.finditer(r'typedef struct \w*\s*\{([^{}]*)\}\s*(\w+);', blanked(read(header))):
+            if re.search(r'\bsize_t size;', match.group(1)):
+                sized.add(match.group(2))
+    sized -= {'batten_job'}   # tests/base/work.c
+    tested = set()
+    for path in tracked('tests/*.c'):
+        if path.endswith('/options.c'):
+            tested |= set(re.findall(r'\bbatten_\w+', read(path)))
+    bare = {header: blanked(read(header)) for header in tracked('include/*.h')}
+    lost = []
+    for header, line, name, *_ in public_functions():
+        declaration = re.search(rf'\b{name}\s*\(([^;]*);', bare[header]).group(1)
+        if sized & set(re.findall(r'(\w+) \*', declaration)) and name not in tested:
+            lost.append(f'{header}:{line}: {name}')
+    yield 'options-without-row', len(lost), lost
+
+
 def blocks(_):
     rows = list(public_functions())
     bare = [f'{r[0]}:{r[1]}: {r[2]}' for r in rows if not r[4]]
@@ -295,7 +316,7 @@ def circles(build):
 
 
 GUARDS = {'files': files, 'openings': openings, 'namesakes': named_tests, 'constants': constants,
-          'interface': interface, 'blocks': blocks, 'functions': functions, 'circles': circles}
+          'interface': interface, 'options': options, 'blocks': blocks, 'functions': functions, 'circles': circles}
 
 
 # ---- budgets ----

@@ -35,8 +35,10 @@ void put_meshes(const char *name, const batten_model *model, int copies, double 
 {
     static const char *const endings[] = {"stl", "ply", "obj", "glb", "3mf"};
     batten_write_options options = batten_write_defaults();
+    batten_mesh_options triangles = batten_mesh_defaults();
     char text[64];
-    options.mesh.chord = 1e-4;
+    triangles.chord = 1e-4;
+    options.mesh = &triangles;
     for (size_t k = 0; k < sizeof endings / sizeof endings[0]; k++)
         put_file(name, endings[k], model, &options);
     expect_meshes(name, model, copies, &options, volume);

@@ -287,8 +287,11 @@ static batten_status add_join(bat_check *check, const end *a, const end *b, doub
 
 static batten_status stopped(const bat_check *check, int i, int count)
 {
-    const batten_job *job = check->run->job;
-    if (job && job->is_cancelled && job->is_cancelled(job->user))
+    batten_job job = BATTEN_JOB;
+    const batten_status taken = BAT_TAKE_OPTIONS(batten_job, check->run->job, &job);
+    if (taken != BATTEN_OK)
+        return taken;
+    if (job.is_cancelled && job.is_cancelled(job.user))
         return bat_fail(BATTEN_CANCELLED, "cancelled at end %d of %d", i, count);
     return BATTEN_OK;
 }

@@ -27,7 +27,8 @@ static const batten_parameter parameters[] = {
      "tables of offsets: feet, inches and eighths"},
 };
 
-static void read_options(const bat_run *run, batten_write_options *options)
+static void read_options(const bat_run *run, batten_write_options *options,
+                         batten_mesh_options *mesh)
 {
     if (bat_has(run, "title"))
         options->name = bat_text(run, "title");
@@ -38,8 +39,9 @@ static void read_options(const bat_run *run, batten_write_options *options)
     options->no_parameter_curves = !bat_yes(run, "parameter-curves");
     /* What one asks of all shapes holds for meshes too, but not what designs are made with. */
     const char *bound = bat_has(run, "chord") ? "chord" : "within";
-    options->mesh.chord = bat_has(run, bound) ? bat_number(run, bound) : 0;
-    options->mesh.angle = bat_number(run, "angle");
+    mesh->chord = bat_has(run, bound) ? bat_number(run, bound) : 0;
+    mesh->angle = bat_number(run, "angle");
+    options->mesh = mesh;
     options->as_text = bat_yes(run, "text");
     options->eighths = bat_yes(run, "eighths");
 }
@@ -47,13 +49,14 @@ static void read_options(const bat_run *run, batten_write_options *options)
 static batten_status run_write(bat_run *run)
 {
     batten_write_options options = batten_write_defaults();
+    batten_mesh_options mesh = batten_mesh_defaults();
     batten_model *model = NULL;
     options.format = (batten_format)bat_word(run, "format");
     if (options.format == BATTEN_FORMAT_AUTO &&
         batten_format_from_name(run->name) == BATTEN_FORMAT_AUTO)
         return bat_fail(BATTEN_UNSUPPORTED, "the ending of '%s' names no format; add 'format'",
                         run->name);
-    read_options(run, &options);
+    read_options(run, &options, &mesh);
     batten_status status = bat_merge(run, "write", &model);
     if (status == BATTEN_OK && batten_write_choose(run->name, model, &options))
         status = batten_write_memory(model, &options, run->notes, &run->data, &run->size);

@@ -171,11 +171,13 @@ static void fill_curves(bat_raster *band, const bat_shaded *p)
 
 static batten_status ask(const bat_shaded *p, double fraction)
 {
-    if (!p->job)
-        return BATTEN_OK;
-    if (p->job->progress)
-        p->job->progress(p->job->user, fraction, "shading");
-    if (p->job->is_cancelled && p->job->is_cancelled(p->job->user))
+    batten_job job = BATTEN_JOB;
+    const batten_status taken = BAT_TAKE_OPTIONS(batten_job, p->job, &job);
+    if (taken != BATTEN_OK)
+        return taken;
+    if (job.progress)
+        job.progress(job.user, fraction, "shading");
+    if (job.is_cancelled && job.is_cancelled(job.user))
         return bat_fail(BATTEN_CANCELLED, "cancelled after %.0f %% of the picture",
                         100 * fraction);
     return BATTEN_OK;

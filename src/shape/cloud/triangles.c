@@ -26,10 +26,13 @@ typedef struct {
 
 static batten_status report_progress(const pipeline *p, double fraction, const char *what)
 {
-    const batten_job *job = p->job;
-    if (job && job->progress)
-        job->progress(job->user, fraction, what);
-    if (job && job->is_cancelled && job->is_cancelled(job->user))
+    batten_job job = BATTEN_JOB;
+    const batten_status taken = BAT_TAKE_OPTIONS(batten_job, p->job, &job);
+    if (taken != BATTEN_OK)
+        return taken;
+    if (job.progress)
+        job.progress(job.user, fraction, what);
+    if (job.is_cancelled && job.is_cancelled(job.user))
         return bat_fail(BATTEN_CANCELLED, "cancelled before: %s", what);
     return BATTEN_OK;
 }

@@ -96,13 +96,14 @@ static batten_status find_place(place_finder *finder, size_t i, const double *p,
 }
 
 static batten_status evaluate_places(place_finder *finder, size_t count, const double *xy,
-                                     int order, const batten_job *job, double *out)
+                                     int order, const batten_job *given, double *out)
 {
     const size_t d = (size_t)finder->triangles->dimension, row = order ? 3 * d : d;
-    batten_status status = BATTEN_OK;
+    batten_job job = BATTEN_JOB;
+    batten_status status = BAT_TAKE_OPTIONS(batten_job, given, &job);
     for (size_t i = 0; i < count && status == BATTEN_OK; i++) {
         double at[3], table[9];
-        if (i % 1024 == 0 && job && job->is_cancelled && job->is_cancelled(job->user))
+        if (i % 1024 == 0 && job.is_cancelled && job.is_cancelled(job.user))
             return bat_fail(BATTEN_CANCELLED, "cancelled after %zu of %zu places", i, count);
         status = find_place(finder, i, xy + 2 * i, at);
         if (status == BATTEN_OK)
