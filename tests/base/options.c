@@ -185,11 +185,10 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
 /* Whatever a call made all the same. */
 #define RELEASE_OUTPUTS \
     (void)rails, (void)no_curves, (void)net, (void)cloud, (void)along, (void)side, (void)sides; \
-    (void)join, (void)size, (void)strip, (void)unrolled, (void)fold, (void)triangles; \
+    (void)join, (void)fairness, (void)size, (void)strip, (void)unrolled, (void)fold, (void)triangles; \
     batten_surfaces_release(&surfaces); \
     batten_curves_release(&curves); \
     batten_release(data); \
-    (void)fairness; \
     batten_release(joins.at); \
     batten_curve_unref(curve); \
     batten_chain_unref(chain); \
@@ -219,15 +218,10 @@ ENTRIES(ENTRY_FUNCTION)
 
 /* ---- those whose options are named otherwise, or have no defaults without a number ---- */
 
+/* The bound has no default: 0, which is refused, is what a struct without it gives. */
 static void default_fair(void *options)
 {
-    const batten_fair_options defaults = batten_fair_defaults(1);
-    memcpy(options, &defaults, sizeof defaults);
-}
-
-static void default_fairness(void *options)
-{
-    const batten_fairness_options defaults = batten_fairness_defaults();
+    const batten_fair_options defaults = batten_fair_defaults(0);
     memcpy(options, &defaults, sizeof defaults);
 }
 
@@ -235,20 +229,6 @@ static void default_selection(void *options)
 {
     const batten_offset_table_selection everything = batten_offset_table_everything();
     memcpy(options, &everything, sizeof everything);
-}
-
-static batten_status call_batten_curve_fairness(const void *set, const void *options)
-{
-    const stage *s = set;
-    batten_fairness out;
-    return batten_curve_fairness(s->line, (batten_points){3, 0, NULL}, options, &out);
-}
-
-static batten_status call_batten_chain_fairness(const void *set, const void *options)
-{
-    const stage *s = set;
-    batten_fairness out;
-    return batten_chain_fairness(s->chain, (batten_points){2, 0, NULL}, options, &out);
 }
 
 static batten_status call_batten_fair_points(const void *set, const void *options)
