@@ -87,7 +87,7 @@ static void default_cubic_plane(void *options)
     }
 CALL(draw, batten_draw(empty, o, &data, &size))
 CALL(surface_lines, batten_draw_surface_lines(empty, o, NULL, &data, &size))
-CALL(panels, batten_draw_panels(0, NULL, o, &data, &size))
+CALL(panels, batten_draw_panels(0, &(batten_panel){0}, o, &data, &size))
 CALL(lines_plan, batten_draw_lines_plan(empty, NULL, o, NULL, &data, &size))
 CALL(lines_of_plan, batten_draw_lines_plan(empty, o, NULL, NULL, &data, &size))
 CALL(shaded, batten_draw_shaded(empty, o, NULL, &data, &size))

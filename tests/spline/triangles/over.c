@@ -134,7 +134,10 @@ TEST(a_job_over_triangles_is_asked_and_stops)
     found[0] = -7;
     int asked = 0;
     const batten_job stopped = {.size = sizeof stopped, .is_cancelled = stops_at_once},
-                     watched = {.is_cancelled = never_stops, .user = &asked}, blind = {0};
+                     watched = {.size = sizeof watched,
+                                .is_cancelled = never_stops,
+                                .user = &asked},
+                     blind = BATTEN_JOB;
     const batten_outside_points refused = {BATTEN_OUTSIDE_REFUSED, NULL};
     CHECK_STATUS(batten_triangles_over(triangles, (batten_batch){PLACES, at}, 0, refused,
                                        &stopped, found),
