@@ -68,6 +68,76 @@ static batten_status find_corners(const batten_triangles *triangles, corner *cor
     return BATTEN_OK;
 }
 
+/* ---- edges ---- */
+
+enum { EDGE_PROBES = 3 };
+
+/* Points inside an edge of a triangle, from its corner of the smaller node on. */
+static batten_status probe_edge(const batten_triangles *triangles, size_t edge,
+                                const double *uv, const int *nodes,
+                                double points[EDGE_PROBES][3])
+{
+    const size_t first = edge / 3 * 3, next = first + (edge + 1) % 3;
+    const size_t from = nodes[edge] < nodes[next] ? edge : next,
+                 to = from == edge ? next : edge;
+    for (int i = 0; i < EDGE_PROBES; i++) {
+        const double at = (i + 1.0) / (EDGE_PROBES + 1);
+        const double place[2] = {uv[2 * from] + at * (uv[2 * to] - uv[2 * from]),
+                                 uv[2 * from + 1] + at * (uv[2 * to + 1] - uv[2 * from + 1])};
+        const batten_status status = evaluate(triangles, (int)(edge / 3), place, 0, points[i]);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    return BATTEN_OK;
+}
+
+/* Is an edge the same curve as the first edge between its two nodes? */
+static batten_status edge_agrees(const batten_triangles *triangles, size_t edge,
+                                 const double *uv, const int *nodes, double near,
+                                 bat_pairs *edges, bool *out)
+{
+    const int a = nodes[edge], b = nodes[edge / 3 * 3 + (edge + 1) % 3];
+    *out = a != b;
+    if (a == b)
+        return BATTEN_OK;
+    const int *known = bat_pairs_at(edges, bat_min_int(a, b), bat_max_int(a, b), (int)edge);
+    if (!known)
+        return BATTEN_OUT_OF_MEMORY;
+    double here[EDGE_PROBES][3], there[EDGE_PROBES][3];
+    if (*known == (int)edge)
+        return BATTEN_OK;
+    batten_status status = probe_edge(triangles, edge, uv, nodes, here);
+    if (status == BATTEN_OK)
+        status = probe_edge(triangles, (size_t)*known, uv, nodes, there);
+    for (int i = 0; i < EDGE_PROBES && status == BATTEN_OK; i++)
+        *out = *out && bat_distance(3, here[i], there[i]) <= near;
+    return status;
+}
+
+/* In a net an edge is a pair of nodes. Where that says too little, a triangle gets nodes of its
+ * own: two of its corners are one point, as at a pole or where an edge closes, or one of its
+ * edges is another curve between the same two points, as on a tube of two pieces. Lines are
+ * joined there by their ends, as at the seams of a surface. */
+static batten_status separate_nodes(const batten_triangles *triangles, const double *uv,
+                                    double near, int *nodes, int *node_count)
+{
+    const size_t count = (size_t)batten_triangles_count(triangles);
+    bat_pairs edges = {0};
+    bool *apart = bat_array(count, sizeof *apart);
+    batten_status status = apart ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < 3 * count && status == BATTEN_OK; i++) {
+        bool agrees = true;
+        status = edge_agrees(triangles, i, uv, nodes, near, &edges, &agrees);
+        apart[i / 3] = apart[i / 3] || !agrees;
+    }
+    for (size_t i = 0; i < 3 * count && status == BATTEN_OK; i++)
+        if (apart[i / 3])
+            nodes[i] = (*node_count)++;
+    bat_release(apart);
+    bat_pairs_free(&edges);
+    return status;
+}
+
 static batten_status triangles_contours(const batten_triangles *triangles,
                                         const batten_surface_field *field, int level_count,
                                         const double *levels, double tolerance, bool smooth,
@@ -89,7 +159,9 @@ static batten_status triangles_contours(const batten_triangles *triangles,
         status = find_corners(triangles, corners, uv);
     if (status == BATTEN_OK) {
         /* Corners of neighbours are the same point up to rounding. */
-        const int node_count = number_nodes(3 * count, corners, 1e-9 * size, nodes);
+        const double near = 1e-9 * size;
+        int node_count = number_nodes(3 * count, corners, near, nodes);
+        status = separate_nodes(triangles, uv, near, nodes, &node_count);
         const bat_pieces pieces = {.shape = triangles,
                                    .evaluate = evaluate,
                                    .piece_count = (int)count,
@@ -98,7 +170,9 @@ static batten_status triangles_contours(const batten_triangles *triangles,
                                    .uv = uv,
                                    .node_count = node_count,
                                    .size = size};
-        status = bat_contours(&pieces, field, level_count, levels, tolerance, smooth, job, out);
+        if (status == BATTEN_OK)
+            status =
+                bat_contours(&pieces, field, level_count, levels, tolerance, smooth, job, out);
     }
     bat_release(nodes);
     bat_release(uv);

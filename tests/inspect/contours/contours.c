@@ -301,6 +301,109 @@ static void paraboloid(const double *corners, double *points)
     }
 }
 
+/* Circles at heights around the z axis: one closed line each, on the level and at the radius
+ * that belongs to it, and as long as a circle. */
+static void check_circles(const batten_triangles *triangles, batten_levels levels,
+                          double (*radius)(double z), double tolerance)
+{
+    const batten_surface_field height_of = {
+        BATTEN_FIELD_HEIGHT, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
+    batten_contours c = {0};
+    CHECK_OK(batten_triangles_contours(triangles, &height_of, levels, tolerance, NULL, &c));
+    CHECK_INT(c.count, levels.count);
+    CHECK(c.error <= tolerance);
+    for (int i = 0; i < c.count; i++) {
+        const batten_polyline *line = &c.lines[i].line;
+        const double z = levels.at[c.lines[i].level], r = radius(z);
+        CHECK(line->closed);
+        CHECK_NEAR(length_of(line), 2 * PI * r, 1e-3 * r);
+        for (int k = 0; k < line->count; k++) {
+            const double *p = line->points + 3 * k;
+            CHECK_NEAR(p[2], z, 1e-9);
+            CHECK_NEAR(hypot(p[0], p[1]), r, 1e-9);
+        }
+    }
+    batten_contours_release(&c);
+}
+
+static double radius_of_paraboloid(double z)
+{
+    return sqrt(4 * z);
+}
+
+static double radius_of_sphere(double z)
+{
+    return sqrt(1 - z * z);
+}
+
+static double radius_of_cone(double z)
+{
+    return 1 - z / 2;
+}
+
+static double radius_of_ellipsoid(double z)
+{
+    return 0.8 * sqrt(1 - z * z / 0.49);
+}
+
+TEST(contours_of_rational_triangles_around_poles_are_circles)
+{
+    const double levels[] = {0.0625, 0.125, 0.2495};
+    const batten_frame world = batten_frame_world();
+    batten_surface *surfaces[4] = {NULL};
+    CHECK_OK(batten_surface_paraboloid(&world, 1, 1, 0.25, &surfaces[0]));
+    CHECK_OK(batten_surface_sphere(&world, 1, &surfaces[1]));
+    CHECK_OK(batten_surface_cone(&world, 1, 0, 2, &surfaces[2]));
+    CHECK_OK(batten_surface_ellipsoid(&world, 0.8, 0.8, 0.7, &surfaces[3]));
+    double (*const radii[])(double) = {radius_of_paraboloid, radius_of_sphere, radius_of_cone,
+                                       radius_of_ellipsoid};
+    for (int i = 0; i < COUNT(surfaces); i++) {
+        batten_triangles *triangles = NULL;
+        CHECK_OK(batten_triangles_from_surface(surfaces[i], &triangles));
+        check_circles(triangles, (batten_levels){COUNT(levels), levels}, radii[i], 1e-4);
+        check_circles(triangles, (batten_levels){COUNT(levels), levels}, radii[i], 1e-6);
+        batten_triangles_unref(triangles);
+        batten_surface_unref(surfaces[i]);
+    }
+}
+
+TEST(edges_of_triangles_with_the_same_ends_are_not_the_same_edge)
+{
+    /* A tube of two cubics: its edges in front and behind have the same two corners. */
+    static const double around[7][2] = {{1, 0},     {1, 1.4},  {-1, 1.4}, {-1, 0},
+                                        {-1, -1.4}, {1, -1.4}, {1, 0}};
+    static const double knots[11] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2};
+    static const double along[4] = {0, 0, 1, 1};
+    double points[7][2][3];
+    for (int i = 0; i < 7; i++)
+        for (int j = 0; j < 2; j++) {
+            points[i][j][0] = around[i][0];
+            points[i][j][1] = around[i][1];
+            points[i][j][2] = j;
+        }
+    batten_surface *tube = NULL;
+    batten_triangles *triangles = NULL;
+    CHECK_OK(batten_surface_create(3, &(batten_axis){3, 7, knots, false},
+                                   &(batten_axis){1, 2, along, false}, &points[0][0][0], NULL,
+                                   &tube));
+    CHECK_OK(batten_triangles_from_surface(tube, &triangles));
+    const batten_surface_field across = {BATTEN_FIELD_HEIGHT, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}};
+    const double levels[] = {-0.5, 0.3, 1};
+    batten_contours c = {0};
+    CHECK_OK(batten_triangles_contours(triangles, &across, (batten_levels){3, levels}, 1e-5,
+                                       NULL, &c));
+    CHECK_INT(c.count, 6);
+    for (int i = 0; i < c.count; i++) {
+        const batten_polyline *line = &c.lines[i].line;
+        CHECK_NEAR(length_of(line), 1, 1e-9);
+        for (int k = 0; k < line->count; k++)
+            CHECK_NEAR(line->points[3 * k + 1], levels[c.lines[i].level], 1e-9);
+    }
+    batten_contours_release(&c);
+    batten_triangles_unref(triangles);
+    batten_surface_unref(tube);
+}
+
 TEST(contours_go_on_from_triangle_to_triangle)
 {
     /* four triangles around a point beside the lowest one */
