@@ -1,6 +1,6 @@
 /*
  * The one door to the operating system: threads, processors, the clock, real paths, formatting in the C locale
- * (bat_format in base.h), loading and saving of files (batten_load_file, batten_save_file in <batten/text.h>). Behind the door stand system/posix*.c, system/windows.c and system/none.c, one of which is compiled; no
+ * (bat_format in base.h), loading and saving of files (batten_load_file, batten_save_file in <batten/text.h>). Behind the door stand posix*.c, windows*.c and none*.c of system/ and system/files/, one of which is compiled; no
  * other file of src/ includes a header of the system.
  */
 #ifndef BAT_SYSTEM_H

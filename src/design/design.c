@@ -44,7 +44,8 @@ static batten_status make_state(const batten_design *design, char *text, size_t 
                                            .provided_file = design->provided_file,
                                            .provided = design->provided};
     bat_design_state made = {.text = text, .length = length};
-    batten_status status = bat_document_parse(text, length, &options, notes, &made.document);
+    batten_status status =
+        bat_document_parse(text, length, &options, &bat_all_features, notes, &made.document);
     if (status == BATTEN_OK) {
         const size_t count = (size_t)made.document.feature_count;
         made.results = bat_array(count, sizeof *made.results);

@@ -176,7 +176,15 @@ void bat_report_error(bat_run *run, double max, double rms);
 
 /* ---- the list ---- */
 
-const bat_feature *bat_feature_find(const char *name);
-const bat_feature *bat_feature_at(int index);
+/* A table of operations. */
+typedef struct {
+    int count;
+    const bat_feature *const *at;
+} bat_features;
+
+/* The feature of this name, or NULL (text/names.c). */
+const bat_feature *bat_features_find(const bat_features *features, const char *name);
+/* All of them, in the order of the manual (features.c). */
+extern const bat_features bat_all_features;
 
 #endif

@@ -3,7 +3,6 @@
 #include "design/text/spelling.h"
 
 #include <assert.h>
-#include <string.h>
 
 /* All operations, in the order in which the manual shows them: GROUP begins a group of them. */
 #define GROUP(title)
@@ -11,13 +10,15 @@
 #include "design/features.list"
 #undef ROW
 #define ROW(name) &bat_feature_##name,
-static const bat_feature *const features[] = {
+static const bat_feature *const rows[] = {
 #include "design/features.list"
 };
 #undef ROW
 #undef GROUP
 
-#define FEATURE_COUNT ((int)(sizeof features / sizeof features[0]))
+#define FEATURE_COUNT ((int)(sizeof rows / sizeof rows[0]))
+
+const bat_features bat_all_features = {FEATURE_COUNT, rows};
 
 /* The group of each: its title stands before its rows. */
 static const char *group_of(int index)
@@ -40,15 +41,10 @@ int batten_feature_count(void)
     return FEATURE_COUNT;
 }
 
-const bat_feature *bat_feature_at(int index)
-{
-    assert(index >= 0 && index < FEATURE_COUNT);
-    return features[index];
-}
-
 const batten_feature *batten_feature_at(int index)
 {
-    return &bat_feature_at(index)->shown;
+    assert(index >= 0 && index < FEATURE_COUNT);
+    return &rows[index]->shown;
 }
 
 const char *batten_feature_group(int index)
@@ -57,17 +53,9 @@ const char *batten_feature_group(int index)
     return group_of(index);
 }
 
-const bat_feature *bat_feature_find(const char *name)
-{
-    for (int i = 0; i < FEATURE_COUNT; i++)
-        if (strcmp(features[i]->shown.name, name) == 0)
-            return features[i];
-    return NULL;
-}
-
 const batten_feature *batten_feature_find(const char *name)
 {
-    const bat_feature *found = bat_feature_find(name);
+    const bat_feature *found = bat_features_find(&bat_all_features, name);
     return found ? &found->shown : NULL;
 }
 
@@ -76,7 +64,7 @@ const char *batten_feature_nearest(const char *name)
     const char *near = NULL;
     int best = 99;
     for (int i = 0; i < FEATURE_COUNT; i++)
-        if (bat_is_nearer(name, features[i]->shown.name, &best))
-            near = features[i]->shown.name;
+        if (bat_is_nearer(name, rows[i]->shown.name, &best))
+            near = rows[i]->shown.name;
     return near;
 }

@@ -1,6 +1,6 @@
 /* Inflections of curves, and curvature that is zero along a stretch. */
 #include "inspect/inflections.h"
-#include "inspect/affine/forms.h"
+#include "inspect/forms.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 

@@ -1,5 +1,5 @@
 /* How Bezier triangles meet along their edges: gaps, slopes, tangent planes. */
-#include "inspect/affine/forms.h"
+#include "inspect/forms.h"
 #include "numeric/vector.h"
 #include "spline/surface/surface.h"
 #include "spline/triangles/triangles.h"

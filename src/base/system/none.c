@@ -1,10 +1,9 @@
-/* No operating system, such as WebAssembly without threads: one processor, one thread, paths are what they are. */
+/* No operating system, such as WebAssembly without threads: one processor, one thread. */
 #include "base/system.h"
 #if BAT_SYSTEM == BAT_SYSTEM_NONE
 #include "base/base.h"
-#include "base/system/plain_file.h"
 
-#include <string.h>
+#include <stdio.h>
 #include <time.h>
 
 static bool start_no_thread(bat_thread *thread, bat_thread_body body, void *user)
@@ -37,31 +36,6 @@ double batten_system_seconds(void)
     struct timespec t;
     timespec_get(&t, TIME_UTC);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec; /* nanoseconds */
-}
-
-char *batten_system_real_path(const char *path, const char **reason)
-{
-    *reason = NULL;
-    const size_t length = strlen(path);
-    char *copy = bat_array(length + 1, 1);
-    if (copy)
-        memcpy(copy, path, length);
-    return copy;
-}
-
-FILE *bat_plain_open(const char *path, const char *mode)
-{
-    return fopen(path, mode);
-}
-
-bool bat_plain_replace(const char *from, const char *to)
-{
-    return rename(from, to) == 0;
-}
-
-void bat_plain_remove(const char *path)
-{
-    remove(path);
 }
 
 #endif

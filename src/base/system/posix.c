@@ -1,13 +1,10 @@
-/* Threads, processors, the clock and real paths on POSIX systems. */
+/* Threads, processors and the clock on POSIX systems. */
 #define _XOPEN_SOURCE 700
 #include "base/system.h"
 #if BAT_SYSTEM == BAT_SYSTEM_POSIX
-#include "base/base.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <pthread.h>
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
@@ -41,24 +38,13 @@ int bat_processor_count(void)
     return count < 1 ? 1 : count > INT_MAX ? INT_MAX : (int)count;
 }
 
-/* ---- paths, time ---- */
+/* ---- time ---- */
 
 double batten_system_seconds(void)
 {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec; /* nanoseconds */
-}
-
-char *batten_system_real_path(const char *path, const char **reason)
-{
-    *reason = NULL;
-    char *real = bat_array(PATH_MAX, 1);
-    if (!real || realpath(path, real))
-        return real;
-    *reason = errno == ENOENT ? "there is no such file" : strerror(errno);
-    bat_release(real);
-    return NULL;
 }
 
 #endif

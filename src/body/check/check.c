@@ -1,6 +1,6 @@
 /* What is wrong with a body: its edges and shells, and all the rest asked for. */
 #include "body/check/parts.h"
-#include "body/measure/box.h"
+#include "body/edge_box.h"
 #include "numeric/vector.h"
 #include <batten/measure.h>
 

@@ -30,11 +30,8 @@ batten_status bat_check_misses(bat_check *check, int face);
  */
 batten_status bat_check_curve_knots(const batten_curve *curve, bool *close, double *gap);
 batten_status bat_check_surface_knots(const batten_surface *surface, bool *close, double *gap);
-/* Whether the loops of face `face`, all with parameters, touch or cross (check_loops.c). */
+/* Whether the loops of face `face`, all with parameters, touch or cross (loops.c). */
 batten_status bat_check_loops(bat_check *check, int face);
-/* How much area its loops leave open where they cross: of the shorter part of each loop that is
- * cut off, four times that of a circle of its length; 0 without crossings. */
-batten_status bat_loops_doubt(const batten_body_parts *parts, int face, double *area);
 /* Whether the shells of a solid are turned inside out (check_shells.c). ways: [edge_count] */
 batten_status bat_check_shells(bat_check *check, const batten_body *body,
                                const bat_traced_all *traced, const bat_edge_ways *ways);

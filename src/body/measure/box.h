@@ -1,12 +1,9 @@
 /* Boxes around bodies. */
 #ifndef BAT_BODY_BOX_H
 #define BAT_BODY_BOX_H
+#include "body/edge_box.h"
 #include "body/kept_box.h"
 #include <batten/body.h>
-
-/* The box of the edges and vertices, and of the surfaces of faces without loops: about how
- * large a body is. Faces may reach beyond it. */
-batten_box bat_body_edge_box(const batten_body *body);
 
 /* As batten_body_box, which gives the wide box where this fails: OUT_OF_MEMORY. */
 batten_status bat_body_find_box(const batten_body *body, batten_box *out);

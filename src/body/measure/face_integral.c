@@ -2,7 +2,7 @@
  */
 #include "body/measure/face_integral.h"
 #include "base/list.h"
-#include "body/measure/box.h"
+#include "body/edge_box.h"
 
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"

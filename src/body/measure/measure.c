@@ -1,10 +1,10 @@
 /* Area, volume, centroid and edge length of bodies, by integrals along the loops of faces. */
 #include "base/work.h"
-#include "body/check/parts.h"
 #include "body/measure/box.h"
 #include "body/measure/extent.h"
 #include "body/measure/face_integral.h"
 #include "body/trace/all.h"
+#include "body/trace/passages.h"
 #include "numeric/box.h"
 #include "numeric/vector.h"
 #include <batten/measure.h>

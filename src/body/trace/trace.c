@@ -2,7 +2,7 @@
  * trace.h together, and builds the traced body, with the numbers of the faces it came from. */
 #include "body/trace/trace.h"
 #include "base/work.h"
-#include "body/measure/box.h"
+#include "body/edge_box.h"
 #include "body/trace/traced_body.h"
 #include "numeric/vector.h"
 

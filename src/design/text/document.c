@@ -30,12 +30,12 @@ static void unknown_operation(bat_document *d, int key, bool is_output)
     const bat_node *nodes = d->tree.nodes;
     const char *word = nodes[key].word, *near = NULL;
     int best = 99;
-    for (int i = 0; i < batten_feature_count(); i++) {
-        const batten_feature *f = batten_feature_at(i);
+    for (int i = 0; i < d->operations->count; i++) {
+        const batten_feature *f = &d->operations->at[i]->shown;
         if (f->is_output == is_output && bat_is_nearer(word, f->name, &best))
             near = f->name;
     }
-    const bat_feature *other = bat_feature_find(word);
+    const bat_feature *other = bat_features_find(d->operations, word);
     if (other && other->shown.is_output != is_output)
         bat_complain(d, key, "'%s' belongs under '%s'", word,
                      is_output ? "features" : "outputs");
@@ -55,7 +55,7 @@ static void find_operation(bat_document *d, bat_entry *entry, bool is_output)
         return;
     }
     const int key = d->tree.nodes[at->first].key;
-    const bat_feature *feature = bat_feature_find(d->tree.nodes[key].word);
+    const bat_feature *feature = bat_features_find(d->operations, d->tree.nodes[key].word);
     if (feature && feature->shown.is_output == is_output)
         entry->feature = feature;
     else
@@ -63,12 +63,12 @@ static void find_operation(bat_document *d, bat_entry *entry, bool is_output)
 }
 
 /* The operation of "hull.step: hull". */
-static const bat_feature *operation_by_ending(const char *file)
+static const bat_feature *operation_by_ending(const bat_features *all, const char *file)
 {
     const bat_feature *found = NULL;
-    for (int i = 0; i < batten_feature_count(); i++)
-        if (bat_feature_at(i)->takes_file && bat_feature_at(i)->takes_file(file))
-            found = bat_feature_at(i);
+    for (int i = 0; i < all->count; i++)
+        if (all->at[i]->takes_file && all->at[i]->takes_file(file))
+            found = all->at[i];
     return found;
 }
 
@@ -81,7 +81,7 @@ static void list_output(bat_document *d, bat_entry *entry)
                      entry->name);
     const bat_node *at = &d->tree.nodes[entry->node];
     if (at->kind == BAT_NODE_LIST || (at->kind == BAT_NODE_WORD && *at->word))
-        entry->feature = operation_by_ending(entry->name);
+        entry->feature = operation_by_ending(d->operations, entry->name);
     else
         find_operation(d, entry, true);
     if (!entry->feature && at->kind != BAT_NODE_MAP)
@@ -162,12 +162,15 @@ static batten_status read_sections(bat_document *d)
 }
 
 batten_status bat_document_parse(const char *text, size_t length,
-                                 const batten_design_options *options, batten_notes *notes,
+                                 const batten_design_options *options,
+                                 const bat_features *operations, batten_notes *notes,
                                  bat_document *out)
 {
     bat_complaints complaints = {.notes = notes};
     bat_place place = {0, 0};
-    *out = (bat_document){.allow_outside = options->allow_outside, .complaints = &complaints};
+    *out = (bat_document){.allow_outside = options->allow_outside,
+                          .complaints = &complaints,
+                          .operations = operations};
     out->limits = options->limits ? *options->limits : batten_limits_defaults();
     out->provided_file = options->provided ? options->provided_file : NULL;
     out->provided = options->provided;

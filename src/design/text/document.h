@@ -37,7 +37,8 @@ typedef struct bat_document {
     const batten_model *provided;
     bat_tree tree;
     bat_arena arena;
-    bat_complaints *complaints; /* while parsing */
+    const bat_features *operations; /* that its entries may name */
+    bat_complaints *complaints;     /* while parsing */
     double unit_metres, tolerance;
     bool has_units; /* it names its unit */
     const char *title;
@@ -49,9 +50,10 @@ typedef struct bat_document {
     int *order;         /* [feature_count] of evaluation */
 } bat_document;
 
-/* Parse `text`; `out` is to be freed, also after a failure. */
+/* Parse `text`, whose entries name `operations`; `out` is to be freed, also after a failure. */
 batten_status bat_document_parse(const char *text, size_t length,
-                                 const batten_design_options *options, batten_notes *notes,
+                                 const batten_design_options *options,
+                                 const bat_features *operations, batten_notes *notes,
                                  bat_document *out);
 void bat_document_free(bat_document *document);
 

@@ -1,4 +1,4 @@
-/* The names of a design's features, sorted, so that one is found among many. */
+/* Features by their names: those of a design, sorted, and the operations of a table. */
 #include "design/text/document.h"
 
 #include <stdlib.h>
@@ -49,4 +49,12 @@ int bat_document_feature(const bat_document *document, const char *name)
             high = middle;
     }
     return -1;
+}
+
+const bat_feature *bat_features_find(const bat_features *features, const char *name)
+{
+    for (int i = 0; i < features->count; i++)
+        if (strcmp(features->at[i]->shown.name, name) == 0)
+            return features->at[i];
+    return NULL;
 }

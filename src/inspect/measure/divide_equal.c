@@ -2,7 +2,7 @@
  * Chords of one length: a pair of compasses is walked along the curve, and opened or closed
  * until the last step ends at the end of the curve.
  */
-#include "inspect/affine/forms.h"
+#include "inspect/forms.h"
 #include "numeric/vector.h"
 #include <batten/measure.h>
 

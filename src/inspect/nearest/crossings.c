@@ -1,6 +1,6 @@
 /* Where a coordinate of a curve takes a value, and where the curve crosses a plane. */
 #include "base/plural.h"
-#include "inspect/affine/forms.h"
+#include "inspect/forms.h"
 #include "numeric/vector.h"
 
 #include <batten/nearest.h>

@@ -7,7 +7,7 @@
  */
 #include "base/plural.h"
 #include "base/work.h"
-#include "inspect/affine/forms.h"
+#include "inspect/forms.h"
 #include "inspect/nearest/nearest.h"
 #include "numeric/vector.h"
 #include "spline/data_check.h"

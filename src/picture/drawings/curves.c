@@ -1,6 +1,6 @@
 /* A drawing of curves: their combs, polygons and points, with axes and a legend. */
+#include "picture/drawings/drawing.h"
 #include "picture/sheet/axes.h"
-#include "picture/sheet/drawing.h"
 #include "picture/sheet/flat.h"
 
 /* ---- drawing ---- */

@@ -1,6 +1,6 @@
 /* The shapes of a drawing: curves, isolines and points as strokes, combs as teeth, and their colours. */
+#include "picture/drawings/drawing.h"
 #include "picture/sheet/axes.h"
-#include "picture/sheet/drawing.h"
 #include "picture/sheet/flat.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 /* The view, the scale of the combs and the range of a drawing, from every point that it draws. */
+#include "picture/drawings/drawing.h"
 #include "picture/sheet/axes.h"
-#include "picture/sheet/drawing.h"
 #include "picture/sheet/flat.h"
 
 /* ---- every point that will be drawn, for those who must know them all ---- */

@@ -6,7 +6,7 @@
 #define BAT_WIRES_H
 #include "picture/lines/hidden.h"
 #include "picture/lines/stroke.h"
-#include "picture/shaded/tiles.h"
+#include "picture/lines/tiles.h"
 #include "picture/sheet/canvas.h"
 #include "picture/sheet/view.h"
 

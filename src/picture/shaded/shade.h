@@ -3,11 +3,11 @@
 #define BAT_SHADE_H
 #include "numeric/box.h"
 #include "picture/lines/stroke.h"
+#include "picture/lines/tiles.h"
 #include "picture/shaded/light.h"
 #include "picture/shaded/mesh_solid.h"
 #include "picture/shaded/raster.h"
 #include "picture/shaded/smooth_edges.h"
-#include "picture/shaded/tiles.h"
 #include "picture/sheet/flat.h"
 #include "picture/sheet/sheet.h"
 

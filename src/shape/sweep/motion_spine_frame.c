@@ -1,5 +1,5 @@
 /* The frames of a spine at one place, with their derivatives. */
-#include "inspect/frames.h"
+#include "inspect/measure/frames.h"
 #include "numeric/quadrature.h"
 #include "shape/sweep/motion_spine.h"
 

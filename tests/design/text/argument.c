@@ -6,7 +6,7 @@ static batten_status parse(const char *source, bat_document *out)
 {
     const batten_design_options options = batten_design_defaults();
     const batten_status status =
-        bat_document_parse(source, strlen(source), &options, NULL, out);
+        bat_document_parse(source, strlen(source), &options, &bat_all_features, NULL, out);
     if (status != BATTEN_OK)
         bat_document_free(out);
     return status;

@@ -1,6 +1,6 @@
 #define _XOPEN_SOURCE 700
-#include "base/system/posix_file.h"
-#include "base/system/posix_strays.h"
+#include "base/system/files/posix_file.h"
+#include "base/system/files/posix_strays.h"
 
 #include "support/test.h"
 #include <dirent.h>

@@ -3,7 +3,7 @@
 #define _DEFAULT_SOURCE /* flock */
 #include "base/system.h"
 #if BAT_SYSTEM == BAT_SYSTEM_POSIX
-#include "base/system/posix_strays.h"
+#include "base/system/files/posix_strays.h"
 
 #include <dirent.h>
 #include <errno.h>

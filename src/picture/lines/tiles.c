@@ -1,5 +1,5 @@
 /* Surfaces as tiles fine enough for the picture. */
-#include "picture/shaded/tiles.h"
+#include "picture/lines/tiles.h"
 
 #include "picture/lines/stroke.h"
 #include <batten/curvature.h>

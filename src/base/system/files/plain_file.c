@@ -5,7 +5,7 @@
 #include "base/system.h"
 #if BAT_SYSTEM != BAT_SYSTEM_POSIX
 #include "base/base.h"
-#include "base/system/plain_file.h"
+#include "base/system/files/plain_file.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* Frames along curves: those that turn least, those of Frenet, and the turn of closed ones. */
-#include "inspect/frames.h"
+#include "inspect/measure/frames.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include "spline/data_check.h"

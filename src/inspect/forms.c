@@ -1,5 +1,5 @@
 /* Polynomials in Bernstein form with bounds on their rounding, and a walk over their signs. */
-#include "inspect/affine/forms.h"
+#include "inspect/forms.h"
 
 #include <float.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "inspect/affine/forms.h"
+#include "inspect/forms.h"
 #include "support/test.h"
 
 static double binomial(int n, int k)

@@ -1,5 +1,5 @@
 /* Several drawings on one sheet, at one scale. */
-#include "picture/sheet/drawing.h"
+#include "picture/drawings/drawing.h"
 
 #include <stdlib.h>
 #include <string.h>

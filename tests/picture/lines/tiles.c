@@ -1,4 +1,4 @@
-#include "picture/shaded/tiles.h"
+#include "picture/lines/tiles.h"
 
 #include "picture/scenes.h"
 

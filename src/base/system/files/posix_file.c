@@ -4,8 +4,8 @@
 #include "base/system.h"
 #if BAT_SYSTEM == BAT_SYSTEM_POSIX
 #include "base/base.h"
-#include "base/system/posix_file.h"
-#include "base/system/posix_strays.h"
+#include "base/system/files/posix_file.h"
+#include "base/system/files/posix_strays.h"
 
 #include <errno.h>
 #include <fcntl.h>
