@@ -38,6 +38,26 @@ static bool leaves(const bat_chart *chart, const double low[2], const double hig
     return any;
 }
 
+/* A plane grows to its loops, as far as they can be meant: those that leave it by orders of magnitude have a wrong
+ * coordinate, and beside it all else of the face is one point. */
+static batten_status check_growth(const bat_chart *chart, const double low[2],
+                                  const double high[2])
+{
+    enum { MOST_WIDTHS = 10000 };
+    for (int k = 0; k < 2; k++) {
+        const batten_interval domain = chart->domain[k];
+        const double most = MOST_WIDTHS * chart->period[k];
+        const bool is_low = !(low[k] >= domain.a - most);
+        if (is_low || !(high[k] <= domain.b + most))
+            return bat_fail(
+                BATTEN_OUT_OF_DOMAIN,
+                "a loop runs to %c = %g, where its plane has %g to %g: a coordinate of its "
+                "curves must be wrong",
+                k ? 'v' : 'u', is_low ? low[k] : high[k], domain.a, domain.b);
+    }
+    return BATTEN_OK;
+}
+
 /* The plane over [low, high], with the same parameters. */
 static batten_status grow_plane(bat_chart *chart, const double low[2], const double high[2])
 {
@@ -167,8 +187,11 @@ batten_status bat_trace_close(bat_trace *trace, bat_trace_face *face)
     /* All is in one cell now. */
     face->chart.closed[0] = face->chart.closed[1] = false;
     hull_of(face, low, high);
-    if (bat_parameters_plane(&face->chart) && leaves(&face->chart, low, high))
-        status = grow_plane(&face->chart, low, high);
+    if (bat_parameters_plane(&face->chart) && leaves(&face->chart, low, high)) {
+        status = check_growth(&face->chart, low, high);
+        if (status == BATTEN_OK)
+            status = grow_plane(&face->chart, low, high);
+    }
     for (int i = 0; status == BATTEN_OK && i < face->loops.loop_count; i++) {
         status = close_loop(trace, face, &face->loops.loops[i]);
         while (status == BATTEN_TOLERANCE_NOT_MET && bat_trace_loosen(trace, face))

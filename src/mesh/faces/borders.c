@@ -89,6 +89,26 @@ void bat_meshing_give_up(bat_meshing *m, int face, const char *why)
  * of few samples on one line is asked for more at first. */
 enum { LINE_ROUNDS = 3, MOST_ON_LINE = 64 };
 
+/* Curves that bound a face lie on its surface, whole turns aside where it closes. What is this many widths of the
+ * domain away is damaged, and beside it all else of the border is one point. */
+enum { FAR_WIDTHS = 1000 };
+
+static batten_status check_reach(const bat_meshing *m, int face, const batten_interval box[2])
+{
+    for (int k = 0; k < 2; k++) {
+        const batten_interval domain = m->sheets[face].domain[k];
+        const double far = FAR_WIDTHS * (domain.b - domain.a);
+        if (!(box[k].a >= domain.a - far && box[k].b <= domain.b + far))
+            return bat_fail(
+                BATTEN_OUT_OF_DOMAIN,
+                "its border runs to %c = %g, far outside its surface, which ends at %g; correct "
+                "the curve that bounds it there",
+                k ? 'v' : 'u', box[k].a >= domain.a - far ? box[k].b : box[k].a,
+                box[k].a >= domain.a - far ? domain.b : domain.a);
+    }
+    return BATTEN_OK;
+}
+
 static batten_status try_border(bat_meshing *m, int face, int round, bat_pairs *splits,
                                 bool *simple)
 {
@@ -107,6 +127,8 @@ static batten_status try_border(bat_meshing *m, int face, int round, bat_pairs *
     else
         status = bat_work_step(&m->work, (uint64_t)rim.count, 0.1, "borders of faces");
     bat_rim_box(&rim, box);
+    if (status == BATTEN_OK)
+        status = check_reach(m, face, box);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         if (!(box[k].b > box[k].a)) {
             if (round < LINE_ROUNDS && rim.count <= MOST_ON_LINE)

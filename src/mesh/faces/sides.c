@@ -174,10 +174,11 @@ static int next_around(const bat_sides *s, int vertex, int t, int *turn)
     return next == first ? -1 : next;
 }
 
-static bool find_edge(const bat_sides *s, int a, int b, int *triangle, int *k)
+static bool find_edge(bat_sides *s, int a, int b, int *triangle, int *k)
 {
     int turn = 1;
     for (int t = s->of[a]; t >= 0; t = next_around(s, a, t, &turn)) {
+        s->steps_of_sides++;
         const bat_side_triangle *here = &s->triangles[t];
         const int i = corner_index(here, a);
         if (here->corner[after(i)] != b && here->corner[before(i)] != b)
@@ -276,13 +277,20 @@ static bool is_across(const bat_sides *s, int p, int q, int a, int b)
            bat_orientation(at(s, a), at(s, b), at(s, q));
 }
 
+/* Sides of borders cross few edges of Delaunay triangles: in all steps a dozen for each vertex. Where they take
+ * thousands, the border is not one that parts in and out, and flipping could go on for hours. */
+static uint64_t most_steps(const bat_sides *s)
+{
+    return 1000000 + 1000 * (uint64_t)s->vertex_count;
+}
+
 /* Flip the edges of the list until none lies across a - b. Source: [Sloan93]. */
 static bool clear_way(bat_sides *s, int a, int b, int count)
 {
     const int most = 16 + 4 * count;
     int first = 0, left = count;
     for (int rounds = 0; left > 0 && rounds < most; rounds++)
-        for (int n = left; n > 0; n--) {
+        for (int n = left; n > 0 && s->steps_of_sides <= most_steps(s); n--) {
             int *edge = &s->list[2 * first], t, k;
             const int p = edge[0], q = edge[1];
             first = (first + 1) % count;
@@ -315,10 +323,11 @@ batten_status bat_sides_keep(bat_sides *s, int a, int b, bat_side_result *result
         if (status != BATTEN_OK || *result != BAT_SIDE_KEPT)
             return status;
         if (!clear_way(s, a, b, count) || !find_edge(s, a, b, &t, &k))
-            return bat_fail(BATTEN_NOT_COMPATIBLE,
-                            "the side from (%g, %g) to (%g, %g) cannot "
-                            "be made one of triangles",
-                            at(s, a)[0], at(s, a)[1], at(s, b)[0], at(s, b)[1]);
+            return bat_fail(
+                BATTEN_NOT_COMPATIBLE,
+                "a side of its border crosses %d edges between other points of it, and cannot be made "
+                "one of triangles: these points are too close together for its length in (u, v)",
+                count);
     }
     mark_side(s, t, k);
     return BATTEN_OK;

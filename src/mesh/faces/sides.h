@@ -31,7 +31,8 @@ typedef struct {
     int last;       /* where the walk to the next point begins, and where the last one ended */
     int near[2];    /* the side that the last point not taken was too near to; -1: none */
     uint64_t steps; /* triangles met by all walks and holes so far */
-    int *list;      /* scratch, [list_room] */
+    uint64_t steps_of_sides; /* triangles met while sides were kept; bounded */
+    int *list;               /* scratch, [list_room] */
     int list_room;
     bool *waiting; /* scratch of bat_sides_settle */
 } bat_sides;

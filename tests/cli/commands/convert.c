@@ -354,3 +354,29 @@ TEST(what_instances_hold_is_counted_in_all)
     batten_body_unref(bodies[1]);
     batten_surface_unref(patch);
 }
+
+TEST(a_loop_that_leaves_its_plane_by_orders_of_magnitude_is_refused_with_its_numbers)
+{
+    const char *face = test_scratch("far.g2"), *mesh = test_scratch("far.stl");
+    /* A square with a hole; one control point of which is at -1e18. */
+    test_write(face, "210 1 0 0\n"
+                     "200 3 0 2 2 0 0 4 4\n"
+                     "2 2 0 0 4 4 0 0 0 4 0 0\n"
+                     "0 4 0 4 4 0 2 4 1e-6\n"
+                     "1 100 0 2 0 2 2 0 0 1 1\n"
+                     "0 0 4 0 1 100 0 2 0\n"
+                     "2 2 0 0 1 1 4 0 4 4\n"
+                     "1 100 0 2 0 2 2 0 0 1 1\n"
+                     "4 4 0 4 1 100 0 2 0\n"
+                     "2 2 0 0 1 1 0 4 0 0\n"
+                     "1 1e-6 1 100 100 2 0 9 4\n"
+                     "0 0 0 0 1 2 3 4 5 6 6 6 6 1 1 1 2 -1e18 3\n"
+                     "2 3 3 3 3 2 3 1\n"
+                     "2 1 1 1 3 0 9 4\n"
+                     "0 0 0 0 1 2 3 4 5 6 6 6 6 1 1 0 1 2 0 -1e18 3 0\n"
+                     "2 3 0 3 3 0 3 2 0 3 1 0\n"
+                     "2 1 0 1 1 0\n");
+    const test_process run = RUN("batten", "convert", face, mesh);
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "a loop runs to u = -1e+18, where its plane has 0 to 4");
+}
