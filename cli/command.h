@@ -85,6 +85,8 @@ int output_print(batten_text *text);
 /* Would writing `output` overwrite the file that is read, under whatever name? Then true, with
  * a complaint. */
 bool output_is_input(const char *of, const char *input, const char *output);
+/* Write bytes to the standard output, now. */
+batten_status output_stream(const char *data, size_t size);
 /* Save bytes to a file, or print them for "-". */
 int output_save(const char *path, const char *data, size_t size);
 /* The library's message, without the place ":5:39: " in a design that has no file. */

@@ -205,11 +205,19 @@ bool output_is_input(const char *of, const char *input, const char *output)
     return true;
 }
 
-static int print(const char *data, size_t size)
+batten_status output_stream(const char *data, size_t size)
 {
     if (fwrite(data, 1, size, stdout) == size && fflush(stdout) == 0)
+        return BATTEN_OK;
+    return batten_fail(BATTEN_FILE_ERROR, "cannot write to standard output: %s",
+                       strerror(errno));
+}
+
+static int print(const char *data, size_t size)
+{
+    if (output_stream(data, size) == BATTEN_OK)
         return EXIT_DONE;
-    complain("batten: cannot write to standard output: %s", strerror(errno));
+    complain("batten: %s", batten_message());
     return EXIT_FAILED;
 }
 

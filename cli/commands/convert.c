@@ -10,7 +10,8 @@
 #include <string.h>
 
 static const option options[] = {
-    {"output", 'o', OPTION_VALUE, "OUT", "the file to write, instead of the second word"},
+    {"output", 'o', OPTION_VALUE, "OUT",
+     "the file to write, instead of the second word; - is the standard output"},
     {"unit", 0, OPTION_VALUE, "UNIT",
      "the unit of the result: m, mm, in, ft ... (that of the input)"},
     {"from-unit", 0, OPTION_VALUE, "UNIT", "the unit of the input where the file does not say"},
@@ -153,7 +154,27 @@ static int report(const arguments *given, const outcome *o, const batten_notes *
         text_report(&text, o);
     if (!arguments_has(given, "json"))
         notes_show(notes);
-    return output_print(&text);
+    if (strcmp(o->output, "-") != 0)
+        return output_print(&text);
+    batten_text_free(&text); /* what is written stands alone on the standard output */
+    return EXIT_DONE;
+}
+
+/* Write into the file, or to the standard output. */
+static batten_status put_model(const batten_model *model, const batten_write_options *chosen,
+                               batten_notes *said, const char *output)
+{
+    char *data = NULL;
+    size_t size = 0;
+    if (strcmp(output, "-") != 0)
+        return batten_write_file(model, output, chosen, said);
+    batten_status status = batten_write_memory(model, chosen, said, &data, &size);
+    if (status == BATTEN_OK) {
+        job_end();
+        status = output_stream(data, size);
+    }
+    batten_release(data);
+    return status;
 }
 
 /* Prepare and write the model; the notes on its objects say what became of them. */
@@ -166,7 +187,7 @@ static batten_status write_prepared(const batten_model *model,
     if (status != BATTEN_OK)
         return status;
     const int second = batten_notes_count(said);
-    status = batten_write_file(prepared, o->output, chosen, said);
+    status = put_model(prepared, chosen, said, o->output);
     const tally_changes behind = tally_notes(said, 0);
     o->left_out = behind.left_out;
     o->approximated = behind.approximated;
@@ -428,9 +449,17 @@ static int run_convert(const arguments *given)
         return EXIT_USAGE;
     if (write.format == BATTEN_FORMAT_AUTO &&
         batten_format_from_name(o.output) == BATTEN_FORMAT_AUTO) {
-        complain("batten convert: the ending of '%s' names no format that can be written; "
-                 "--format may",
-                 o.output);
+        strcmp(o.output, "-") == 0
+            ? complain(
+                  "batten convert: '-' is the standard output; --format says what to write there")
+            : complain(
+                  "batten convert: the ending of '%s' names no format that can be written; "
+                  "--format may",
+                  o.output);
+        return EXIT_USAGE;
+    }
+    if (strcmp(o.output, "-") == 0 && arguments_has(given, "json")) {
+        complain("batten convert: '-' and --json would both write to the standard output");
         return EXIT_USAGE;
     }
     if (output_is_input("convert", given->files[0], o.output))

@@ -159,6 +159,8 @@ static const char design_manual[] =
     "refer to other features, in any order. A value may carry a unit (2 mm, 30 deg) or be an\n"
     "expression over the parameters (=beam/2). Paths are relative to the file and stay below\n"
     "its folder unless --allow-outside is given.\n\n"
+    "most-objects: the features together make at most 1,000,000 objects unless this line gives\n"
+    "another number, as most-objects: 5000000.\n"
     "units: the unit of numbers without one: m (the default), mm, cm, in, ft ... A number may\n"
     "have a unit of its own.\n"
     "tolerance: what counts as the same point, 0.1 mm unless given. Curves that must meet may\n"

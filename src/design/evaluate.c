@@ -87,14 +87,16 @@ static batten_status name_alone(bat_run *run)
     return BATTEN_OK;
 }
 
+/* @param[in,out] objects  made so far */
 static batten_status run_feature(bat_design_state *s, int i, const batten_job *job,
-                                 batten_notes *notes)
+                                 batten_notes *notes, long long *objects)
 {
     const bat_entry *entry = &s->document.features[i];
     bat_result *result = &s->results[i];
     bat_run run = begin_run(s, entry, job, notes);
     bat_result_release(result);
     run.result = result;
+    run.objects = *objects;
     const double begin = batten_system_seconds();
     batten_status status = batten_model_create(s->document.unit_metres, &run.model);
     if (status == BATTEN_OK)
@@ -110,6 +112,7 @@ static batten_status run_feature(bat_design_state *s, int i, const batten_job *j
     if (has_value) {
         result->value = run.model;
         result->done = true;
+        *objects += batten_model_count(run.model);
     } else {
         batten_model_unref(run.model);
         bat_result_release(result);
@@ -127,6 +130,14 @@ static bool inputs_are_done(const bat_design_state *s, const bat_graph *graph, i
         if (!s->results[graph->needs[k]].done)
             return false;
     return true;
+}
+
+static long long count_objects(const bat_design_state *s)
+{
+    long long count = 0;
+    for (int i = 0; i < s->document.feature_count; i++)
+        count += s->results[i].value ? batten_model_count(s->results[i].value) : 0;
+    return count;
 }
 
 static void list_result(bat_design_state *s, int i)
@@ -148,6 +159,7 @@ static batten_status run_wanted(bat_design_state *s, const bat_graph *graph, con
         return first;
     char message[1024] = "";
     const int count = s->document.feature_count;
+    long long objects = count_objects(s);
     for (int k = 0; k < count; k++) {
         const int i = s->document.order[k];
         if (!wanted[i] || s->results[i].done || !inputs_are_done(s, graph, i))
@@ -156,7 +168,7 @@ static batten_status run_wanted(bat_design_state *s, const bat_graph *graph, con
         const batten_job inner = watched_job(&w);
         if (chosen.progress)
             chosen.progress(chosen.user, w.begin, s->document.features[i].name);
-        const batten_status status = run_feature(s, i, job ? &inner : NULL, notes);
+        const batten_status status = run_feature(s, i, job ? &inner : NULL, notes, &objects);
         list_result(s, i);
         const bool ends = status == BATTEN_CANCELLED || status == BATTEN_OUT_OF_MEMORY;
         if (status != BATTEN_OK &&

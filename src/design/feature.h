@@ -58,6 +58,7 @@ struct bat_run {
     const batten_job *job;
     batten_notes *notes;
     int line;
+    long long objects;   /* that the features before this one made */
     bat_result *result;  /* of a feature */
     batten_model *model; /* of a feature: empty at first */
     char *data;          /* of an output */
@@ -124,6 +125,11 @@ batten_status bat_merge(const bat_run *run, const char *parameter, batten_model 
     (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_OFFSETS | BAT_TRIANGLES | BAT_BODIES | \
      BAT_MESHES)
 
+/* Features double objects, and chains of them fill any memory: `count` objects that this one is about to make are
+ * refused, with the number, when the design would then have made more than it may. */
+batten_status bat_expect(const bat_run *run, long long count);
+/* Put an object into the model of the feature, unless it is one too many. */
+batten_status bat_add(bat_run *run, const batten_object *object);
 /* Put a curve or surface into the model under the feature's name and give its reference back,
  * when the status so far is good; else hand the status on. A surface of another kind becomes
  * NURBS, within the design's tolerance, and the error is reported. */

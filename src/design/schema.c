@@ -99,6 +99,7 @@ static const char head[] =
     "    \"units\": {\"type\": \"string\", \"default\": \"m\", \"description\": \"the unit of lengths without one\"},\n"
     "    \"tolerance\": {\"$ref\": \"#/$defs/length\", \"description\": \"what is the same point\"},\n"
     "    \"title\": {\"type\": [\"string\", \"number\"]},\n"
+    "    \"most-objects\": {\"type\": \"integer\", \"minimum\": 1, \"description\": \"how many objects the features may make\"},\n"
     "    \"parameters\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": \"#/$defs/length\"}},\n"
     "    \"features\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": \"#/$defs/operation\"}},\n"
     "    \"outputs\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": \"#/$defs/output\"}}\n"

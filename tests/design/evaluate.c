@@ -124,3 +124,25 @@ TEST(objects_that_a_change_does_not_concern_pass_through)
     };
     EXPECT(before, rows);
 }
+
+TEST(S5_the_objects_that_a_design_makes_are_counted_before_they_are_made)
+{
+    static const char text[] = "batten: 1\nmost-objects: %d\nfeatures:\n"
+                               "  a: {line: [[0, 1], [1, 2]]}\n  b: {mirror: a}\n"
+                               "  c: {mirror: b}\n  d: {mirror: c}\n";
+    char design_text[300];
+    batten_design *design = NULL;
+    snprintf(design_text, sizeof design_text, text, 14);
+    CHECK_OK(parse(design_text, NULL, &design));
+    CHECK_STATUS(batten_design_evaluate(design, NULL, NULL, NULL), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("would have made 15 objects, more than 14; a line 'most-objects: 15'");
+    CHECK_OK(batten_design_result(design, "c")->status);
+    CHECK_STATUS(batten_design_result(design, "d")->status, BATTEN_TOO_LARGE);
+    batten_design_free(design);
+    snprintf(design_text, sizeof design_text, text, 15);
+    CHECK_OK(parse(design_text, NULL, &design));
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
+    batten_design_free(design);
+    CHECK_STATUS(parse("batten: 1\nmost-objects: 0\n", NULL, &design), BATTEN_BAD_FORMAT);
+    CHECK_MESSAGE("'most-objects' must be 1 or more, not 0");
+}

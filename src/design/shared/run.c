@@ -193,6 +193,24 @@ batten_status bat_merge(const bat_run *run, const char *parameter, batten_model 
 
 /* ---- putting objects into the model ---- */
 
+batten_status bat_expect(const bat_run *run, long long count)
+{
+    const long long all = run->objects + count, most = run->document->most_objects;
+    return all <= most
+               ? BATTEN_OK
+               : bat_fail(
+                     BATTEN_TOO_LARGE,
+                     "with it the design would have made %lld objects, more than %lld; a line "
+                     "'most-objects: %lld' in the design allows them",
+                     all, most, all);
+}
+
+batten_status bat_add(bat_run *run, const batten_object *object)
+{
+    const batten_status status = bat_expect(run, (long long)batten_model_count(run->model) + 1);
+    return status == BATTEN_OK ? batten_model_add(run->model, object) : status;
+}
+
 batten_status bat_put_curve(bat_run *run, batten_status status, batten_curve *curve)
 {
     const batten_object like = {.name = run->name, .layer = ""};
@@ -219,7 +237,7 @@ static batten_status put_curve(bat_run *run, batten_status status, batten_curve 
         object.points = object.parameters = NULL;
     }
     if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &object);
+        status = bat_add(run, &object);
     batten_chain_unref(chain);
     batten_curve_unref(curve);
     return status;
@@ -279,7 +297,7 @@ batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_su
                                   .kind = BATTEN_OBJECT_SURFACE,
                                   .surface = nurbs};
     if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &object);
+        status = bat_add(run, &object);
     batten_surface_unref(nurbs);
     return status;
 }
@@ -291,7 +309,7 @@ batten_status bat_put_triangles(bat_run *run, batten_status status, batten_trian
                                   .kind = BATTEN_OBJECT_TRIANGLES,
                                   .triangles = triangles};
     if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &object);
+        status = bat_add(run, &object);
     batten_triangles_unref(triangles);
     return status;
 }
@@ -335,7 +353,7 @@ static batten_status change_triangles(bat_run *run, const bat_change *change,
     batten_status status = change->triangles(run, object->triangles, &triangles);
     made.triangles = triangles;
     if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &made);
+        status = bat_add(run, &made);
     batten_triangles_unref(triangles);
     return status;
 }
@@ -360,7 +378,7 @@ batten_status bat_change_all(bat_run *run, const bat_change *change)
     for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++) {
         const batten_object *object = batten_model_object(model, i);
         if (!(kinds & 1u << object->kind))
-            status = batten_model_add(run->model, object);
+            status = bat_add(run, object);
         else if (object->kind == BATTEN_OBJECT_CURVE)
             status = change_curve(run, change, object);
         else if (object->kind == BATTEN_OBJECT_TRIANGLES)

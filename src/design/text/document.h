@@ -41,6 +41,7 @@ typedef struct bat_document {
     bat_complaints *complaints;     /* while parsing */
     double unit_metres, tolerance;
     bool has_units; /* it names its unit */
+    int most_objects; /* that all features together may make */
     const char *title;
     int parameter_count, feature_count, output_count;
     bat_parameter *parameters;

@@ -4,8 +4,8 @@
 
 #include <string.h>
 
-static const char *const sections[] = {"batten",     "units",    "tolerance", "title",
-                                       "parameters", "features", "outputs"};
+static const char *const sections[] = {"batten",       "units",      "tolerance", "title",
+                                       "most-objects", "parameters", "features",  "outputs"};
 #define SECTION_COUNT ((int)(sizeof sections / sizeof sections[0]))
 
 static void check_sections(bat_document *d)
@@ -96,11 +96,31 @@ static void read_units(bat_document *d)
                      "unknown unit of length '%s'; known are m mm cm km um in ft mil mi", word);
 }
 
+/* More would fill the memory of a small machine: an object takes about 700 bytes and what it holds. */
+enum { MOST_OBJECTS = 1000000 };
+
+static void read_most_objects(bat_document *d)
+{
+    int node, most = 0;
+    const char *word = head_word(d, "most-objects", &node);
+    d->most_objects = MOST_OBJECTS;
+    if (!word)
+        return;
+    if (bat_count_read(word, &most) != BATTEN_OK)
+        bat_complain(d, node, "the most objects that the design may make: %s",
+                     batten_message());
+    else if (most < 1)
+        bat_complain(d, node, "'most-objects' must be 1 or more, not %d", most);
+    else
+        d->most_objects = most;
+}
+
 void bat_head_read(bat_document *d)
 {
     int node;
     read_version(d);
     check_sections(d);
     read_units(d);
+    read_most_objects(d);
     d->title = head_word(d, "title", &node);
 }

@@ -380,3 +380,19 @@ TEST(a_loop_that_leaves_its_plane_by_orders_of_magnitude_is_refused_with_its_num
     CHECK_INT(run.exit, 1);
     CHECK_CONTAINS(run.errors, "a loop runs to u = -1e+18, where its plane has 0 to 4");
 }
+
+TEST(convert_writes_to_the_standard_output_for_a_dash)
+{
+    const char *tank = write_tank(), *file = test_scratch("same.igs");
+    CHECK_INT(RUN("batten", "convert", tank, file).exit, 0);
+    const test_process run = RUN("batten", "convert", tank, "-", "--format", "iges");
+    CHECK_INT(run.exit, 0);
+    CHECK_TEXT(run.out, test_content(file));
+    CHECK_CONTAINS(RUN("batten", "convert", tank, "-o", "-", "--format", "stl", "--text").out,
+                   "endsolid");
+    CHECK_INT(RUN("batten", "convert", tank, "-").exit, 2);
+    CHECK_INT(RUN("batten", "convert", tank, "-", "--format", "iges", "--json").exit, 2);
+    char full[600];
+    snprintf(full, sizeof full, "\"$BATTEN\" convert '%s' - --format iges > /dev/full", tank);
+    CHECK_INT(test_shell(full).exit, 1);
+}

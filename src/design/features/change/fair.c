@@ -160,7 +160,7 @@ static batten_status fair_curve(bat_run *run, const batten_object *object, int s
     batten_curve *curve = NULL;
     const int count = object->point_count;
     if (count < FEWEST_POINTS)
-        return batten_model_add(run->model, object);
+        return bat_add(run, object);
     batten_object made = *object;
     double *faired = bat_array3((size_t)count, 3, sizeof *faired);
     batten_status status =
@@ -183,7 +183,7 @@ static batten_status fair_row(bat_run *run, const batten_object *object, int set
     batten_object through = *object;
     batten_curve *curve = NULL;
     if (count < 2)
-        return batten_model_add(run->model, object);
+        return bat_add(run, object);
     double *parameters_of = bat_array((size_t)count, sizeof *parameters_of);
     batten_status status = parameters_of ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
@@ -245,7 +245,7 @@ static batten_status fair_table(bat_run *run, const batten_object *object)
                                                     run->job, &run->result->fairing, &faired);
     made.offset_table = faired;
     if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &made);
+        status = bat_add(run, &made);
     batten_offset_table_unref(faired);
     return status;
 }

@@ -40,8 +40,9 @@ static batten_status run_mirror(bat_run *run)
         return status;
     const batten_model *model = bat_model(run, "mirror");
     const bool keep = bat_yes(run, "keep");
+    status = bat_expect(run, (keep ? 2LL : 1LL) * batten_model_count(model));
     for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK && keep; i++)
-        status = batten_model_add(run->model, batten_model_object(model, i));
+        status = bat_add(run, batten_model_object(model, i));
     for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++) {
         batten_object object = *batten_model_object(model, i);
         char name[200];

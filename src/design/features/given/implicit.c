@@ -65,7 +65,7 @@ static batten_status put_singular(bat_run *run, const batten_object *object, con
                                 .kind = BATTEN_OBJECT_POINTS,
                                 .point_count = trace->singular_count,
                                 .points = points};
-    const batten_status status = batten_model_add(run->model, &made);
+    const batten_status status = bat_add(run, &made);
     bat_release(points);
     return status;
 }

@@ -20,7 +20,7 @@ static batten_status add_row(bat_run *run, const char *name, int count, const ba
                                .kind = BATTEN_OBJECT_POINTS,
                                .point_count = count,
                                .points = points};
-    return batten_model_add(run->model, &row);
+    return bat_add(run, &row);
 }
 
 static batten_status run_points(bat_run *run)

@@ -47,7 +47,7 @@ static batten_status add_offsets(bat_run *run, const batten_object *object, doub
         batten_offset_table_select(object->offset_table, &selection, &offsets);
     made.offset_table = offsets;
     if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &made);
+        status = bat_add(run, &made);
     batten_offset_table_unref(offsets);
     return status;
 }
@@ -76,7 +76,7 @@ static batten_status add_object(bat_run *run, const batten_object *object, doubl
     const batten_affine map = batten_affine_scaling(factor, factor, factor);
     if (object->kind == BATTEN_OBJECT_OFFSET_TABLE)
         return add_offsets(run, object, factor);
-    return factor == 1 ? batten_model_add(run->model, object)
+    return factor == 1 ? bat_add(run, object)
                        : bat_transform_object(run, &map, object);
 }
 

@@ -96,7 +96,7 @@ static batten_status put_arcs(bat_run *run, const batten_object *from,
                                   .curve = curve,
                                   .chain = placed};
     if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &object);
+        status = bat_add(run, &object);
     batten_chain_unref(placed);
     batten_curve_unref(curve);
     return status;

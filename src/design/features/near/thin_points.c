@@ -52,7 +52,7 @@ static batten_status thin_row(bat_run *run, const batten_object *from, const bat
                                 .point_count = count,
                                 .points = points};
     if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &made);
+        status = bat_add(run, &made);
     bat_release(points);
     return status;
 }

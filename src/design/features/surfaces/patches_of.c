@@ -31,7 +31,7 @@ static batten_status run_patches_of(bat_run *run)
             triangles, bat_word(run, "form") ? BATTEN_PATCHES_POLE : BATTEN_PATCHES_REGULAR,
             &patches);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(patches); i++)
-        status = batten_model_add(run->model, batten_model_object(patches, i));
+        status = bat_add(run, batten_model_object(patches, i));
     batten_model_unref(triangles);
     batten_model_unref(patches);
     return status;

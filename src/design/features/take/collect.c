@@ -16,7 +16,7 @@ static batten_status add_under_new_name(bat_run *run, const batten_object *objec
     snprintf(name, sizeof name, "%.200s", object->name);
     for (int i = 2; batten_model_find(run->model, name) >= 0; i++)
         snprintf(name, sizeof name, "%.200s (%d)", object->name, i);
-    return batten_model_add(run->model, &named);
+    return bat_add(run, &named);
 }
 
 static batten_status run_collect(bat_run *run)

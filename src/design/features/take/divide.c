@@ -38,7 +38,7 @@ static batten_status put_points(bat_run *run, const batten_object *object,
                                 .point_count = at->count,
                                 .points = points};
     if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &made);
+        status = bat_add(run, &made);
     bat_release(points);
     return status;
 }

@@ -127,7 +127,7 @@ static batten_status run_faces(bat_run *run)
     for (int i = 0; i < shapes.count && status == BATTEN_OK; i++)
         status = shapes.at[i]->kind == BATTEN_OBJECT_BODY
                      ? add_faces(run, shapes.at[i])
-                     : batten_model_add(run->model, shapes.at[i]);
+                     : bat_add(run, shapes.at[i]);
     bat_objects_release(&shapes);
     return status;
 }

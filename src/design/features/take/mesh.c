@@ -59,7 +59,7 @@ static batten_status add_mesh(bat_run *run, const batten_object *object,
     made.triangles = NULL;
     made.body = NULL;
     made.mesh = mesh;
-    status = batten_model_add(run->model, &made);
+    status = bat_add(run, &made);
     if (status == BATTEN_OK)
         report_mesh(run, object, mesh, &report);
     batten_mesh_unref(mesh);

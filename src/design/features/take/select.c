@@ -21,7 +21,7 @@ static batten_status run_select(bat_run *run)
                             "'%s' has no object '%s'; its %d objects begin with '%s'",
                             bat_text(run, "select"), names->items[i].text,
                             batten_model_count(model), batten_model_object(model, 0)->name);
-        status = batten_model_add(run->model, batten_model_object(model, at));
+        status = bat_add(run, batten_model_object(model, at));
     }
     return status;
 }
