@@ -290,6 +290,27 @@ BATTEN_API batten_status batten_curve_divide_pieces(const batten_curve *curve,
                                                     const batten_vec3 *direction,
                                                     batten_parameters *out);
 
+/** A place where the normal of a surface reverses without an edge: there it folds over. */
+typedef struct batten_surface_fold {
+    bool found;
+    double u, v;       /**< parameters beside the fold */
+    batten_vec3 point; /**< and the point there */
+} batten_surface_fold;
+/**
+ * Does a surface fold over? Its normal is looked at in places three to a span and direction, 12
+ * at least; where neighbours are more than a right angle apart, closely. Edges, as along a sharp
+ * trailing edge, are no folds, nor is anything beside corners where both derivatives are
+ * parallel to a thousandth of a radian. What folds and unfolds between places is not seen.
+ *
+ * @param surface  of dimension 2 or 3
+ * @param[out] out  the first fold found
+ * @return BATTEN_OK; NOT_COMPATIBLE (dimension); as batten_surface_evaluate; OUT_OF_MEMORY
+ *
+ * Cost: nine evaluations to order 1 for each patch.
+ */
+BATTEN_API batten_status batten_surface_find_fold(const batten_surface *surface,
+                                                  batten_surface_fold *out);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,6 +1,7 @@
 /* The evaluation of a design: its features in the order of their needs, its outputs, and what became
  * of each. */
 #include "base/system.h"
+#include "design/shared/folds.h"
 #include "design/state.h"
 
 #include <assert.h>
@@ -103,6 +104,8 @@ static batten_status run_feature(bat_design_state *s, int i, const batten_job *j
         status = entry->feature->run(&run);
     if (status == BATTEN_OK && batten_model_count(run.model) == 0)
         status = bat_fail(BATTEN_NOT_FOUND, "nothing is left");
+    if (status == BATTEN_OK)
+        status = bat_note_folds(&run);
     bool has_value = status == BATTEN_OK || status == BATTEN_PARTLY_READ;
     if (has_value && batten_model_count(run.model) == 1) {
         const batten_status named = name_alone(&run);

@@ -103,16 +103,22 @@ typedef struct {
     const batten_object **at;
 } bat_objects;
 
-/* @param kinds  bits 1 << BATTEN_OBJECT_...; fails when there is none of these kinds */
+/* No object is dropped in silence: an input without an object of the kinds is an error that names
+ * it; where only some of its objects are of other kinds, a note says so.
+ * @param kinds  bits 1 << BATTEN_OBJECT_... */
 batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kinds,
                          bat_objects *out);
+/* The same without a word about objects of other kinds: for those that pass them on. */
+batten_status bat_gather_some(const bat_run *run, const char *parameter, unsigned kinds,
+                              bat_objects *out);
 void bat_objects_release(bat_objects *objects);
 /* The only curve of an argument, borrowed from its feature's result. */
 batten_status bat_one_curve(const bat_run *run, const char *parameter,
                             const batten_curve **out);
 
-/* All objects of all models of an argument in one model of the design's unit. */
-batten_status bat_merge(const bat_run *run, const char *parameter, batten_model **out);
+/* The same in one model of the design's unit. */
+batten_status bat_merge(const bat_run *run, const char *parameter, unsigned kinds,
+                        batten_model **out);
 
 #define BAT_POINTS (1u << BATTEN_OBJECT_POINTS)
 #define BAT_CURVES (1u << BATTEN_OBJECT_CURVE)

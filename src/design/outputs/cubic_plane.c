@@ -30,7 +30,7 @@ static batten_status run_cubic_plane(bat_run *run)
     plane.glyphs = bat_yes(run, "glyphs");
     if (!batten_picture_format_from_name(run->name, &options.format))
         return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .png, .svg or .pdf", run->name);
-    batten_status status = bat_merge(run, "cubic-plane", &model);
+    batten_status status = bat_merge(run, "cubic-plane", BAT_CURVES, &model);
     if (status == BATTEN_OK)
         status = batten_draw_cubic_plane(model, &plane, &options, &run->data, &run->size);
     batten_model_unref(model);

@@ -39,7 +39,7 @@ static batten_status run_gcode(bat_run *run)
     options.plunge = bat_has(run, "plunge") ? bat_number(run, "plunge") : 0;
     options.absolute_centres = bat_word(run, "centres") == CENTRES_ABSOLUTE;
     options.relative_moves = bat_word(run, "moves") == 1;
-    batten_status status = bat_merge(run, "g-code", &model);
+    batten_status status = bat_merge(run, "g-code", BAT_ALL, &model);
     if (status == BATTEN_OK)
         status = batten_write_gcode(model, &options, run->notes, &run->data, &run->size);
     batten_model_unref(model);

@@ -89,7 +89,7 @@ static batten_status run_lines_plan(bat_run *run)
         options.title = bat_text(run, "title");
     else if (run->document->title)
         options.title = run->document->title;
-    batten_status status = bat_merge(run, "lines-plan", &model);
+    batten_status status = bat_merge(run, "lines-plan", BAT_SURFACES, &model);
     if (status == BATTEN_OK)
         status = draw_lines_plan(run, model, &options);
     batten_model_unref(model);

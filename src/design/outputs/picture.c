@@ -144,7 +144,7 @@ static batten_status run_picture(bat_run *run)
     if (!batten_picture_format_from_name(run->name, &options.format))
         return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .png, .svg or .pdf", run->name);
     options.notes = run->notes;
-    batten_status status = bat_merge(run, "picture", &model);
+    batten_status status = bat_merge(run, "picture", BAT_ALL, &model);
     if (status == BATTEN_OK)
         status = draw_picture(run, model, &options);
     batten_model_unref(model);

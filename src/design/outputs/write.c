@@ -57,7 +57,7 @@ static batten_status run_write(bat_run *run)
         return bat_fail(BATTEN_UNSUPPORTED, "the ending of '%s' names no format; add 'format'",
                         run->name);
     read_options(run, &options, &mesh);
-    batten_status status = bat_merge(run, "write", &model);
+    batten_status status = bat_merge(run, "write", BAT_ALL, &model);
     if (status == BATTEN_OK && batten_write_choose(run->name, model, &options))
         status = batten_write_memory(model, &options, run->notes, &run->data, &run->size);
     batten_model_unref(model);

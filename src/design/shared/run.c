@@ -1,184 +1,14 @@
-/* What a feature may ask and do while it runs: its arguments by name, objects in and objects out. */
+/* What a feature may do while it runs: put objects out, change all of its inputs. */
 #include "design/text/document.h"
-
-#include <assert.h>
-#include <stdio.h>
-#include <string.h>
-
-/* ---- arguments ---- */
-
-const bat_argument *bat_argument_of(const bat_run *run, const char *parameter)
-{
-    int i = 0;
-    while (i < run->feature->parameter_count &&
-           strcmp(run->feature->parameters[i].name, parameter) != 0)
-        i++;
-    assert(i < run->feature->parameter_count);
-    return &run->arguments[i];
-}
-
-static const bat_item *item_of(const bat_run *run, const char *parameter)
-{
-    static const bat_item none = {{0}, -1, NULL};
-    const bat_argument *argument = bat_argument_of(run, parameter);
-    return argument->count ? argument->items : &none;
-}
-
-bool bat_has(const bat_run *run, const char *parameter)
-{
-    return bat_argument_of(run, parameter)->count > 0;
-}
-
-double bat_number(const bat_run *run, const char *parameter)
-{
-    return item_of(run, parameter)->number[0];
-}
-
-int bat_count(const bat_run *run, const char *parameter)
-{
-    return bat_has(run, parameter) ? item_of(run, parameter)->count : 0;
-}
-
-int bat_word(const bat_run *run, const char *parameter)
-{
-    return item_of(run, parameter)->count;
-}
-
-bool bat_yes(const bat_run *run, const char *parameter)
-{
-    return item_of(run, parameter)->count == 1;
-}
-
-const char *bat_text(const bat_run *run, const char *parameter)
-{
-    return item_of(run, parameter)->text;
-}
-
-batten_vec3 bat_point(const bat_run *run, const char *parameter)
-{
-    const double *p = item_of(run, parameter)->number;
-    return (batten_vec3){p[0], p[1], p[2]};
-}
-
-const batten_model *bat_model(const bat_run *run, const char *parameter)
-{
-    return run->results[item_of(run, parameter)->count].value;
-}
-
-double bat_unit_metres(const bat_run *run)
-{
-    return run->document->unit_metres;
-}
-
-const char *bat_unit_name(const bat_run *run)
-{
-    const bat_document *d = run->document;
-    const char *name = batten_unit_name(d->unit_metres);
-    const bool is_stated =
-        d->has_units || !d->provided || batten_model_unit_metres(d->provided) > 0;
-    return is_stated && name ? name : "";
-}
-
-double bat_tolerance(const bat_run *run)
-{
-    return run->document->tolerance;
-}
-
-const char *bat_file_name(const bat_run *run)
-{
-    return run->document->file_name;
-}
 
 /* ---- objects ---- */
 
-/* "curves or surfaces" */
-static void name_kinds(unsigned kinds, char *text, size_t size)
-{
-    static const char *const names[] = {"points",    "curves", "surfaces", "tables of offsets",
-                                        "triangles", "bodies", "meshes",   "instances"};
-    size_t used = 0;
-    *text = 0;
-    for (int i = 0; i < (int)(sizeof names / sizeof names[0]); i++)
-        if (kinds & (1u << i) && used < size)
-            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? " or " : "",
-                                     names[i]);
-}
-
-static bool is_wanted(const batten_object *object, unsigned kinds)
-{
-    return (kinds & (1u << object->kind)) ||
-           ((kinds & BAT_POINTS) && object->kind == BATTEN_OBJECT_CURVE &&
-            object->point_count && !(kinds & BAT_CURVES));
-}
-
-/* What to do when curves are wanted and there are only points. */
-static const char *advice(const bat_run *run, const bat_argument *argument, unsigned kinds)
-{
-    bool has_points = false;
-    for (int i = 0; i < argument->count; i++) {
-        const batten_model *model = run->results[argument->items[i].count].value;
-        for (int k = 0; k < batten_model_count(model); k++)
-            has_points |= is_wanted(batten_model_object(model, k), BAT_POINTS | BAT_OFFSETS);
-    }
-    return has_points && (kinds & BAT_CURVES)
-               ? "; 'interpolate' ('batten fit') makes curves through its points"
-               : "";
-}
-
-batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kinds,
-                         bat_objects *out)
-{
-    const bat_argument *argument = bat_argument_of(run, parameter);
-    int all = 0, count = 0;
-    for (int i = 0; i < argument->count; i++)
-        all += batten_model_count(run->results[argument->items[i].count].value);
-    const batten_object **found = bat_array((size_t)all, sizeof *found);
-    if (!found)
-        return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < argument->count; i++) {
-        const batten_model *model = run->results[argument->items[i].count].value;
-        for (int k = 0; k < batten_model_count(model); k++)
-            if (is_wanted(batten_model_object(model, k), kinds))
-                found[count++] = batten_model_object(model, k);
-    }
-    if (count > 0) {
-        *out = (bat_objects){count, found};
-        return BATTEN_OK;
-    }
-    bat_release(found);
-    char names[80];
-    name_kinds(kinds, names, sizeof names);
-    return bat_fail(BATTEN_BAD_ARGUMENT, "%s are needed, and '%s' has none%s", names,
-                    argument->count ? argument->items[0].text : "the input",
-                    advice(run, argument, kinds));
-}
-
-void bat_objects_release(bat_objects *objects)
-{
-    bat_release(objects->at);
-    *objects = (bat_objects){0, NULL};
-}
-
-batten_status bat_one_curve(const bat_run *run, const char *parameter, const batten_curve **out)
-{
-    bat_objects curves;
-    batten_status status = bat_gather(run, parameter, BAT_CURVES, &curves);
-    if (status != BATTEN_OK)
-        return status;
-    if (curves.count == 1)
-        *out = curves.at[0]->curve;
-    else
-        status =
-            bat_fail(BATTEN_BAD_ARGUMENT, "'%s' is one curve, not %d", parameter, curves.count);
-    bat_objects_release(&curves);
-    return status;
-}
-
-batten_status bat_merge(const bat_run *run, const char *parameter, batten_model **out)
+batten_status bat_merge(const bat_run *run, const char *parameter, unsigned kinds,
+                        batten_model **out)
 {
     bat_objects objects = {0, NULL};
     batten_model *model = NULL;
-    batten_status status = bat_gather(run, parameter, BAT_ALL, &objects);
+    batten_status status = bat_gather(run, parameter, kinds, &objects);
     if (status == BATTEN_OK)
         status = batten_model_create(bat_unit_metres(run), &model);
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
@@ -365,27 +195,33 @@ static unsigned changed_kinds(const bat_change *change)
            (change->triangles ? BAT_TRIANGLES : 0);
 }
 
+static batten_status change_object(bat_run *run, const bat_change *change, unsigned kinds,
+                                   const batten_object *object)
+{
+    if (!(kinds & 1u << object->kind))
+        return bat_add(run, object);
+    if (object->kind == BATTEN_OBJECT_CURVE)
+        return change_curve(run, change, object);
+    if (object->kind == BATTEN_OBJECT_TRIANGLES)
+        return change_triangles(run, change, object);
+    return change_surface(run, change, object);
+}
+
 batten_status bat_change_all(bat_run *run, const bat_change *change)
 {
     const char *input = run->feature->parameters[0].name;
     const unsigned kinds = changed_kinds(change);
-    const batten_model *model = bat_model(run, input);
     bat_objects objects;
-    batten_status status = bat_gather(run, input, kinds, &objects);
+    batten_status status = bat_gather_some(run, input, kinds, &objects);
     if (status != BATTEN_OK)
         return status;
     bat_objects_release(&objects);
-    for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++) {
-        const batten_object *object = batten_model_object(model, i);
-        if (!(kinds & 1u << object->kind))
-            status = bat_add(run, object);
-        else if (object->kind == BATTEN_OBJECT_CURVE)
-            status = change_curve(run, change, object);
-        else if (object->kind == BATTEN_OBJECT_TRIANGLES)
-            status = change_triangles(run, change, object);
-        else
-            status = change_surface(run, change, object);
-    }
+    status = bat_gather(run, input, BAT_ALL, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
+        status = change_object(run, change, kinds, objects.at[i]);
+    bat_objects_release(&objects);
     return status;
 }
 

@@ -1,9 +1,11 @@
 /* What a fill reached: gaps, angles, differences of curvature along all edges. */
 #include "numeric/vector.h"
 #include "shape/fill/fill.h"
+#include <batten/measure.h>
+
 #include <string.h>
 
-enum { PLACES = 16, GRID = 12 };
+enum { PLACES = 16 };
 
 /* A surface seen in one point: two derivatives and the three of second order. */
 typedef struct {
@@ -223,27 +225,17 @@ static batten_status measure_rim(const bat_fill_loop *loop, double *out)
     return status;
 }
 
-/* Do normals of neighbouring places turn by more than a right angle? Places that hardly have
- * one do not count: a corner where sides meet smoothly may do so but for rounding. */
 static batten_status look_for_folds(const batten_surface *patch, bool *folded, double at[3])
 {
-    double(*normals)[3] = bat_array((GRID + 1) * (GRID + 1), sizeof *normals);
-    batten_status status = normals ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int k = 0; status == BATTEN_OK && k < (GRID + 1) * (GRID + 1); k++) {
-        const int i = k / (GRID + 1), j = k % (GRID + 1);
-        view s;
-        status = see_surface(patch, (double)i / GRID, (double)j / GRID, &s);
-        if (status != BATTEN_OK || !(s.sine > 1e-3))
-            continue;
-        memcpy(normals[k], s.normal, sizeof s.normal);
-        if (!*folded && ((i > 0 && bat_dot(3, normals[k], normals[k - GRID - 1]) < 0) ||
-                         (j > 0 && bat_dot(3, normals[k], normals[k - 1]) < 0))) {
-            *folded = true;
-            memcpy(at, s.point, sizeof s.point);
-        }
-    }
-    bat_release(normals);
-    return status;
+    batten_surface_fold fold;
+    const batten_status status = batten_surface_find_fold(patch, &fold);
+    if (status != BATTEN_OK || *folded || !fold.found)
+        return status;
+    *folded = true;
+    at[0] = fold.point.x;
+    at[1] = fold.point.y;
+    at[2] = fold.point.z;
+    return BATTEN_OK;
 }
 
 static void place_given(const bat_fill_loop *loop, double at[3])

@@ -257,8 +257,12 @@ static batten_status run_contours(bat_run *run)
         .within = bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run),
         .smooth = bat_word(run, "as") == 0};
     status = find_levels(run, &surfaces, &w);
-    for (int i = 0; i < surfaces.count && status == BATTEN_OK; i++)
+    for (int i = 0; i < surfaces.count && status == BATTEN_OK; i++) {
+        const int before = batten_model_count(run->model);
         status = put_contours(run, surfaces.at[i], &w);
+        if (status == BATTEN_OK && batten_model_count(run->model) == before)
+            bat_remark(run, "'%s' meets none of the levels", surfaces.at[i]->name);
+    }
     if (status == BATTEN_OK && batten_model_count(run->model) == 0)
         status = bat_fail(BATTEN_NOT_FOUND, "no level from %g to %g is met by the field",
                           w.levels[0], w.levels[w.level_count - 1]);

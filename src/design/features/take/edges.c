@@ -74,8 +74,12 @@ static batten_status run_edges(bat_run *run)
     batten_status status = bat_gather(run, "edges", BAT_BODIES | BAT_SURFACES, &shapes);
     if (status != BATTEN_OK)
         return status;
-    for (int i = 0; i < shapes.count && status == BATTEN_OK; i++)
+    for (int i = 0; i < shapes.count && status == BATTEN_OK; i++) {
+        const int before = batten_model_count(run->model);
         status = edges_of(run, shapes.at[i]);
+        if (status == BATTEN_OK && batten_model_count(run->model) == before)
+            bat_note(run, "'%s' has no such edges", shapes.at[i]->name);
+    }
     bat_objects_release(&shapes);
     if (status == BATTEN_OK && batten_model_count(run->model) == 0)
         status = bat_fail(BATTEN_NOT_FOUND, "there are no such edges");

@@ -108,7 +108,7 @@ TEST(operations_make_the_objects_they_promise)
         {"{fit-scattered: t, within: 1 cm, corners: [[0, 0, 0], [4, 0, 0], [4, 5, 4], [0, 5, "
          "4]]}",
          1, "a", BATTEN_OBJECT_SURFACE},
-        {"{fit-scattered: [p, row, l1], as: function, lambda: 1e-3}", 1, "a",
+        {"{fit-scattered: [p, row], as: function, lambda: 1e-3}", 1, "a",
          BATTEN_OBJECT_SURFACE},
         {"{fit-scattered: [p, row], method: multilevel, as: function, levels: 3}", 1, "a",
          BATTEN_OBJECT_SURFACE},

@@ -91,7 +91,7 @@ TEST(nets_that_are_none_are_refused_with_their_numbers)
         {"{bezier-triangle: net, halve: 12}", "more than"},
         {"{join-triangles: sail}", "0 edges are shared"},
         {"{triangle-patch: [l1, l2]}", "between 3 curves, not 2"},
-        {"{triangle-patch: [l1, l2, sail]}", "between 3 curves, not 2"},
+        {"{triangle-patch: [l1, l2, sail]}", "takes curves, and 'sail' is triangles"},
         {"{triangle-patch: [l1, l2, az]}", "is open by"},
         {"{triangle-patch: [l1, l2, l3], along: l1}", "surfaces or triangles are needed"},
         {"{triangles-of: sail}", "surfaces are needed"},

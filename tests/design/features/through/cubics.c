@@ -146,7 +146,7 @@ TEST(a_report_says_which_map_makes_one_curve_of_another)
     const char *text = output_of(QUINTIC "  d: {scale: c, by: [2, 1, 1]}\n"
                                          "  e: {part: d, from: 0.25, to: 0.75}\n"
                                          "  f: {reverse: e}\n"
-                                         "outputs:\n  a.txt: {affine-match: [c, d, f, p]}\n");
+                                         "outputs:\n  a.txt: {affine-match: [c, d, f]}\n");
     CHECK_CONTAINS(text, "d: an affine image of c, to ");
     CHECK_CONTAINS(text, "  x' = 2 x");
     CHECK_CONTAINS(text, "f: an affine image of c, to ");

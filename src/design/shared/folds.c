@@ -1,0 +1,48 @@
+/* Surfaces that fold over, as features make them. */
+#include "design/shared/folds.h"
+#include <batten/measure.h>
+
+/* Does the feature make its surfaces of something that is none? */
+static bool constructs(const bat_run *run)
+{
+    const batten_parameter *principal = &run->feature->parameters[0];
+    const bat_argument *argument = &run->arguments[0];
+    if (principal->kind != BATTEN_VALUE_MODEL)
+        return principal->kind != BATTEN_VALUE_FILE;
+    for (int i = 0; i < argument->count; i++) {
+        const batten_model *model = run->results[argument->items[i].count].value;
+        for (int k = 0; k < batten_model_count(model); k++)
+            if (batten_model_object(model, k)->kind == BATTEN_OBJECT_SURFACE)
+                return false;
+    }
+    return true;
+}
+
+batten_status bat_note_folds(const bat_run *run)
+{
+    const int count = constructs(run) ? batten_model_count(run->model) : 0;
+    batten_surface_fold first = {.found = false};
+    const char *name = "";
+    int folded = 0;
+    for (int k = 0; k < count; k++) {
+        const batten_object *object = batten_model_object(run->model, k);
+        batten_surface_fold fold = {.found = false};
+        batten_status status = BATTEN_OK;
+        if (object->kind == BATTEN_OBJECT_SURFACE)
+            status = batten_surface_find_fold(object->surface, &fold);
+        if (status != BATTEN_OK)
+            return status;
+        if (fold.found && folded++ == 0) {
+            first = fold;
+            name = object->name;
+        }
+    }
+    if (folded > 0)
+        bat_note(run,
+                 "'%s' folds over near (%.6g, %.6g, %.6g): its "
+                 "normal reverses there; see whether the curves run the same way, keep their "
+                 "order and do not cross%s",
+                 name, first.point.x, first.point.y, first.point.z,
+                 folded > 1 ? "; other surfaces fold too" : "");
+    return BATTEN_OK;
+}

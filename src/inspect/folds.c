@@ -1,0 +1,145 @@
+/* Where a surface folds: where its normal reverses although nothing has a crease there. */
+#include "numeric/vector.h"
+#include <batten/measure.h>
+
+#include <string.h>
+
+/* Places in each span, and at least in each direction: what bends by less than a right angle between two of them
+ * is seen as bent, what bends by more is looked at closely. */
+enum { IN_SPAN = 3, AT_LEAST = 12, HALVINGS = 16 };
+
+/* Below this sine of the angle between both derivatives the normal is noise: a corner where two sides meet
+ * smoothly may turn there but for rounding. */
+static const double least_sine = 1e-3;
+/* Neighbours of a fold are opposed to the last digit, those of an edge are not. */
+static const double opposed = -0.9;
+/* At a cusp the speed falls to nothing, at an edge it does not. */
+static const double slow = 0.01;
+
+typedef struct {
+    double u, v;
+    batten_vec3 point, along[2], normal; /* the derivatives in u and v */
+    bool regular;
+} place;
+
+static void see_place(int d, const double *values, double sine, place *p)
+{
+    p->point = bat_vec3_of(d, values);
+    p->along[0] = bat_vec3_of(d, values + d);
+    p->along[1] = bat_vec3_of(d, values + 2 * d);
+    p->normal = bat_vec3_cross(p->along[0], p->along[1]);
+    const double size = bat_vec3_norm(p->normal);
+    p->regular = size > sine * bat_vec3_norm(p->along[0]) * bat_vec3_norm(p->along[1]);
+    p->normal = bat_vec3_scale(p->normal, p->regular ? 1 / size : 0);
+}
+
+/* Is there a fold between two places that differ in one parameter? Where they near each other without that their
+ * normals do, there is. */
+static batten_status look_closely(const batten_surface *surface, int direction, place a,
+                                  place b, bool *found)
+{
+    const batten_vec3 first[2] = {a.along[direction], b.along[direction]};
+    const int d = batten_surface_dimension(surface);
+    *found = false;
+    for (int i = 0; i < HALVINGS; i++) {
+        double values[9];
+        /* Not in the middle, where knots and symmetric folds lie. */
+        place m = {.u = a.u + 0.48 * (b.u - a.u), .v = a.v + 0.48 * (b.v - a.v)};
+        const batten_status status = batten_surface_evaluate(surface, m.u, m.v, 1, values);
+        if (status != BATTEN_OK)
+            return status;
+        see_place(d, values, 1e-12, &m);
+        if (!m.regular)
+            break;
+        if (bat_vec3_dot(a.normal, m.normal) < 0)
+            b = m;
+        else if (bat_vec3_dot(m.normal, b.normal) < 0)
+            a = m;
+        else
+            return BATTEN_OK;
+    }
+    const bool turns = bat_vec3_dot(a.along[direction], b.along[direction]) < 0;
+    const bool keeps = bat_vec3_dot(a.along[1 - direction], b.along[1 - direction]) > 0;
+    const bool runs = bat_vec3_norm(a.along[direction]) > slow * bat_vec3_norm(first[0]) &&
+                      bat_vec3_norm(b.along[direction]) > slow * bat_vec3_norm(first[1]);
+    *found = bat_vec3_dot(a.normal, b.normal) < opposed && !(turns && keeps && runs);
+    return BATTEN_OK;
+}
+
+static batten_status compare(const batten_surface *surface, int direction, const place *a,
+                             const place *b, batten_surface_fold *fold)
+{
+    if (fold->found || !a->regular || !b->regular || bat_vec3_dot(a->normal, b->normal) >= 0)
+        return BATTEN_OK;
+    const batten_status status = look_closely(surface, direction, *a, *b, &fold->found);
+    if (status == BATTEN_OK && fold->found)
+        *fold = (batten_surface_fold){true, b->u, b->v, b->point};
+    return status;
+}
+
+/* The places in one direction, off the knots. */
+static batten_status list_places(const batten_surface *surface, batten_direction direction,
+                                 double **out, int *count)
+{
+    const int spans = batten_surface_spans(surface, direction, NULL) - 1;
+    const int each = spans * IN_SPAN >= AT_LEAST ? IN_SPAN : (AT_LEAST + spans - 1) / spans;
+    double *knots = bat_array((size_t)spans + 1, sizeof *knots);
+    *out = bat_array3((size_t)spans, (size_t)each, sizeof **out);
+    *count = 0;
+    if (knots && *out) {
+        batten_surface_spans(surface, direction, knots);
+        for (int k = 0; k < spans; k++)
+            for (int j = 0; j < each; j++)
+                (*out)[(*count)++] = knots[k] + (j + 0.5) / each * (knots[k + 1] - knots[k]);
+    }
+    const bool good = knots && *out;
+    bat_release(knots);
+    return good ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+/* One line of places after another, each compared with the one before. */
+static batten_status scan(const batten_surface *surface, int count_u, const double *u,
+                          int count_v, const double *v, batten_surface_fold *fold)
+{
+    const size_t n = (size_t)count_v, d = (size_t)batten_surface_dimension(surface);
+    double *values = bat_array3(n, 3 * d, sizeof *values);
+    place *lines = bat_array3(2, n, sizeof *lines);
+    batten_status status = values && lines ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < count_u && status == BATTEN_OK && !fold->found; i++) {
+        place *line = lines + (size_t)(i % 2) * n, *before = lines + (size_t)(1 - i % 2) * n;
+        const batten_uv_grid grid = {1, n, u + i, v};
+        status = batten_surface_evaluate_grid(surface, grid, 1, NULL, values);
+        for (size_t j = 0; j < n && status == BATTEN_OK; j++) {
+            line[j] = (place){.u = u[i], .v = v[j]};
+            see_place((int)d, values + 3 * d * j, least_sine, &line[j]);
+            if (j > 0)
+                status = compare(surface, 1, &line[j - 1], &line[j], fold);
+            if (i > 0 && status == BATTEN_OK)
+                status = compare(surface, 0, &before[j], &line[j], fold);
+        }
+    }
+    bat_release(lines);
+    bat_release(values);
+    return status;
+}
+
+batten_status batten_surface_find_fold(const batten_surface *surface, batten_surface_fold *out)
+{
+    const int d = batten_surface_dimension(surface);
+    double *u = NULL, *v = NULL;
+    int count_u = 0, count_v = 0;
+    batten_surface_fold fold = {.found = false};
+    if (d != 2 && d != 3)
+        return bat_fail(BATTEN_NOT_COMPATIBLE,
+                        "folds are looked for in 2 or 3 dimensions, and there are %d", d);
+    batten_status status = list_places(surface, BATTEN_U, &u, &count_u);
+    if (status == BATTEN_OK)
+        status = list_places(surface, BATTEN_V, &v, &count_v);
+    if (status == BATTEN_OK)
+        status = scan(surface, count_u, u, count_v, v, &fold);
+    if (status == BATTEN_OK)
+        *out = fold;
+    bat_release(u);
+    bat_release(v);
+    return status;
+}

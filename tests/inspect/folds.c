@@ -1,0 +1,56 @@
+/* Folds are found where a normal reverses, however narrow, and edges are none. */
+#include "support/test.h"
+
+#include <batten/measure.h>
+
+static batten_surface *bicubic_wave(double amplitude)
+{
+    /* x runs forth, back by `amplitude` and forth again. */
+    static const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1}, straight[] = {0, 0, 1, 1};
+    const double x[4] = {0, 1 + amplitude, -amplitude, 1};
+    double points[4][2][3];
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 2; j++) {
+            points[i][j][0] = x[i];
+            points[i][j][1] = j;
+            points[i][j][2] = 0;
+        }
+    const batten_axis u = {3, 4, knots, false}, v = {1, 2, straight, false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &u, &v, points[0][0], NULL, &surface));
+    return surface;
+}
+
+TEST(a_surface_that_runs_back_folds)
+{
+    batten_surface *surface = bicubic_wave(0.5);
+    batten_surface_fold fold = {.found = false};
+    CHECK_OK(batten_surface_find_fold(surface, &fold));
+    CHECK(fold.found);
+    /* Two folds, symmetric about the middle; the first comes first. */
+    CHECK(fold.u > 0.1 && fold.u < 0.5);
+    batten_surface_unref(surface);
+}
+
+TEST(a_surface_that_slows_down_does_not_fold)
+{
+    batten_surface *surface = bicubic_wave(-0.2);
+    batten_surface_fold fold = {.found = true};
+    CHECK_OK(batten_surface_find_fold(surface, &fold));
+    CHECK(!fold.found);
+    batten_surface_unref(surface);
+}
+
+TEST(an_edge_as_sharp_as_a_knife_is_no_fold)
+{
+    static const double knots[] = {0, 0, 0.5, 1, 1}, straight[] = {0, 0, 1, 1};
+    static const double points[3][2][3] = {
+        {{0, 0, 0}, {0, 0, 1}}, {{1, 0.001, 0}, {1, 0.001, 1}}, {{0, 0.002, 0}, {0, 0.002, 1}}};
+    const batten_axis u = {1, 3, knots, false}, v = {1, 2, straight, false};
+    batten_surface *surface = NULL;
+    batten_surface_fold fold = {.found = true};
+    CHECK_OK(batten_surface_create(3, &u, &v, points[0][0], NULL, &surface));
+    CHECK_OK(batten_surface_find_fold(surface, &fold));
+    CHECK(!fold.found);
+    batten_surface_unref(surface);
+}
