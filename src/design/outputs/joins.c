@@ -1,13 +1,8 @@
 /* Where ends of curves or edges of surfaces meet, and how smoothly: g0, g1, g2 and g3. */
-#include "design/outputs/fairness.h"
-#include "numeric/vector.h"
+#include "design/outputs/joins.h"
 
-#include <batten/continuity.h>
 #include <stdlib.h>
 
-/* Points of an edge at which two surfaces are compared, at least, and steps of each span. */
-#define JOIN_POINTS 17
-#define SPAN_POINTS 4
 /* More joins than these are not listed. */
 #define MOST_JOINS 10000
 
@@ -19,164 +14,6 @@ typedef struct {
     batten_box box; /* of an edge */
 } end;
 
-/* ---- vectors ---- */
-
-static double norm(batten_vec3 a)
-{
-    return hypot(hypot(a.x, a.y), a.z);
-}
-
-static double gap(batten_vec3 p, batten_vec3 q)
-{
-    return norm(bat_vec3_along(p, -1, q));
-}
-
-/* ---- what surfaces compare ---- */
-
-/* The angle by which a way out of one shape turns on its way into the other. */
-static double turn_between(batten_vec3 out_of, batten_vec3 into)
-{
-    return atan2(norm(bat_vec3_cross(out_of, into)), bat_vec3_dot(out_of, into));
-}
-
-/* |a - b| of two curvatures as a part of the larger one; what bulges by less than the tolerance
- * over the size of the shapes counts as straight. */
-static double share_of_larger(batten_vec3 a, batten_vec3 b, double straight)
-{
-    const double larger = bat_max(norm(a), norm(b));
-    return gap(a, b) / bat_max(larger, straight);
-}
-
-static batten_status compare_curves(const batten_curve *a, int side_a, const batten_curve *b,
-                                    int side_b, double tolerance, bat_join *join)
-{
-    batten_curve_continuity_options options = batten_curve_continuity_defaults();
-    batten_continuity found;
-    options.gap = tolerance;
-    const batten_status status = batten_curves_continuity(
-        a, side_a ? BATTEN_CURVE_END : BATTEN_CURVE_START, b,
-        side_b ? BATTEN_CURVE_END : BATTEN_CURVE_START, &options, &found);
-    if (status != BATTEN_OK)
-        return status;
-    join->g1 = found.angle;
-    join->g2 = found.curvature_part;
-    join->g3 = found.rate_difference;
-    join->parametric = found.parametric;
-    join->geometric = found.geometric;
-    return BATTEN_OK;
-}
-
-/* ---- surfaces ---- */
-
-/* The point of an edge at `t`, the direction there into the surface, square to the edge, and
- * the normal curvature in it as a vector; false where the surface is singular. */
-static bool leave_surface(const batten_surface *surface, int side, double t, batten_vec3 *into,
-                          batten_vec3 *curvature)
-{
-    const bool fixed_v = side >= 2, high = side % 2;
-    const batten_interval domain =
-        batten_surface_domain(surface, fixed_v ? BATTEN_V : BATTEN_U);
-    const double fixed = high ? domain.b : domain.a;
-    const int d = batten_surface_dimension(surface);
-    double s[BATTEN_SURFACE_DERIVATIVES(2) * 3];
-    if (batten_surface_evaluate(surface, fixed_v ? t : fixed, fixed_v ? fixed : t, 2, s) !=
-        BATTEN_OK)
-        return false;
-    const batten_vec3 su = bat_vec3_of(d, s + d), sv = bat_vec3_of(d, s + 2 * d);
-    const batten_vec3 suu = bat_vec3_of(d, s + 3 * d), suv = bat_vec3_of(d, s + 4 * d),
-                      svv = bat_vec3_of(d, s + 5 * d);
-    const batten_vec3 across = fixed_v ? sv : su, along = fixed_v ? su : sv;
-    const batten_vec3 across2 = fixed_v ? svv : suu, along2 = fixed_v ? suu : svv;
-    const batten_vec3 product = bat_vec3_cross(su, sv);
-    const double area = norm(product), g = bat_vec3_dot(along, along);
-    /* Derivatives parallel to a few thousand roundings have no normal. */
-    if (!(area > 1e-12 * norm(su) * norm(sv)) || !(g > 0))
-        return false;
-    /* x = (across - f along) / length: square to the edge, a unit vector in the tangent plane.
-     */
-    const double f = bat_vec3_dot(across, along) / g;
-    const batten_vec3 square = bat_vec3_along(across, -f, along);
-    const double length = norm(square);
-    const batten_vec3 n = bat_vec3_scale(product, 1 / area);
-    const batten_vec3 second =
-        bat_vec3_along(bat_vec3_along(across2, -2 * f, suv), f * f, along2);
-    *into = bat_vec3_scale(square, (high ? -1 : 1) / length);
-    *curvature = bat_vec3_scale(n, bat_vec3_dot(second, n) / (length * length));
-    return true;
-}
-
-static batten_status edge_curve(const batten_surface *surface, int side, batten_curve **out)
-{
-    const batten_direction direction = side < 2 ? BATTEN_U : BATTEN_V;
-    const batten_interval domain = batten_surface_domain(surface, direction);
-    return batten_surface_isocurve(surface, direction, side % 2 ? domain.b : domain.a, out);
-}
-
-/* A surface, one of its sides, and the edge there. */
-typedef struct {
-    const batten_surface *surface;
-    int side;
-    batten_curve *curve;
-} surface_side;
-
-/* Both surfaces at one place of the edge of the first. */
-static batten_status compare_at(const surface_side *a, double t, const surface_side *b,
-                                double straight, bat_join *join)
-{
-    batten_vec3 into_a, into_b, curvature_a, curvature_b;
-    batten_deviation foot;
-    double p[3];
-    batten_status status = batten_curve_evaluate(a->curve, t, 0, p);
-    if (status == BATTEN_OK)
-        status = batten_curve_deviation(b->curve,
-                                        (batten_points){batten_curve_dimension(b->curve), 1, p},
-                                        NULL, NULL, NULL, &foot);
-    if (status != BATTEN_OK)
-        return status;
-    join->g0 = bat_max(join->g0, foot.max);
-    if (leave_surface(a->surface, a->side, t, &into_a, &curvature_a) &&
-        leave_surface(b->surface, b->side, foot.at[0], &into_b, &curvature_b)) {
-        join->g1 = fmax(join->g1, turn_between(bat_vec3_scale(into_a, -1), into_b));
-        join->g2 = fmax(join->g2, share_of_larger(curvature_a, curvature_b, straight));
-    }
-    return BATTEN_OK;
-}
-
-/* Tangent planes at common points, and, where these agree, curvature across the edge: by the
- * linkage curve theorem [PW92] two surfaces with one tangent plane along an edge have one
- * curvature when they have it in one direction across. Each span is looked at, so that nothing
- * narrow is missed; at the first point that is off by more than the tolerance it ends. */
-static batten_status compare_surfaces(const batten_surface *a, int side_a,
-                                      const batten_surface *b, int side_b, double tolerance,
-                                      double straight, bat_join *join)
-{
-    surface_side first = {a, side_a, NULL}, second = {b, side_b, NULL};
-    batten_status status = edge_curve(a, side_a, &first.curve);
-    if (status == BATTEN_OK)
-        status = edge_curve(b, side_b, &second.curve);
-    const int spans = status == BATTEN_OK ? batten_curve_spans(first.curve, NULL) - 1 : 0;
-    const int steps = spans > 0 ? bat_max_int(SPAN_POINTS, (JOIN_POINTS - 1) / spans) : 0;
-    double *breaks = bat_array((size_t)spans + 1, sizeof *breaks);
-    if (status == BATTEN_OK)
-        status = breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK)
-        batten_curve_spans(first.curve, breaks);
-    join->g1 = join->g2 = join->g3 = NAN;
-    join->g0 = 0;
-    for (int i = 0; i <= spans * steps && status == BATTEN_OK && join->g0 <= tolerance; i++) {
-        const int k = bat_min_int(i / steps, spans - 1);
-        const double share = (double)(i - k * steps) / steps;
-        const double t = (1 - share) * breaks[k] + share * breaks[k + 1];
-        status = compare_at(&first, t, &second, straight, join);
-    }
-    bat_release(breaks);
-    batten_curve_unref(first.curve);
-    batten_curve_unref(second.curve);
-    return status;
-}
-
-/* ---- finding what meets ---- */
-
 static batten_status add_ends(const bat_checked *checked, int object, double tolerance,
                               end *ends, int *count)
 {
@@ -184,7 +21,7 @@ static batten_status add_ends(const bat_checked *checked, int object, double tol
     batten_status status = BATTEN_OK;
     for (int side = 0; side < (is_curve ? 2 : 4) && status == BATTEN_OK; side++) {
         batten_curve *curve = NULL;
-        status = is_curve ? BATTEN_OK : edge_curve(checked->object->surface, side, &curve);
+        status = is_curve ? BATTEN_OK : bat_edge_curve(checked->object->surface, side, &curve);
         const batten_curve *at = is_curve ? checked->object->curve : curve;
         double p[2][3], middle[3];
         const batten_interval domain =
@@ -197,8 +34,8 @@ static batten_status add_ends(const bat_checked *checked, int object, double tol
             status = batten_curve_evaluate(at, domain.a + (domain.b - domain.a) / 2, 0, middle);
         /* An edge that is collapsed to a pole joins nothing. */
         if (status == BATTEN_OK &&
-            (is_curve || gap(bat_vec3_of(d, p[0]), bat_vec3_of(d, p[1])) > tolerance ||
-             gap(bat_vec3_of(d, p[0]), bat_vec3_of(d, middle)) > tolerance))
+            (is_curve || bat_join_gap(bat_vec3_of(d, p[0]), bat_vec3_of(d, p[1])) > tolerance ||
+             bat_join_gap(bat_vec3_of(d, p[0]), bat_vec3_of(d, middle)) > tolerance))
             ends[(*count)++] = (end){object,
                                      side,
                                      {bat_vec3_of(d, p[0]), bat_vec3_of(d, p[1])},
@@ -227,8 +64,8 @@ static int by_key(const void *a, const void *b)
 /* Do both points of one meet both points of the other, in either order? */
 static double ends_gap(const end *a, const end *b)
 {
-    return bat_min(bat_max(gap(a->p[0], b->p[0]), gap(a->p[1], b->p[1])),
-                   bat_max(gap(a->p[0], b->p[1]), gap(a->p[1], b->p[0])));
+    return bat_min(bat_max(bat_join_gap(a->p[0], b->p[0]), bat_join_gap(a->p[1], b->p[1])),
+                   bat_max(bat_join_gap(a->p[0], b->p[1]), bat_join_gap(a->p[1], b->p[0])));
 }
 
 static double size_of(const batten_object *object)
@@ -236,7 +73,7 @@ static double size_of(const batten_object *object)
     const batten_box box = object->kind == BATTEN_OBJECT_CURVE
                                ? batten_curve_box(object->curve)
                                : batten_surface_box(object->surface);
-    return gap(box.low, box.high);
+    return bat_join_gap(box.low, box.high);
 }
 
 static batten_status keep_join(bat_check *check, const bat_join *join)
@@ -276,10 +113,10 @@ static batten_status add_join(bat_check *check, const end *a, const end *b, doub
                      .geometric = -1};
     batten_status status = BATTEN_OK;
     if (x->kind == BATTEN_OBJECT_CURVE)
-        status = compare_curves(x->curve, a->side, y->curve, b->side, tolerance, &join);
+        status = bat_compare_curves(x->curve, a->side, y->curve, b->side, tolerance, &join);
     else
-        status = compare_surfaces(x->surface, a->side, y->surface, b->side, tolerance,
-                                  tolerance / (size * size), &join);
+        status = bat_compare_surfaces(x->surface, a->side, y->surface, b->side, tolerance,
+                                      tolerance / (size * size), &join);
     if (status != BATTEN_OK || !(join.g0 <= tolerance))
         return status;
     return keep_join(check, &join);
@@ -325,21 +162,16 @@ static int by_start(const void *a, const void *b)
     return by_object(x, y);
 }
 
-static bool is_in(const batten_box *box, batten_vec3 p, double tolerance)
-{
-    return p.x >= box->low.x - tolerance && p.x <= box->high.x + tolerance &&
-           p.y >= box->low.y - tolerance && p.y <= box->high.y + tolerance &&
-           p.z >= box->low.z - tolerance && p.z <= box->high.z + tolerance;
-}
-
 /* May this edge run along a part of that one? One no longer than the tolerance, which would be
  * near whatever it touches, does not. */
 static bool may_be_part(const end *part, const end *of_this, double tolerance)
 {
     const batten_vec3 low = part->box.low, high = part->box.high;
     return (part->object != of_this->object || part->side != of_this->side) &&
-           gap(low, high) > 8 * tolerance && is_in(&of_this->box, part->p[0], tolerance) &&
-           is_in(&of_this->box, part->p[1], tolerance) && ends_gap(part, of_this) > tolerance;
+           bat_join_gap(low, high) > 8 * tolerance &&
+           bat_join_is_in(&of_this->box, part->p[0], tolerance) &&
+           bat_join_is_in(&of_this->box, part->p[1], tolerance) &&
+           ends_gap(part, of_this) > tolerance;
 }
 
 /* The first of the sorted edges that starts at x or behind it. */

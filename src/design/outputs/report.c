@@ -196,9 +196,15 @@ static void text_join(batten_text *out, const bat_check *check, const bat_join *
     if (isfinite(join->g1)) {
         batten_text_add(out, ", turning by ");
         add_rounded(out, join->g1);
-        batten_text_add(out, " rad, curvatures differ by ");
-        add_rounded(out, join->g2);
-        batten_text_add(out, " of the larger");
+        batten_text_add(out, " rad, ");
+        if (isfinite(join->g2)) {
+            batten_text_add(out, "curvatures differ by ");
+            add_rounded(out, join->g2);
+            batten_text_add(out, " of the larger");
+        } else {
+            batten_text_add(out, "curvatures not known at a %s",
+                            join->parametric >= 0 ? "cusp" : "pole");
+        }
     }
     if (join->parametric >= 0)
         batten_text_add(out, ": C%d, G%d", join->parametric, join->geometric);

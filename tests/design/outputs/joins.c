@@ -227,3 +227,52 @@ TEST(an_edge_is_compared_in_all_its_spans)
     CHECK_NEAR(value(json, "v low", "v low", "\"g1\": "), atan(0.1), 0.01);
     batten_release(json);
 }
+
+TEST(closed_edges_with_corners_are_compared_on_the_same_side_of_each_corner)
+{
+    /* Up and down from one closed line with a sharp edge behind: both go on straight, wherever
+     * the second begins and whichever way it runs. */
+    static const char *const others[] = {
+        "[[0, 0], [1, 0.2], [2, 0], [1, -0.2], [0, 0]]",
+        "[[0, 0], [1, -0.2], [2, 0], [1, 0.2], [0, 0]]",
+        "[[1, 0.2], [2, 0], [1, -0.2], [0, 0], [1, 0.2]]",
+    };
+    for (int i = 0; i < COUNT(others); i++) {
+        char features[400];
+        snprintf(features, sizeof features,
+                 "  a: {polyline: [[0, 0], [1, 0.2], [2, 0], [1, -0.2], [0, 0]]}\n"
+                 "  u: {extrude: a, along: [0, 0, 1]}\n"
+                 "  b: {polyline: %s}\n  v: {extrude: b, along: [0, 0, -1]}\n",
+                 others[i]);
+        char *json = check(features, "[u, v]");
+        CHECK_NEAR(value(json, "v low", "v low", "\"g1\": "), 0, 1e-7);
+        CHECK_NEAR(value(json, "v low", "v low", "\"g2\": "), 0, 1e-7);
+        batten_release(json);
+    }
+}
+
+TEST(a_join_with_an_angle_along_a_closed_edge_with_a_corner_keeps_its_angle)
+{
+    /* Down in a slant: the walls turn by what their normals say, nowhere less. */
+    char *json = check("  a: {polyline: [[0, 0], [1, 0.2], [2, 0], [1, -0.2], [0, 0]]}\n"
+                       "  u: {extrude: a, along: [0, 0, 1]}\n"
+                       "  v: {extrude: a, along: [0.3, 0, -1]}\n",
+                       "[u, v]");
+    /* A wall along (1, 0.2, 0): the way into v, square to the edge, against (0, 0, -1). */
+    const double across = 0.3 * 0.2 / hypot(1, 0.2);
+    CHECK_NEAR(value(json, "v low", "v low", "\"g1\": "), atan(across), 1e-9);
+    batten_release(json);
+}
+
+TEST(a_report_says_where_curvature_is_not_known_and_prints_no_nan)
+{
+    /* A parabola of the third degree that begins with a cusp: its curvature there is infinite. */
+    char *text = NULL;
+    CHECK_OK(make("batten: 1\nfeatures:\n  a: {line: [[-1, 0], [0, 0]]}\n"
+                  "  p: {points: [[0, 0], [0, 0], [1, 0], [1, 1]]}\n  b: {bezier: p}\n"
+                  "outputs:\n  r.txt: {check: [a, b]}\n",
+                  &text));
+    CHECK_CONTAINS(text, "turning by 0 rad, curvatures not known at a cusp");
+    CHECK(text && !strstr(text, "nan"));
+    batten_release(text);
+}
