@@ -48,6 +48,14 @@ static bool keep_option(const char *command, arguments *read, int index, const c
     return true;
 }
 
+/* Is the word one of the options? Then it is not the value of another. "-3mm" is not. */
+static bool is_option(const arguments *read, const char *word)
+{
+    const bool is_long = word[0] == '-' && word[1] == '-';
+    return is_long ? find(read, word + 2, strcspn(word + 2, "=")) >= 0
+                   : word[0] == '-' && strlen(word) == 2 && find_letter(read, word[1]) >= 0;
+}
+
 /* One word that begins with '-'; `next` is the word behind it, taken when `*taken` becomes
  * true. */
 static bool read_option(const char *command, arguments *read, const char *word,
@@ -71,7 +79,7 @@ static bool read_option(const char *command, arguments *read, const char *word,
     if (read->options[index].kind == OPTION_SWITCH)
         return keep_option(command, read, index, attached ? attached : "yes");
     *taken = !attached;
-    if (!attached && !next) {
+    if (!attached && (!next || is_option(read, next))) {
         complain("batten %s: --%s needs a value: %s", command, read->options[index].name,
                  read->options[index].value);
         return false;

@@ -43,6 +43,12 @@ bool unit_length_check(const char *asked, const arguments *given, const char *na
     return false;
 }
 
+bool unit_value_check(const char *asked, const arguments *given, const char *name)
+{
+    const char *text = arguments_get(given, name);
+    return (text && *text == '=') || unit_length_check(asked, given, name);
+}
+
 batten_status unit_length_in(const arguments *given, const char *name, double metres,
                              double *out)
 {

@@ -59,8 +59,9 @@ static int check_design(batten_design *design, bool json, batten_notes *notes)
 
 static int run_design(const arguments *given)
 {
-    static const char *const of_files[] = {"within", "unit", "from-format"};
-    for (int i = 0; i < 3; i++)
+    static const char *const of_files[] = {"within", "angle", "curvature", "unit",
+                                           "from-format"};
+    for (int i = 0; i < 5; i++)
         if (arguments_has(given, of_files[i])) {
             complain("batten check: --%s is for files of shapes; '%s' is a design, which says "
                      "so itself",
@@ -99,7 +100,7 @@ static int run_check(const arguments *given)
 
 const command command_check = {
     .name = "check",
-    .usage = "IN [--within TOL] [--json]",
+    .usage = "IN [--within TOL] [--angle ANGLE] [--curvature PART] [--json]",
     .summary = "how fair a shape is, and how far from its data; status 1 when a bound fails",
     .manual =
         "IN is a file of curves, surfaces, bodies or meshes, or a design (.yaml), whose own\n"

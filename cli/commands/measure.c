@@ -22,7 +22,7 @@ static int run_measure(const arguments *given)
 
 const command command_measure = {
     .name = "measure",
-    .usage = "IN [--from-format FORMAT] [--within TOL] [--json]",
+    .usage = "IN [--from-format FORMAT] [--within TOL] [--all] [--json]",
     .summary =
         "lengths, areas, moments and special places of curves; areas and volumes of shapes",
     .manual =

@@ -1,6 +1,7 @@
 /* A design of one feature and one output, made from a command line and evaluated. */
 #include "commands/single.h"
 #include "formats.h"
+#include "unit.h"
 #include "values.h"
 
 #include <batten/design.h>
@@ -146,6 +147,7 @@ int single_run(const single *s, const arguments *given)
     batten_model *model = NULL;
     batten_format format = BATTEN_FORMAT_AUTO;
     if (!formats_option(s->command, given, "from-format", &format) ||
+        !unit_value_check(s->command, given, "within") ||
         output_is_input(s->command, given->files[0], s->output))
         return EXIT_USAGE;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)

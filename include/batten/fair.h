@@ -42,6 +42,8 @@ typedef struct batten_fairness_options {
                            a part of the steeper; above 0, below pi; 1e-6 */
     double curvature; /**< other joints at which curvature steps by more than this part of the
                            larger are jumps; above 0; 1e-6 */
+    double within;    /**< inflections are required by the points wherever they lie within this
+                           of their places, model units; not below 0; 0 */
 } batten_fairness_options;
 /** The defaults: those beside the fields of batten_fairness_options. */
 BATTEN_API batten_fairness_options batten_fairness_defaults(void);

@@ -189,7 +189,7 @@ static double *into_plane(const batten_chain *chain, int count, const double *po
 }
 
 static batten_status required_by(const batten_chain *chain, int n, const double *points,
-                                 int *required)
+                                 double within, int *required)
 {
     const int d = chain->dimension;
     const size_t numbers = (size_t)bat_max_int(n, 0) * (size_t)batten_chain_dimension(chain);
@@ -208,7 +208,7 @@ static batten_status required_by(const batten_chain *chain, int n, const double 
     if (chain->placed && !plane)
         return BATTEN_OUT_OF_MEMORY;
     const batten_status status =
-        bat_required_inflections(d, n, chain->breaks, plane ? plane : points, NULL, required);
+        bat_required_within(d, n, chain->breaks, plane ? plane : points, within, required);
     bat_release(plane);
     return status;
 }
@@ -229,7 +229,7 @@ batten_status batten_chain_fairness(const batten_chain *chain, batten_points poi
     int required = 0;
     double length = 0;
     if (points.at)
-        status = required_by(chain, points.count, points.at, &required);
+        status = required_by(chain, points.count, points.at, chosen.within, &required);
     if (status == BATTEN_OK)
         status = add_spans(chain, &p, &length, &found);
     if (status == BATTEN_OK)

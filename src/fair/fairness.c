@@ -383,7 +383,8 @@ batten_status batten_curve_fairness(const batten_curve *curve, batten_points poi
         if (!knots)
             return BATTEN_OUT_OF_MEMORY;
         batten_curve_spans(curve, knots);
-        status = bat_required_inflections(d, points.count, knots, points.at, NULL, &required);
+        status =
+            bat_required_within(d, points.count, knots, points.at, chosen.within, &required);
         bat_release(knots);
     }
     return status == BATTEN_OK ? judge_curve(curve, &chosen, required, 0, out) : status;

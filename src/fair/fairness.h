@@ -26,6 +26,9 @@ void bat_add_joint(int d, const double *before, const double *after,
 /* After all else: energy and variation are infinite where joints make them so; the verdict. */
 void bat_conclude_fairness(batten_fairness *out);
 
+/* The same with one bound of all points; 0: roundoff. */
+batten_status bat_required_within(int width, int count, const double *t, const double *points,
+                                  double within, int *required);
 batten_status bat_fairness_take_options(const batten_fairness_options *options,
                                         batten_fairness_options *chosen);
 

@@ -100,5 +100,8 @@ batten_status bat_fairness_take_options(const batten_fairness_options *options,
     if (!(chosen->curvature > 0 && isfinite(chosen->curvature)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the bound on curvature jumps is %g, not above 0",
                         chosen->curvature);
+    if (!(chosen->within >= 0 && isfinite(chosen->within)))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "points within %g: the bound is below 0",
+                        chosen->within);
     return BATTEN_OK;
 }

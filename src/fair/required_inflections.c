@@ -144,3 +144,19 @@ batten_status bat_required_inflections(int width, int count, const double *t,
     bat_release(o.hull);
     return all ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
+
+batten_status bat_required_within(int width, int count, const double *t, const double *points,
+                                  double within, int *required)
+{
+    if (within == 0)
+        return bat_required_inflections(width, count, t, points, NULL, required);
+    double *each = bat_array((size_t)count, sizeof *each);
+    if (!each)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < count; i++)
+        each[i] = within;
+    const batten_status status =
+        bat_required_inflections(width, count, t, points, each, required);
+    bat_release(each);
+    return status;
+}

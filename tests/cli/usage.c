@@ -28,6 +28,28 @@ TEST(U1_an_option_that_would_be_ignored_is_refused)
     check_usage(RUN("batten", "check", "hull.yaml", "--unit", "mm"), "--unit");
 }
 
+TEST(U1_a_bound_that_is_no_length_above_0_is_refused_before_any_work)
+{
+    static const char *const wrong[] = {"-3mm", "0", "1e-400", "nan", "", "1e400", "3parsec"};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        /* the file does not exist, which nobody gets to see */
+        check_usage(RUN("batten", "check", "none.igs", "--within", wrong[i]), "--within");
+        check_usage(RUN("batten", "measure", "none.igs", "--within", wrong[i]), "--within");
+        check_usage(RUN("batten", "fair", "none.csv", "-o", "a.csv", "--within", wrong[i]),
+                    "--within");
+        check_usage(RUN("batten", "fit", "none.csv", "-o", "a.igs", "--method", "fit-within",
+                        "--within", wrong[i]),
+                    "--within");
+    }
+}
+
+TEST(U1_an_option_is_not_the_value_of_another)
+{
+    check_usage(RUN("batten", "check", "none.igs", "--within", "--json"), "needs a value");
+    check_usage(RUN("batten", "check", "none.igs", "--within", "-q"), "needs a value");
+    check_usage(RUN("batten", "check", "none.igs", "--within", "--unit=mm"), "needs a value");
+}
+
 TEST(U1_a_parameter_that_is_no_number_is_refused)
 {
     check_usage(RUN("batten", "eval", "x.igs", "--at", "1e400"), "1e400");

@@ -2,6 +2,8 @@
 
 #include "support/test.h"
 
+#include <batten/interpolate.h>
+
 /* ---- corners where the curve stands still ---- */
 
 TEST(a_polygon_of_cubics_that_halt_at_its_corners_is_no_fair_curve)
@@ -116,5 +118,34 @@ TEST(the_bounds_of_the_verdict_are_those_given)
     CHECK_STATUS(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, &options, &found),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("curvature");
+    options = batten_fairness_defaults();
+    options.within = -1;
+    CHECK_STATUS(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, &options, &found),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("within -1");
+    batten_curve_unref(curve);
+}
+
+TEST(points_that_may_lie_anywhere_within_a_bound_require_fewer_inflections)
+{
+    /* a zigzag of 0.1 about a line: seven points, five turns, four changes of side */
+    double points[14];
+    batten_curve *curve = NULL;
+    batten_fairness found;
+    batten_fairness_options options = batten_fairness_defaults();
+    for (int i = 0; i < 7; i++) {
+        points[2 * i] = i;
+        points[2 * i + 1] = i % 2 ? 0.1 : -0.1;
+    }
+    const batten_points data = {2, 7, points};
+    CHECK_OK(batten_curve_interpolate(data, NULL, NULL, &curve));
+    CHECK_OK(batten_curve_fairness(curve, data, &options, &found));
+    CHECK(found.inflections == 4 && found.excess_inflections == 0);
+    options.within = 0.11;
+    CHECK_OK(batten_curve_fairness(curve, data, &options, &found));
+    CHECK(found.inflections == 4 && found.excess_inflections == 4);
+    options.within = 0.05;
+    CHECK_OK(batten_curve_fairness(curve, data, &options, &found));
+    CHECK_INT(found.excess_inflections, 0);
     batten_curve_unref(curve);
 }

@@ -8,6 +8,10 @@ static const batten_parameter parameters[] = {
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far points may lie from the shape made of them, and edges from faces; meshes must "
      "close"},
+    {"angle", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
+     "corners and creases turn by more (of curves 1e-6 rad, of edges of surfaces 0.1 deg)"},
+    {"curvature", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
+     "jumps of curvature are a larger part of the larger (of curves 1e-6, of edges 0.05)"},
 };
 
 /* Bodies and meshes have said themselves what is wrong. */
@@ -28,19 +32,44 @@ static bool is_json(const char *name)
     return dot && strcmp(dot, ".json") == 0;
 }
 
+/* The bounds of the verdict: stated, or the defaults that the parameters tell. */
+static batten_status read_bounds(const bat_run *run, bat_fair_bounds *curves,
+                                 bat_fair_bounds *edges)
+{
+    const batten_fairness_options standard = batten_fairness_defaults();
+    *curves = (bat_fair_bounds){standard.angle, standard.curvature};
+    *edges = (bat_fair_bounds){0.1 * BAT_PI / 180, 0.05};
+    if (bat_has(run, "angle"))
+        curves->angle = edges->angle = bat_number(run, "angle");
+    if (bat_has(run, "curvature"))
+        curves->curvature = edges->curvature = bat_number(run, "curvature");
+    if (!(curves->angle > 0 && curves->angle < BAT_PI))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'angle' is %g deg; it must be between 0 and 180",
+                        curves->angle * 180 / BAT_PI);
+    if (!(curves->curvature > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'curvature' is %g; it must be above 0",
+                        curves->curvature);
+    return bat_check_within(run);
+}
+
 static batten_status run_check(bat_run *run)
 {
-    bat_check check;
+    bat_check check = {.run = run};
     batten_text text = BATTEN_TEXT;
+    bat_fair_bounds curves, edges;
+    batten_status status = read_bounds(run, &curves, &edges);
+    if (status != BATTEN_OK)
+        return status;
     const double within = bat_has(run, "within") ? bat_number(run, "within") : HUGE_VAL;
-    batten_status status = bat_check_all(run, "check", within, &check);
+    status = bat_check_all(run, "check", within, &curves, &edges, &check);
     if (status == BATTEN_OK) {
         run->unmet = !check.ok;
-        if (!check.ok && check.bounded_count == 0)
-            bat_note(run,
-                     "the bound %g could not be checked: there is no surface with points, and "
-                     "no curve with points that were not made fair",
-                     within);
+        if (check.bounded_count == 0 && isfinite(within))
+            bat_note(
+                run,
+                "the bound %g was not needed: there is no surface with points, and no curve "
+                "with points that were not made fair",
+                within);
         else if (!check.ok)
             note_distance(run, &check);
         if (is_json(run->name))
@@ -59,17 +88,22 @@ const bat_feature bat_feature_check = {
          "For each feature that the result is made from: what was moved and how far, inflections\n"
          "in excess and energy before and after, and how far a skin moved its sections. For each\n"
          "surface: the distance of the points given, and of those after fairing, from the nearest\n"
-         "of all surfaces that are checked; the fairness of its stations and waterlines, and how\n"
-         "far its edges are from the centre plane. Where ends of curves or whole edges of surfaces\n"
-         "meet within the tolerance of the design: the gap g0, the angle g1 by which the direction\n"
-         "turns, in radians, the difference g2 of the curvatures as a part of the larger one, and\n"
-         "for curves the difference g3 of the rates of curvature. For bodies: edges of one face,\n"
-         "of two and of more, faces turned against each other, gaps between edges, vertices and\n"
-         "faces, loops that cross, shells that are open or inside out. For meshes: edges of one\n"
-         "triangle, of more than two, triangles turned against each other. With 'within' the gaps,\n"
-         "and the distances of edges from their faces, must not be larger, and none of the other\n"
-         "defects may occur except the free edges of sheets; so meshes must be closed. As JSON,\n"
-         "with all digits, when the file ends in .json.",
+         "of all surfaces that are checked; the fairness of its sections where the data have rows,\n"
+         "which may have the inflections that the points given require within the bound of\n"
+         "fairing; of hulls, whose data are a table of offsets, how far edges are from the centre\n"
+         "plane. Where ends of curves or whole edges of surfaces meet within the tolerance of the\n"
+         "design: the gap g0, the angle g1 by which the direction turns, in radians, the\n"
+         "difference g2 of the curvatures as a part of the larger one, and for curves the\n"
+         "difference g3 of the rates of curvature. For bodies: edges of one face, of two and of\n"
+         "more, faces turned against each other, gaps between edges, vertices and faces, loops\n"
+         "that cross, shells that are open or inside out. For meshes: edges of one triangle, of\n"
+         "more than two, triangles turned against each other. With 'within' the gaps, and the\n"
+         "distances of edges from their faces, must not be larger, and none of the other defects\n"
+         "may occur except the free edges of sheets; so meshes must be closed. The verdict says\n"
+         "for what it is made: a curve, a family of curves, a hull or a free surface. Not fair are\n"
+         "corners and cusps of curves, creases where edges of surfaces meet (both beyond 'angle'),\n"
+         "jumps of curvature (beyond 'curvature') and inflections in excess. As JSON, with all\n"
+         "digits, when the file ends in .json.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"

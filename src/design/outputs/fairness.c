@@ -46,7 +46,7 @@ static batten_status check_surface(bat_check *check, bat_checked *checked)
         status = bat_check_add_distance(check, checked, checked->faired);
     if (status == BATTEN_OK)
         status = bat_check_add_sections(check, checked);
-    for (int i = 0; i < 4 && status == BATTEN_OK; i++)
+    for (int i = 0; i < 4 && status == BATTEN_OK && checked->is_hull; i++)
         status = add_edge(checked, i < 2 ? BATTEN_U : BATTEN_V, i % 2);
     return status;
 }
@@ -105,42 +105,75 @@ static void add_unfairness(bat_unfairness *sum, const batten_fairness *f)
 {
     sum->corners += f->corners;
     sum->curvature_jumps += f->curvature_jumps;
-    sum->inflections += f->excess_inflections;
     sum->largest_turn = bat_max(sum->largest_turn, f->largest_turn);
 }
 
 bool bat_check_is_fair(const bat_check *check)
 {
     const bat_unfairness *u = &check->unfairness;
-    return u->corners == 0 && u->curvature_jumps == 0 && u->inflections == 0;
+    return u->corners == 0 && u->curvature_jumps == 0 && u->inflections == 0 &&
+           u->creases == 0 && u->edge_jumps == 0;
 }
 
-static batten_status check_curve(bat_check *check, bat_checked *checked)
+/* Whole edges of surfaces that meet. */
+static void judge_joins(bat_check *check)
+{
+    bat_unfairness *u = &check->unfairness;
+    for (int i = 0; i < check->join_count; i++) {
+        const bat_join *join = &check->joins[i];
+        if (check->objects[join->object[0]].object->kind != BATTEN_OBJECT_SURFACE ||
+            !isfinite(join->g1))
+            continue;
+        check->judged_count++;
+        u->largest_crease = bat_max(u->largest_crease, join->g1);
+        if (join->g1 > check->edge_bounds.angle)
+            u->creases++;
+        else if (join->g2 > check->edge_bounds.curvature)
+            u->edge_jumps++;
+    }
+}
+
+/* Inflections count against the points as they were given; without points in a plane only
+ * corners, cusps and jumps count. */
+static batten_status judge_curve(bat_check *check, bat_checked *checked)
 {
     const batten_object *object = checked->object;
     const int axis =
         object->point_count ? bat_flat_axis(object->point_count, object->points) : -1;
+    batten_fairness_options options = batten_fairness_defaults();
     batten_curve *curve = NULL;
-    double *data = bat_points_in_plane(axis, object->point_count, object->points);
-    batten_status status =
-        data ? bat_curve_in_plane(object->curve, axis, &curve) : BATTEN_OUT_OF_MEMORY;
+    double *data = NULL;
+    batten_status status = bat_check_given_row(check, checked, object->point_count,
+                                               object->points, axis, &data, &options.within);
+    options.angle = check->curve_bounds.angle;
+    options.curvature = check->curve_bounds.curvature;
+    if (status == BATTEN_OK)
+        status = bat_curve_in_plane(object->curve, axis, &curve);
     if (status == BATTEN_OK)
         status = batten_curve_fairness(curve,
                                        (batten_points){batten_curve_dimension(curve),
                                                        object->point_count,
                                                        object->point_count ? data : NULL},
-                                       NULL, &checked->fairness);
+                                       &options, &checked->fairness);
     checked->has_fairness = status == BATTEN_OK;
-    if (checked->has_fairness && axis >= 0) {
+    if (checked->has_fairness) {
         add_unfairness(&check->unfairness, &checked->fairness);
+        check->unfairness.inflections += axis >= 0 ? checked->fairness.excess_inflections : 0;
         check->judged_count++;
     }
     bat_release(data);
     batten_curve_unref(curve);
+    return status;
+}
+
+static batten_status check_curve(bat_check *check, bat_checked *checked)
+{
+    batten_status status = judge_curve(check, checked);
     if (status == BATTEN_OK)
         status = add_knots(check, checked);
-    return status == BATTEN_OK && object->point_count ? add_curve_distance(check, checked)
-                                                      : status;
+    return status == BATTEN_OK && checked->object->point_count
+               ? add_curve_distance(check, checked)
+               : status;
 }
 
 /* How a set of triangles hangs together. */
@@ -200,10 +233,15 @@ static batten_status check_object(bat_check *check, bat_checked *checked)
 }
 
 batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
+                            const bat_fair_bounds *curves, const bat_fair_bounds *edges,
                             bat_check *out)
 {
     bat_objects objects = {0, NULL};
-    *out = (bat_check){.run = run, .within = within, .ok = true};
+    *out = (bat_check){.run = run,
+                       .within = within,
+                       .ok = true,
+                       .curve_bounds = *curves,
+                       .edge_bounds = *edges};
     batten_status status = bat_gather(run, parameter, BAT_ALL, &objects);
     if (status != BATTEN_OK)
         return status;
@@ -217,10 +255,10 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
         status = bat_check_trace(out, parameter);
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
         status = check_object(out, &out->objects[i]);
-    /* A bound that nothing could be measured against is not met. */
-    out->ok &= out->bounded_count > 0 || !isfinite(within);
     if (status == BATTEN_OK)
         status = bat_joins_find(out);
+    if (status == BATTEN_OK)
+        judge_joins(out);
     bat_objects_release(&objects);
     return status;
 }

@@ -19,7 +19,7 @@ typedef struct {
 
 /* A plane section of a surface where the data have a row. */
 typedef struct {
-    const char *family; /* "station", "buttock", "waterline" */
+    const char *family; /* of a hull "station", "buttock", "waterline", else "x section" ... */
     const char *name;
     double at;
     bool found;
@@ -39,6 +39,8 @@ typedef struct {
 typedef struct {
     const batten_object *object;
     int given, faired; /* the features that its data are from, or -1 */
+    bool is_hull;      /* its data are a table of offsets */
+    double moved_by;   /* how far fairing may have moved its points: the sum of the bounds */
     bool has_fairness;
     batten_fairness fairness;              /* of a curve, in its plane */
     int knot_count, parametric, geometric; /* of a curve: joins at knots and at the seam, and
@@ -71,13 +73,21 @@ typedef struct {
     int corners, curvature_jumps; /* of curves; cusps are corners */
     int inflections;              /* in excess: of curves; visible ones of sections */
     double largest_turn;          /* the sharpest corner, radians */
+    int creases, edge_jumps;      /* edges of surfaces with a turn or a curvature step */
+    double largest_crease;        /* radians */
 } bat_unfairness;
+
+/* What turns by more is a corner, steps by a larger part of the curvature a jump. */
+typedef struct {
+    double angle, curvature;
+} bat_fair_bounds;
 
 typedef struct {
     const bat_run *run;
     bat_arena arena;
     bool *upstream; /* [feature_count] of any object */
     double within;  /* the bound, or infinity */
+    bat_fair_bounds curve_bounds, edge_bounds;
     int object_count;
     bat_checked *objects;
     int join_count;
@@ -86,13 +96,14 @@ typedef struct {
     int bounded_count;   /* distances of points given that were measured */
     bool
         ok; /* no point given is farther than the bound, which was measured when there is one */
-    int judged_count; /* plane curves through points, and sections, that were judged */
+    int judged_count; /* curves, sections, and edges of surfaces that meet, that were judged */
     bat_unfairness unfairness;
 } bat_check;
 
 /* Look at everything in the argument `parameter` of the run. Release it, also after a failure.
  */
 batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
+                            const bat_fair_bounds *curves, const bat_fair_bounds *edges,
                             bat_check *out);
 void bat_check_release(bat_check *check);
 
@@ -109,6 +120,10 @@ typedef batten_status (*bat_row_visit)(void *context, const bat_row *row);
 /* Every row of a feature; the lines of a table too when `with_lines`. */
 batten_status bat_check_visit_rows(const bat_check *check, int feature, bool with_lines,
                                    bat_row_visit visit, void *context);
+/* A row [count][3] as it was given before fairing, in a plane across `axis`, to release, and how far its
+ * points may have been moved; the row itself and 0 where it was not made fair. */
+batten_status bat_check_given_row(const bat_check *check, const bat_checked *checked, int count,
+                                  const double *row, int axis, double **points, double *bound);
 
 /* ---- distances.c ---- */
 

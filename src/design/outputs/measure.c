@@ -14,7 +14,12 @@ static const batten_parameter parameters[] = {
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "ends that are nearer close a curve; the tolerance, at most 1/1000 of its box, by "
      "default"},
+    {"all", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "list more than ten special places of a curve, too; JSON always lists all"},
 };
+
+/* Of longer lists the text states the count and the ends, of extrema the sharpest. */
+#define LIST_PLACES 10
 
 typedef enum { INFLECTIONS, FLAT_POINTS, EXTREMA, STANDSTILLS, CROSSINGS, LISTS } list;
 
@@ -41,6 +46,7 @@ typedef struct {
     batten_region region;
     double centroid[3], turning;
     batten_parameters found[LISTS];
+    double sharpest[LIST_PLACES]; /* of more extrema of curvature, the largest first */
 } facts;
 
 static void facts_end(facts *f)
@@ -76,12 +82,40 @@ static batten_status measure_plane(const batten_curve *flat, double within, fact
     return status == BATTEN_COINCIDENT ? BATTEN_OK : status;
 }
 
+/* Of a long list of extrema those of the largest curvature. */
+static batten_status find_sharpest(const batten_curve *curve, facts *f)
+{
+    const batten_parameters *all = &f->found[EXTREMA];
+    double sharp[LIST_PLACES];
+    batten_status status = BATTEN_OK;
+    for (int i = 0, kept = 0; i < all->count && status == BATTEN_OK; i++) {
+        batten_curve_local local = {0};
+        status = batten_curve_local_at(curve, all->at[i], BATTEN_FROM_RIGHT, &local);
+        /* At a cusp curvature has no bound. */
+        const double k = status == BATTEN_OK ? fabs(local.curvature) : HUGE_VAL;
+        status = status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
+        int at = kept < LIST_PLACES ? kept++ : LIST_PLACES;
+        for (; at > 0 && sharp[at - 1] < k; at--)
+            if (at < LIST_PLACES) {
+                sharp[at] = sharp[at - 1];
+                f->sharpest[at] = f->sharpest[at - 1];
+            }
+        if (at < LIST_PLACES) {
+            sharp[at] = k;
+            f->sharpest[at] = all->at[i];
+        }
+    }
+    return status;
+}
+
 static batten_status find_places(const batten_curve *flat, facts *f)
 {
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < LISTS; k++)
         if (!lists[k].plane || batten_curve_dimension(flat) == 2)
             status = lists[k].find(flat, &f->found[k]);
+    if (status == BATTEN_OK && f->found[EXTREMA].count > LIST_PLACES)
+        status = find_sharpest(flat, f);
     return status;
 }
 
@@ -159,7 +193,27 @@ static void text_open(batten_text *out, const facts *f)
     batten_text_add(out, "\n");
 }
 
-static void text_curve(batten_text *out, const facts *f)
+/* The places of a list; of a long one how many there are, and the sharpest or its ends. */
+static void text_places(batten_text *out, const char *what, const batten_parameters *found,
+                        const double *sharpest, bool all)
+{
+    const bool is_long = !all && found->count > LIST_PLACES;
+    const int half = LIST_PLACES / 2;
+    if (!is_long) {
+        batten_text_add(out, "  %s at", what);
+        text_numbers(out, "", found->count, found->at);
+        batten_text_add(out, "\n");
+        return;
+    }
+    batten_text_add(out, "  %s at %d places,", what, found->count);
+    text_numbers(out, sharpest ? " the sharpest" : "", sharpest ? LIST_PLACES : half,
+                 sharpest ? sharpest : found->at);
+    if (!sharpest)
+        text_numbers(out, " ...", half, found->at + found->count - half);
+    batten_text_add(out, "; 'all' (--all) lists them\n");
+}
+
+static void text_curve(batten_text *out, const facts *f, bool all)
 {
     const batten_vec3 low = f->box.low, high = f->box.high, c = f->oriented.centre;
     const double from[3] = {low.x, low.y, low.z}, to[3] = {high.x, high.y, high.z};
@@ -179,11 +233,9 @@ static void text_curve(batten_text *out, const facts *f)
     if (f->turns)
         batten_text_add(out, "  turning number %.9g\n", f->turning);
     for (int k = 0; k < LISTS; k++)
-        if (f->found[k].count) {
-            batten_text_add(out, "  %s at", lists[k].text);
-            text_numbers(out, "", f->found[k].count, f->found[k].at);
-            batten_text_add(out, "\n");
-        }
+        if (f->found[k].count)
+            text_places(out, lists[k].text, &f->found[k], k == EXTREMA ? f->sharpest : NULL,
+                        all);
 }
 
 /* ---- JSON ---- */
@@ -396,8 +448,10 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
     const double within =
         bat_has(run, "within") ? bat_number(run, "within") : default_within(run, object->curve);
     const batten_status status = measure_measure(object, within, &f);
-    if (status == BATTEN_OK)
-        (json ? json_curve : text_curve)(out, &f);
+    if (status == BATTEN_OK && json)
+        json_curve(out, &f);
+    else if (status == BATTEN_OK)
+        text_curve(out, &f, bat_yes(run, "all"));
     facts_end(&f);
     return status;
 }
@@ -442,7 +496,9 @@ static batten_status run_measure(bat_run *run)
     batten_text text = BATTEN_TEXT;
     const char *dot = strrchr(run->name, '.');
     const bool json = dot && strcmp(dot, ".json") == 0;
-    batten_status status = bat_gather(run, "measure", BAT_ALL, &objects);
+    batten_status status = bat_check_within(run);
+    if (status == BATTEN_OK)
+        status = bat_gather(run, "measure", BAT_ALL, &objects);
     if (status != BATTEN_OK)
         return status;
     begin_text(run, json, &text);

@@ -48,6 +48,36 @@ static void find_data(const bat_check *check, const bool *upstream, int *given, 
     }
 }
 
+/* Is a feature's result, or what it is made from, a table of offsets? */
+static bool has_table(const bat_check *check, const bool *upstream)
+{
+    const bat_document *d = check->run->document;
+    for (int i = 0; i < d->feature_count; i++) {
+        const batten_model *model = upstream[i] ? check->run->results[i].value : NULL;
+        for (int k = 0; model && k < batten_model_count(model); k++)
+            if (batten_model_object(model, k)->kind == BATTEN_OBJECT_OFFSET_TABLE)
+                return true;
+    }
+    return false;
+}
+
+/* The parameter 'within' of all fairing upstream, one after the other. */
+static double sum_moves(const bat_check *check, const bool *upstream)
+{
+    const bat_document *d = check->run->document;
+    double sum = 0;
+    for (int i = 0; i < d->feature_count; i++) {
+        if (!upstream[i] || !check->run->results[i].shown.has_moves)
+            continue;
+        const bat_entry *entry = &d->features[i];
+        const batten_feature *shown = &entry->feature->shown;
+        for (int k = 0; k < shown->parameter_count; k++)
+            if (strcmp(shown->parameters[k].name, "within") == 0 && entry->arguments[k].count)
+                sum += entry->arguments[k].items[0].number[0];
+    }
+    return sum;
+}
+
 /* The data of the objects that come of one feature of the argument: the `count` from `first`
  * on.
  */
@@ -63,9 +93,11 @@ static batten_status trace_feature(bat_check *check, bat_graph *graph, int featu
         find_data(check, upstream, &given, &faired);
     for (int i = 0; status == BATTEN_OK && i < feature_count; i++)
         check->upstream[i] |= upstream[i];
-    for (int i = first; i < first + count; i++) {
+    for (int i = first; status == BATTEN_OK && i < first + count; i++) {
         check->objects[i].given = given;
         check->objects[i].faired = faired;
+        check->objects[i].is_hull = given >= 0 && has_table(check, upstream);
+        check->objects[i].moved_by = sum_moves(check, upstream);
     }
     bat_release(upstream);
     return status;
@@ -121,4 +153,44 @@ batten_status bat_check_visit_rows(const bat_check *check, int feature, bool wit
             status = visit_object(object, true, visit, context);
     }
     return status;
+}
+
+/* ---- rows before fairing ---- */
+
+typedef struct {
+    int count;
+    const double *row; /* [count][3] */
+    double bound;
+    int axis;
+    double *found; /* in the plane; to release */
+} row_search;
+
+static batten_status match_row(void *context, const bat_row *given)
+{
+    row_search *search = context;
+    /* Fairing keeps its bound to a few roundings. */
+    const double most = search->bound * (1 + 1e-9);
+    if (search->found || given->count != search->count)
+        return BATTEN_OK;
+    for (int i = 0; i < search->count; i++) {
+        const double *p = given->points + 3 * i, *q = search->row + 3 * i;
+        if (hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]) > most)
+            return BATTEN_OK;
+    }
+    search->found = bat_points_in_plane(search->axis, given->count, given->points);
+    return search->found ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+batten_status bat_check_given_row(const bat_check *check, const bat_checked *checked, int count,
+                                  const double *row, int axis, double **points, double *bound)
+{
+    row_search search = {count, row, checked->moved_by, axis, NULL};
+    batten_status status = BATTEN_OK;
+    if (checked->faired >= 0 && checked->given >= 0)
+        status = bat_check_visit_rows(check, checked->given, true, match_row, &search);
+    *bound = search.found ? checked->moved_by : 0;
+    if (status == BATTEN_OK && !search.found)
+        search.found = bat_points_in_plane(axis, count, row);
+    *points = search.found;
+    return status == BATTEN_OK && !search.found ? BATTEN_OUT_OF_MEMORY : status;
 }

@@ -2,6 +2,8 @@
 #include "base/plural.h"
 #include "design/outputs/fairness.h"
 
+#include <string.h>
+
 static void add_rounded(batten_text *out, double value)
 {
     if (value == 0 || !isfinite(value)) {
@@ -118,7 +120,7 @@ static void text_family(batten_text *out, const bat_checked *c, const char *fami
     int found = 0, fair = 0, missed = 0;
     for (int i = 0; i < c->section_count; i++) {
         const bat_section *s = &c->sections[i];
-        if (s->family[0] != family[0])
+        if (strcmp(s->family, family) != 0)
             continue;
         found += s->found;
         missed += !s->found;
@@ -133,7 +135,7 @@ static void text_family(batten_text *out, const bat_checked *c, const char *fami
     batten_text_add(out, "\n");
     for (int i = 0; i < c->section_count; i++) {
         const bat_section *s = &c->sections[i];
-        if (s->family[0] != family[0] || !s->found || s->excess == 0)
+        if (strcmp(s->family, family) != 0 || !s->found || s->excess == 0)
             continue;
         batten_text_add(out, "      %s at ", s->name);
         add_rounded(out, s->at);
@@ -178,9 +180,10 @@ static void text_object(batten_text *out, const bat_check *check, const bat_chec
     if (c->object->kind == BATTEN_OBJECT_TRIANGLES)
         text_triangles(out, check, c);
     text_distances(out, check, c);
-    text_family(out, c, "station");
-    text_family(out, c, "waterline");
-    text_family(out, c, "buttock");
+    static const char *const families[] = {"station",   "waterline", "buttock",
+                                           "x section", "z section", "y section"};
+    for (int k = 0; k < 6; k++)
+        text_family(out, c, families[k]);
 }
 
 static void text_join(batten_text *out, const bat_check *check, const bat_join *join)
@@ -211,29 +214,56 @@ static void text_join(batten_text *out, const bat_check *check, const bat_join *
     batten_text_add(out, "\n");
 }
 
+/* What is judged: the demands on a hull are others than those on a curve. */
+static const char *purpose_of(const bat_check *check)
+{
+    int curves = 0, shapes = 0;
+    for (int i = 0; i < check->object_count; i++) {
+        const batten_object_kind kind = check->objects[i].object->kind;
+        if (kind == BATTEN_OBJECT_SURFACE && check->objects[i].is_hull)
+            return "a hull";
+        curves += kind == BATTEN_OBJECT_CURVE;
+        shapes += kind != BATTEN_OBJECT_CURVE && kind != BATTEN_OBJECT_POINTS;
+    }
+    return shapes ? "a free surface" : curves > 1 ? "a family of curves" : "a curve";
+}
+
+/* "3 corners", with what separates it from what was said before. */
+static bool text_reason(batten_text *out, const char **separator, int count, const char *what)
+{
+    if (count == 0)
+        return false;
+    batten_text_add(out, "%s", *separator);
+    add_plural(out, count, what);
+    *separator = ", ";
+    return true;
+}
+
+static void text_turn(batten_text *out, int count, double turn)
+{
+    batten_text_add(out, count > 1 ? ", the sharpest of " : " of ");
+    add_rounded(out, turn * 180 / BAT_PI);
+    batten_text_add(out, " degrees");
+}
+
 static void text_reasons(batten_text *out, const bat_check *check)
 {
     const bat_unfairness *u = &check->unfairness;
-    const char *separator = "";
-    batten_text_add(out, "\nVerdict: %s", bat_check_is_fair(check) ? "fair" : "not fair: ");
-    if (u->corners) {
-        add_plural(out, u->corners, "corner");
-        batten_text_add(out, u->corners > 1 ? ", the sharpest of " : " of ");
-        add_rounded(out, u->largest_turn * 180 / BAT_PI);
-        batten_text_add(out, " degrees");
-        separator = ", ";
+    const char *separator = ": ";
+    batten_text_add(out, "\nVerdict: %s as %s", bat_check_is_fair(check) ? "fair" : "not fair",
+                    purpose_of(check));
+    if (text_reason(out, &separator, u->corners, "corner"))
+        text_turn(out, u->corners, u->largest_turn);
+    if (text_reason(out, &separator, u->creases, "edge")) {
+        batten_text_add(out, " with a crease");
+        text_turn(out, u->creases, u->largest_crease);
     }
-    if (u->curvature_jumps) {
-        batten_text_add(out, "%s", separator);
-        add_plural(out, u->curvature_jumps, "jump");
+    if (text_reason(out, &separator, u->curvature_jumps, "jump"))
         batten_text_add(out, " of curvature");
-        separator = ", ";
-    }
-    if (u->inflections) {
-        batten_text_add(out, "%s", separator);
-        add_plural(out, u->inflections, "inflection");
+    if (text_reason(out, &separator, u->edge_jumps, "edge"))
+        batten_text_add(out, " with a jump of curvature");
+    if (text_reason(out, &separator, u->inflections, "inflection"))
         batten_text_add(out, " in excess");
-    }
 }
 
 /* Without a curve that was judged there is no verdict, but what would make one. */
@@ -250,7 +280,7 @@ static void text_verdict(batten_text *out, const bat_check *check)
         batten_text_add(
             out,
             "\n"
-            "No verdict: fairness is judged of curves through points in a plane x, y or z = constant, and of surfaces with their points");
+            "No verdict: fairness is judged of curves, of surfaces with their points, and of edges where surfaces meet");
     else
         batten_text_add(
             out,
@@ -287,14 +317,15 @@ static void text_bound(batten_text *out, const bat_check *check)
         text_solids(out, check, bodies, meshes);
         return;
     }
+    if (!check->bounded_count) {
+        batten_text_add(out, "; there are no points to measure against ");
+        add_length(out, check, check->within);
+        return;
+    }
     batten_text_add(out, "; the points given %s ",
-                    check->ok              ? "lie within"
-                    : check->bounded_count ? "lie farther than"
-                                           : "could not be measured against");
+                    check->ok ? "lie within" : "lie farther than");
     add_length(out, check, check->within);
-    batten_text_add(out, check->ok              ? " of the shape"
-                         : check->bounded_count ? " from the shape"
-                                                : "");
+    batten_text_add(out, check->ok ? " of the shape" : " from the shape");
 }
 
 void bat_report_text(const bat_check *check, batten_text *out)

@@ -79,26 +79,29 @@ int bat_visible_inflections(int count, const double *points, double height)
     return found;
 }
 
-/* Judge a section by the curve through its points, and the inflections that the row needs. */
-static batten_status judge(const batten_polyline *line, int axis, const bat_row *row,
-                           double tolerance, bat_section *section)
+/* Judge a section by the curve through its points, and the inflections that the row as it was
+ * given needs. */
+static batten_status judge_section(const section_context *c, const batten_polyline *line,
+                                   int axis, const bat_row *row, bat_section *section)
 {
     double plane[2 * SECTION_POINTS];
+    double *data = NULL;
     batten_curve *curve = NULL;
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
+    batten_fairness_options bounds = batten_fairness_defaults();
     options.parameters = BATTEN_CHORD;
     const int count = thin(line, axis, plane);
     batten_status status =
         batten_curve_interpolate((batten_points){2, count, plane}, &options, NULL, &curve);
-    double *data = bat_points_in_plane(axis, row->count, row->points);
-    if (status == BATTEN_OK && !data)
-        status = BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = bat_check_given_row(c->check, c->checked, row->count, row->points, axis, &data,
+                                     &bounds.within);
     if (status == BATTEN_OK)
         status = batten_curve_fairness(
-            curve, (batten_points){batten_curve_dimension(curve), row->count, data}, NULL,
+            curve, (batten_points){batten_curve_dimension(curve), row->count, data}, &bounds,
             &section->fairness);
     section->found = status == BATTEN_OK;
-    section->visible = bat_visible_inflections(count, plane, tolerance);
+    section->visible = bat_visible_inflections(count, plane, bat_tolerance(c->check->run));
     section->excess = bat_max_int(0, section->visible - (section->fairness.inflections -
                                                          section->fairness.excess_inflections));
     bat_release(data);
@@ -108,7 +111,8 @@ static batten_status judge(const batten_polyline *line, int axis, const bat_row 
 
 static batten_status add_section(void *context, const bat_row *row)
 {
-    static const char *const families[] = {"station", "buttock", "waterline"};
+    static const char *const families[2][3] = {{"x section", "y section", "z section"},
+                                               {"station", "buttock", "waterline"}};
     const section_context *c = context;
     const int axis = bat_flat_axis(row->count, row->points);
     if (row->count < 3 || axis < 0)
@@ -117,7 +121,8 @@ static batten_status add_section(void *context, const bat_row *row)
     const char *name = bat_arena_copy(&c->check->arena, row->name, strlen(row->name));
     if (!name)
         return BATTEN_OUT_OF_MEMORY;
-    *section = (bat_section){.family = families[axis], .name = name, .at = row->points[axis]};
+    *section = (bat_section){
+        .family = families[c->checked->is_hull][axis], .name = name, .at = row->points[axis]};
     batten_polylines lines = {0, NULL};
     batten_status status = batten_surface_section(
         c->checked->object->surface, (batten_vec3){axis == 0, axis == 1, axis == 2},
@@ -126,7 +131,7 @@ static batten_status add_section(void *context, const bat_row *row)
         return status;
     const batten_polyline *line = longest(&lines);
     if (line && line->count >= 4)
-        status = judge(line, axis, row, bat_tolerance(c->check->run), section);
+        status = judge_section(c, line, axis, row, section);
     if (section->found) {
         c->check->unfairness.inflections += section->excess;
         c->check->judged_count++;

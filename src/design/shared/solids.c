@@ -355,3 +355,11 @@ void bat_solid_json(const batten_object *object, const bat_solid_faults *faults,
     json_number(out, "largest_gap", faults->body.largest_gap);
     json_number(out, "largest_miss", faults->body.largest_miss);
 }
+
+batten_status bat_check_within(const bat_run *run)
+{
+    if (!bat_has(run, "within") || bat_number(run, "within") > 0)
+        return BATTEN_OK;
+    return bat_fail(BATTEN_BAD_ARGUMENT, "'within' is %g; it must be above 0",
+                    bat_number(run, "within"));
+}

@@ -4,6 +4,9 @@
 #include "design/feature.h"
 #include <batten/text.h>
 
+/* A report's parameter 'within', when it is given, must be above 0. */
+batten_status bat_check_within(const bat_run *run);
+
 /* Areas, volumes, centroids and boxes of a body or mesh, as text or JSON; `partly` of the run
  * is set when faces cannot be measured. */
 batten_status bat_measure_solid(bat_run *run, const batten_object *object, bool json,

@@ -363,9 +363,18 @@ static void unknown_key(bat_document *d, const bat_entry *entry, int key)
             near = f->parameters[i].name;
     /* In { } a comma ends a value, also inside of min(a, b). */
     const bool is_rest = strchr(word, ')') && !strchr(word, '(');
-    bat_complain(d, key, "%s has no parameter '%.80s'%s%s%s%s", f->name, word,
+    batten_text all = BATTEN_TEXT;
+    for (int i = 1; i < f->parameter_count; i++)
+        batten_text_add(&all, "%s%s", i > 1 ? ", " : "", f->parameters[i].name);
+    const bool has_list = all.bytes && !all.failed && !is_rest;
+    bat_complain(d, key, "%s has no parameter '%.80s'%s%s%s%s%s%s", f->name, word,
                  near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "",
-                 is_rest ? "; put an expression with commas in quotes" : "");
+                 is_rest ? "; put an expression with commas in quotes" : "",
+                 !has_list ? ""
+                 : near    ? " It has "
+                           : "; it has ",
+                 has_list ? all.bytes : "");
+    batten_text_free(&all);
 }
 
 static batten_status read_map(reading *r, bat_entry *entry)

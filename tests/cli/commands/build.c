@@ -38,7 +38,7 @@ TEST(build_says_what_it_made_and_keeps_what_could_be_made)
          1, NULL, "ring (circle): |batten build: failed; 4 of 5 outputs were made"},
         {"sed 's/circle: 2/circle: 0/' all.yaml > bad.yaml; rm -f *.step; $BATTEN build bad.yaml; ls",
          0, "ring           circle       failed|sheet.step|!all.step", NULL},
-        {"sed 's/check: bow/check: bow, curvature: 0.001/' all.yaml > bad.yaml; $BATTEN build -q bad.yaml",
+        {"sed 's/check: bow/check: bow, curvatrue: 0.001/' all.yaml > bad.yaml; $BATTEN build -q bad.yaml",
          1, NULL, NULL},
         {"$BATTEN build none.yaml", 1, "", "batten build: |none.yaml"},
         {"cp all.yaml one.igs && $BATTEN build one.igs", 2, NULL, "one.igs"},

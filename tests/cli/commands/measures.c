@@ -265,7 +265,8 @@ TEST(check_and_draw_work_on_files_and_designs)
 {
     static const line_row rows[] = {
         {"$BATTEN check all.yaml", 0,
-         "What was done\n  ducks (points)\n  bow (interpolate)\n|Verdict: fair.", ""},
+         "What was done\n  ducks (points)\n  bow (interpolate)\n|Verdict: fair as a curve.",
+         ""},
         {"$BATTEN check all.yaml --json", 0, "{|\"bow\"|!Verdict", ""},
         {"sed '/report/d' all.yaml > plain.yaml; $BATTEN check plain.yaml", 1, "",
          "the design has no output such as 'report.txt: {check: FEATURE}'"},
@@ -275,7 +276,7 @@ TEST(check_and_draw_work_on_files_and_designs)
          "--unit is for files of shapes; 'all.yaml' is a design, which says so itself"},
         {"$BATTEN check all.yaml --from-format step", 2, "",
          "--from-format is for files of shapes"},
-        {"cp all.yaml all.YML && $BATTEN check all.YML", 0, "Verdict: fair.", ""},
+        {"cp all.yaml all.YML && $BATTEN check all.YML", 0, "Verdict: fair as a curve.", ""},
         {MADE "$BATTEN check one.igs", 0, "one", NULL},
         {"$BATTEN check -q one.igs --json", 0, "{", ""},
         {"$BATTEN check none.yaml", 1, "", "none.yaml"},

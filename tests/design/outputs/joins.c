@@ -264,6 +264,54 @@ TEST(a_join_with_an_angle_along_a_closed_edge_with_a_corner_keeps_its_angle)
     batten_release(json);
 }
 
+TEST(a_crease_where_surfaces_meet_is_not_fair_unless_the_bound_allows_it)
+{
+    /* A wall and a roof that meet at atan(1/2) = 26.57 degrees; the arc bends, the roof does not. */
+    static const struct {
+        const char *bounds, *verdict;
+    } rows[] = {
+        {"", "Verdict: not fair as a free surface: 1 edge with a crease of 26.57 degrees."},
+        {", angle: 26 deg", "Verdict: not fair as a free surface: 1 edge with a crease"},
+        {", angle: 27 deg", "not fair as a free surface: 1 edge with a jump of curvature."},
+        {", angle: 27 deg, curvature: 1.1", "Verdict: fair as a free surface."},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        char design[600];
+        char *text = NULL;
+        snprintf(design, sizeof design,
+                 "batten: 1\nfeatures:\n" HALVES "outputs:\n  r.txt: {check: [u, w]%s}\n",
+                 rows[i].bounds);
+        CHECK_OK(make(design, &text));
+        CHECK_CONTAINS(text, rows[i].verdict);
+        batten_release(text);
+    }
+}
+
+TEST(bounds_that_judge_nothing_are_refused)
+{
+    static const char *const rows[] = {"within: 0 m", "within: -1 mm", "angle: 0 deg",
+                                       "angle: 200 deg", "curvature: 0"};
+    for (int i = 0; i < COUNT(rows); i++) {
+        char design[600];
+        char *text = NULL;
+        snprintf(design, sizeof design,
+                 "batten: 1\nfeatures:\n" HALVES "outputs:\n  r.txt: {check: [u, w], %s}\n",
+                 rows[i]);
+        CHECK_STATUS(make(design, &text), BATTEN_BAD_ARGUMENT);
+    }
+}
+
+TEST(corners_of_curves_without_points_are_not_fair)
+{
+    char *text = NULL;
+    CHECK_OK(make("batten: 1\nfeatures:\n  a: {line: [[0, 0, 0], [1, 0, 0]]}\n"
+                  "  b: {line: [[1, 0, 0], [1, 1, 1]]}\n  c: {join: [a, b]}\n"
+                  "outputs:\n  r.txt: {check: c}\n",
+                  &text));
+    CHECK_CONTAINS(text, "Verdict: not fair as a curve: 1 corner of 90 degrees.");
+    batten_release(text);
+}
+
 TEST(a_report_says_where_curvature_is_not_known_and_prints_no_nan)
 {
     /* A parabola of the third degree that begins with a cusp: its curvature there is infinite. */

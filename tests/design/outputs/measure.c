@@ -251,3 +251,26 @@ TEST(curves_smaller_than_the_tolerance_are_not_closed_for_that)
     batten_release(data);
     batten_design_free(design);
 }
+
+TEST(long_lists_are_counted_and_shown_in_part_unless_all_is_asked_for)
+{
+    static const char features[] =
+        "batten: 1\nfeatures:\n"
+        "  p: {points: [[0, 0], [1, 1], [2, 0], [3, 1], [4, 0], [5, 1], [6, 0], [7, 1], [8, 0], "
+        "[9, 1], [10, 0], [11, 1], [12, 0], [13, 1]]}\n  c: {interpolate: p}\noutputs:\n";
+    for (int all = 0; all < 2; all++) {
+        char text[900];
+        char *data = NULL;
+        size_t size;
+        batten_design *design = NULL;
+        snprintf(text, sizeof text, "%s  r.txt: {measure: c%s}\n", features,
+                 all ? ", all: yes" : "");
+        CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
+        CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
+        CHECK((strstr(data, "inflections at 11 places, 1.53") != NULL) == !all);
+        CHECK((strstr(data, "12 places, the sharpest ") != NULL) == !all);
+        CHECK((strstr(data, " ... ") != NULL) == !all);
+        batten_release(data);
+        batten_design_free(design);
+    }
+}

@@ -169,7 +169,7 @@ TEST(reports_say_what_was_done_and_what_holds)
          "check has no parameter 'title'"},
         {"k.txt: {check: made, within: 0.001}", BATTEN_OK, "the points given |within 0.001 m"},
         {"k.txt: {check: noisy, within: 0.001}", BATTEN_OK,
-         "error at most 2 m\n|at most 2 m (rms 1.342), at 1, 2, 0\n|Verdict: fair; the points given lie farther than 0.001 m from the shape."},
+         "error at most 2 m\n|at most 2 m (rms 1.342), at 1, 2, 0\n|Verdict: fair as a curve; the points given lie farther than 0.001 m from the shape."},
         {"k.txt: {check: fair}", BATTEN_OK,
          "fair (fair)\n    |4 points moved, at most 0.09|3 |before, 0 |after\n"},
         {"k.txt: {check: mesh}", BATTEN_OK, "mesh (mesh)|not closed"},

@@ -64,7 +64,7 @@ TEST(errors_name_file_line_column_and_the_nearest_name)
         {"batten: 1\nfeatures:\n  a: {pionts: [0, 0]}\n",
          "hull.yaml:3:7: there is no operation 'pionts'; did you mean 'points'?"},
         {"batten: 1\nfeatures:\n  a: {points: [0, 0], clumns: 3}\n",
-         "hull.yaml:3:23: points has no parameter 'clumns'; did you mean 'columns'?"},
+         "hull.yaml:3:23: points has no parameter 'clumns'; did you mean 'columns'? It has columns"},
         {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: 1e3}\n",
          "hull.yaml:3:32: 'columns' of points is wrong: a whole number"},
         {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: -1}\n",
