@@ -38,7 +38,7 @@ static batten_status read_bounds(const bat_run *run, bat_fair_bounds *curves,
 {
     const batten_fairness_options standard = batten_fairness_defaults();
     *curves = (bat_fair_bounds){standard.angle, standard.curvature};
-    *edges = (bat_fair_bounds){0.1 * BAT_PI / 180, 0.05};
+    *edges = (bat_fair_bounds){BAT_EDGE_ANGLE, 0.05};
     if (bat_has(run, "angle"))
         curves->angle = edges->angle = bat_number(run, "angle");
     if (bat_has(run, "curvature"))

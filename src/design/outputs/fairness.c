@@ -115,7 +115,7 @@ bool bat_check_is_fair(const bat_check *check)
            u->creases == 0 && u->edge_jumps == 0;
 }
 
-/* Whole edges of surfaces that meet. */
+/* Whole edges of surfaces that meet. A knuckle that the bound allows has no common curvature. */
 static void judge_joins(bat_check *check)
 {
     bat_unfairness *u = &check->unfairness;
@@ -128,7 +128,7 @@ static void judge_joins(bat_check *check)
         u->largest_crease = bat_max(u->largest_crease, join->g1);
         if (join->g1 > check->edge_bounds.angle)
             u->creases++;
-        else if (join->g2 > check->edge_bounds.curvature)
+        else if (join->g1 <= BAT_EDGE_ANGLE && join->g2 > check->edge_bounds.curvature)
             u->edge_jumps++;
     }
 }

@@ -77,6 +77,9 @@ typedef struct {
     double largest_crease;        /* radians */
 } bat_unfairness;
 
+/* Edges of surfaces that turn by less are smooth, unless a bound is stated: 0.1 degrees. */
+#define BAT_EDGE_ANGLE (0.1 * BAT_PI / 180)
+
 /* What turns by more is a corner, steps by a larger part of the curvature a jump. */
 typedef struct {
     double angle, curvature;

@@ -266,21 +266,23 @@ TEST(a_join_with_an_angle_along_a_closed_edge_with_a_corner_keeps_its_angle)
 
 TEST(a_crease_where_surfaces_meet_is_not_fair_unless_the_bound_allows_it)
 {
-    /* A wall and a roof that meet at atan(1/2) = 26.57 degrees; the arc bends, the roof does not. */
+    /* u and w meet at atan(1/2) = 26.57 degrees; u and v smoothly, but u bends and v does not. */
     static const struct {
-        const char *bounds, *verdict;
+        const char *of, *verdict;
     } rows[] = {
-        {"", "Verdict: not fair as a free surface: 1 edge with a crease of 26.57 degrees."},
-        {", angle: 26 deg", "Verdict: not fair as a free surface: 1 edge with a crease"},
-        {", angle: 27 deg", "not fair as a free surface: 1 edge with a jump of curvature."},
-        {", angle: 27 deg, curvature: 1.1", "Verdict: fair as a free surface."},
+        {"[u, w]",
+         "Verdict: not fair as a free surface: 1 edge with a crease of 26.57 degrees."},
+        {"[u, w], angle: 26 deg", "Verdict: not fair as a free surface: 1 edge with a crease"},
+        {"[u, w], angle: 27 deg", "Verdict: fair as a free surface."},
+        {"[u, v]", "not fair as a free surface: 1 edge with a jump of curvature."},
+        {"[u, v], curvature: 1.1", "Verdict: fair as a free surface."},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         char design[600];
         char *text = NULL;
         snprintf(design, sizeof design,
-                 "batten: 1\nfeatures:\n" HALVES "outputs:\n  r.txt: {check: [u, w]%s}\n",
-                 rows[i].bounds);
+                 "batten: 1\nfeatures:\n" HALVES "outputs:\n  r.txt: {check: %s}\n",
+                 rows[i].of);
         CHECK_OK(make(design, &text));
         CHECK_CONTAINS(text, rows[i].verdict);
         batten_release(text);
