@@ -1,178 +1,16 @@
 /* Line drawings of surfaces on a sheet: one view, three views, or a stereo pair. */
+#include "picture/lines/surface_looks.h"
 #include "picture/lines/wires.h"
 #include "picture/sheet/axes.h"
 #include "picture/sheet/flat.h"
 
 #include <stdio.h>
-#include <string.h>
-
-enum { MOST_VIEWS = 4 };
-
-/* One drawing on the sheet. */
-typedef struct {
-    batten_view kind;
-    bat_eye eye;
-    const char *title;
-    double low[2], high[2]; /* what it shows, before scaling */
-    bat_plot plot;
-} look;
-
-typedef struct {
-    const batten_draw_options *options;
-    bat_wires wires;
-    int look_count;
-    look looks[MOST_VIEWS];
-    double em;
-} drawing;
-
-/* ---- views ---- */
-
-static look look_from(const drawing *d, batten_view kind, double azimuth, const char *title)
-{
-    const batten_vec3 a = d->wires.box.low, b = d->wires.box.high;
-    const batten_view seen = kind == BATTEN_VIEW_AUTO ? BATTEN_VIEW_AXONOMETRIC : kind;
-    return (look){.kind = seen,
-                  .eye = {bat_view_make(seen, azimuth, d->options->elevation),
-                          {0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (a.z + b.z)},
-                          d->options->distance},
-                  .title = title};
-}
-
-static void choose_looks(drawing *d)
-{
-    const batten_draw_options *o = d->options;
-    const double half = 0.5 * o->stereo_angle;
-    const bool crossed = o->sheet == BATTEN_SHEET_STEREO_CROSSED;
-    switch (o->sheet) {
-    case BATTEN_SHEET_ONE:
-        d->looks[d->look_count++] = look_from(d, o->view, o->azimuth, "");
-        break;
-    case BATTEN_SHEET_THREE_VIEWS:
-        d->looks[d->look_count++] = look_from(d, BATTEN_VIEW_SIDE, 0, "side");
-        d->looks[d->look_count++] = look_from(d, BATTEN_VIEW_FRONT, 0, "front");
-        d->looks[d->look_count++] = look_from(d, BATTEN_VIEW_TOP, 0, "top");
-        d->looks[d->look_count++] =
-            look_from(d, o->view == BATTEN_VIEW_ISOMETRIC ? o->view : BATTEN_VIEW_AXONOMETRIC,
-                      o->azimuth, "");
-        break;
-    case BATTEN_SHEET_STEREO_PARALLEL:
-    case BATTEN_SHEET_STEREO_CROSSED:
-        /* The left eye stands to the left: at the smaller azimuth. */
-        d->looks[d->look_count++] =
-            look_from(d, BATTEN_VIEW_AXONOMETRIC, o->azimuth + (crossed ? half : -half), "");
-        d->looks[d->look_count++] =
-            look_from(d, BATTEN_VIEW_AXONOMETRIC, o->azimuth + (crossed ? -half : half), "");
-        break;
-    }
-}
-
-/* What a look shows: the corners of the box. Fails where one is behind the eye. */
-static batten_status measure_look(const drawing *d, look *l)
-{
-    const batten_vec3 a = d->wires.box.low, b = d->wires.box.high;
-    for (int k = 0; k < 2; k++) {
-        l->low[k] = HUGE_VAL;
-        l->high[k] = -HUGE_VAL;
-    }
-    for (int i = 0; i < 8; i++) {
-        const double corner[3] = {i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z};
-        double q[3];
-        const bat_eye parallel = {
-            l->eye.view, {l->eye.centre[0], l->eye.centre[1], l->eye.centre[2]}, 0};
-        bat_eye_project(&parallel, corner, q);
-        if (l->eye.distance > 0 && q[2] > 0.95 * l->eye.distance)
-            return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "the eye is %g before the middle of what is drawn; its box reaches "
-                            "%g towards it",
-                            l->eye.distance, q[2]);
-        bat_eye_project(&l->eye, corner, q);
-        for (int k = 0; k < 2; k++) {
-            l->low[k] = bat_min(l->low[k], q[k]);
-            l->high[k] = bat_max(l->high[k], q[k]);
-        }
-    }
-    return BATTEN_OK;
-}
-
-/* The lines themselves, more exact than the box. */
-static void measure_lines(const drawing *d, look *l)
-{
-    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    for (size_t i = 0; i < d->wires.count; i++) {
-        const bat_stroke *s = &d->wires.wires[i].stroke;
-        for (size_t k = 0; k < s->count; k++) {
-            double q[3];
-            bat_eye_project(&l->eye, s->points + 3 * k, q);
-            for (int n = 0; n < 2; n++) {
-                low[n] = bat_min(low[n], q[n]);
-                high[n] = bat_max(high[n], q[n]);
-            }
-        }
-    }
-    for (int n = 0; n < 2 && low[n] <= high[n]; n++) {
-        const double margin = 0.02 * bat_max(high[0] - low[0], high[1] - low[1]);
-        l->low[n] = low[n] - margin;
-        l->high[n] = high[n] + margin;
-    }
-}
-
-/* ---- places on the sheet ---- */
-
-/* Side and front in the first row, top and the axonometric view in the second; the first three
- * at one scale, so that every point stands in line. */
-static void place_three(drawing *d, bat_rectangle all)
-{
-    const double gap = 3 * d->em, *sl = d->looks[0].low, *sh = d->looks[0].high;
-    const double *fl = d->looks[1].low, *fh = d->looks[1].high, *tl = d->looks[2].low,
-                 *th = d->looks[2].high;
-    const double x = bat_max(sh[0] - sl[0], th[0] - tl[0]), y = fh[0] - fl[0];
-    const double z = bat_max(sh[1] - sl[1], fh[1] - fl[1]), deep = th[1] - tl[1];
-    const double scale = bat_min((all.width - gap) / (x + y), (all.height - gap) / (z + deep));
-    const double wide = scale * x, tall = scale * z;
-    const bat_rectangle frames[4] = {{all.x, all.y, wide, tall},
-                                     {all.x + wide + gap, all.y, all.width - wide - gap, tall},
-                                     {all.x, all.y + tall + gap, wide, all.height - tall - gap},
-                                     {all.x + wide + gap, all.y + tall + gap,
-                                      all.width - wide - gap, all.height - tall - gap}};
-    for (int i = 0; i < 4; i++)
-        d->looks[i].plot = bat_plot_fit(frames[i], d->looks[i].low, d->looks[i].high);
-    for (int i = 0; i < 3; i++) { /* at the common scale, in the middle of their frames */
-        bat_plot *p = &d->looks[i].plot;
-        p->scale = scale;
-        p->x0 = 0.5 * (d->looks[i].low[0] + d->looks[i].high[0]) - 0.5 * p->frame.width / scale;
-        p->y0 =
-            0.5 * (d->looks[i].low[1] + d->looks[i].high[1]) - 0.5 * p->frame.height / scale;
-    }
-}
-
-static void place_looks(drawing *d, bat_rectangle all)
-{
-    if (d->look_count == 4) {
-        place_three(d, all);
-        return;
-    }
-    const double gap = d->look_count > 1 ? 2 * d->em : 0;
-    const double wide = (all.width - gap) / d->look_count;
-    for (int i = 0; i < d->look_count; i++)
-        d->looks[i].plot =
-            bat_plot_fit((bat_rectangle){all.x + i * (wide + gap), all.y, wide, all.height},
-                         d->looks[i].low, d->looks[i].high);
-}
-
-static bat_rectangle stage(const drawing *d)
-{
-    const batten_draw_options *o = d->options;
-    const double em = d->em, top = *o->title ? 3.5 * em : 1.5 * em;
-    const double bottom = o->contours ? 3.5 * em : 1.5 * em;
-    return (bat_rectangle){2 * em, top, bat_max(o->width - 4 * em, 8),
-                           bat_max(o->height - top - bottom, 8)};
-}
 
 /* ---- lines ---- */
 
 static const bat_colour contour_colour = {0.66, 0.30, 0.04};
 
-static bat_pen pen_of(const drawing *d, const bat_wire *wire)
+static bat_pen pen_of(const bat_looks_drawing *d, const bat_wire *wire)
 {
     static const double widths[BAT_WIRE_KINDS] = {0.5, 0.9, 1.4, 1.4, 1.8};
     const batten_object *object = batten_model_object(d->wires.model, wire->object);
@@ -217,7 +55,7 @@ static void write_label(bat_canvas *canvas, const bat_wire *wire, const bat_runs
 
 typedef enum { HIDDEN, VISIBLE, LABELS } layer;
 
-static void draw_runs(bat_canvas *canvas, const drawing *d, const bat_wire *wire,
+static void draw_runs(bat_canvas *canvas, const bat_looks_drawing *d, const bat_wire *wire,
                       const bat_runs *runs, layer which)
 {
     bat_pen pen = pen_of(d, wire);
@@ -232,7 +70,7 @@ static void draw_runs(bat_canvas *canvas, const drawing *d, const bat_wire *wire
             bat_canvas_line(canvas, pen, runs->runs[i].count, runs->runs[i].xy);
 }
 
-static void to_sheet(const look *l, const double *point, double out[3])
+static void to_sheet(const bat_look *l, const double *point, double out[3])
 {
     double q[3];
     bat_eye_project(&l->eye, point, q);
@@ -243,7 +81,7 @@ static void to_sheet(const look *l, const double *point, double out[3])
 
 /* A line on the sheet, cut where it vanishes. The chords of a silhouette lie inside the outline
  * of its surface, which would hide them: so it is probed a little outside. */
-static batten_status cut_wire(const look *l, const bat_facets *facets, const bat_wire *wire,
+static batten_status cut_wire(const bat_look *l, const bat_facets *facets, const bat_wire *wire,
                               bat_runs *out)
 {
     const double outside = 0.4; /* points; chords are within a tenth */
@@ -268,7 +106,7 @@ static batten_status cut_wire(const look *l, const bat_facets *facets, const bat
 }
 
 /* Points of the model, as crosses. */
-static void draw_points(bat_canvas *canvas, const drawing *d, const look *l)
+static void draw_points(bat_canvas *canvas, const bat_looks_drawing *d, const bat_look *l)
 {
     for (int i = 0; i < batten_model_count(d->wires.model); i++) {
         const batten_object *object = batten_model_object(d->wires.model, i);
@@ -284,7 +122,8 @@ static void draw_points(bat_canvas *canvas, const drawing *d, const look *l)
     }
 }
 
-static void draw_layer(bat_canvas *canvas, const drawing *d, const bat_runs *runs, layer which)
+static void draw_layer(bat_canvas *canvas, const bat_looks_drawing *d, const bat_runs *runs,
+                       layer which)
 {
     for (int kind = 0; kind < BAT_WIRE_KINDS; kind++)
         for (size_t i = 0; i < d->wires.count; i++) {
@@ -294,8 +133,8 @@ static void draw_layer(bat_canvas *canvas, const drawing *d, const bat_runs *run
         }
 }
 
-static batten_status draw_wires(bat_canvas *canvas, const drawing *d, const look *l,
-                                const bat_facets *facets)
+static batten_status draw_wires(bat_canvas *canvas, const bat_looks_drawing *d,
+                                const bat_look *l, const bat_facets *facets)
 {
     bat_runs *runs = bat_array(d->wires.count, sizeof *runs);
     batten_status status = runs ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -313,7 +152,7 @@ static batten_status draw_wires(bat_canvas *canvas, const drawing *d, const look
     return status;
 }
 
-static batten_status draw_look(bat_canvas *canvas, drawing *d, look *l)
+static batten_status draw_look(bat_canvas *canvas, bat_looks_drawing *d, bat_look *l)
 {
     bat_facets facets = {0};
     const bat_plot *p = &l->plot;
@@ -330,14 +169,14 @@ static batten_status draw_look(bat_canvas *canvas, drawing *d, look *l)
 
 /* ---- what stands around ---- */
 
-static const char *unit_of(const drawing *d)
+static const char *unit_of(const bat_looks_drawing *d)
 {
     const char *unit = batten_unit_name(batten_model_unit_metres(d->wires.model));
     return unit ? unit : "units";
 }
 
 /* What the contours show and how far they are apart. */
-static void write_contours(bat_canvas *canvas, const drawing *d)
+static void write_contours(bat_canvas *canvas, const bat_looks_drawing *d)
 {
     static const struct {
         const char *name;
@@ -367,13 +206,13 @@ static void write_contours(bat_canvas *canvas, const drawing *d)
                     canvas->height - 1.5 * d->em, text);
 }
 
-static void write_around(bat_canvas *canvas, const drawing *d)
+static void write_around(bat_canvas *canvas, const bat_looks_drawing *d)
 {
     bat_canvas_bold(canvas, bat_ink, 1.25 * d->em, BAT_MIDDLE, 0.5 * canvas->width, 1.7 * d->em,
                     d->options->title);
     write_contours(canvas, d);
     for (int i = 0; i < d->look_count; i++) {
-        const look *l = &d->looks[i];
+        const bat_look *l = &d->looks[i];
         const bat_rectangle f = l->plot.frame;
         bat_canvas_text(canvas, bat_grey, 0.85 * d->em, BAT_LEFT, f.x, f.y - 0.6 * d->em,
                         l->title);
@@ -382,7 +221,7 @@ static void write_around(bat_canvas *canvas, const drawing *d)
     }
 }
 
-static batten_status make_sheet(drawing *d, char **data, size_t *size)
+static batten_status make_sheet(bat_looks_drawing *d, char **data, size_t *size)
 {
     const batten_draw_options *o = d->options;
     bat_canvas canvas;
@@ -418,18 +257,18 @@ static batten_status check_options(const batten_draw_options *o)
     return bat_canvas_check_size(o->width, o->height);
 }
 
-static batten_status prepare(drawing *d)
+static batten_status prepare(bat_looks_drawing *d)
 {
     batten_status status = bat_wires_measure(&d->wires);
     if (status != BATTEN_OK)
         return status;
-    choose_looks(d);
+    bat_looks_choose(d);
     for (int i = 0; i < d->look_count && status == BATTEN_OK; i++)
-        status = measure_look(d, &d->looks[i]);
+        status = bat_look_measure(d, &d->looks[i]);
     if (status != BATTEN_OK)
         return status;
     /* The box is larger than what is in it, at most by the half: so the final scale is. */
-    place_looks(d, stage(d));
+    bat_looks_place(d, bat_looks_stage(d));
     double scale = 0;
     for (int i = 0; i < d->look_count; i++)
         scale = bat_max(scale, 1.5 * d->looks[i].plot.scale);
@@ -443,9 +282,9 @@ static batten_status prepare(drawing *d)
         status = bat_wires_add_silhouettes(&d->wires, &d->looks[i].eye);
         if (status != BATTEN_OK)
             return status;
-        measure_lines(d, &d->looks[i]);
+        bat_looks_measure_lines(d, &d->looks[i]);
     }
-    place_looks(d, stage(d));
+    bat_looks_place(d, bat_looks_stage(d));
     return BATTEN_OK;
 }
 
@@ -458,9 +297,10 @@ batten_status batten_draw_surface_lines(const batten_model *model,
     if (status != BATTEN_OK)
         return status;
     options = &chosen;
-    drawing d = {.options = options,
-                 .wires = {.options = options, .job = job},
-                 .em = bat_max(5, 0.0165 * bat_min_int(options->width, options->height))};
+    bat_looks_drawing d = {
+        .options = options,
+        .wires = {.options = options, .job = job},
+        .em = bat_max(5, 0.0165 * bat_min_int(options->width, options->height))};
     batten_model *flat = NULL, *patches = NULL; /* triangles as surfaces with a pole */
     status = check_options(options);
     if (status == BATTEN_OK)

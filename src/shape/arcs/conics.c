@@ -1,8 +1,8 @@
 /* Conics through points of the plane with tangents and curvatures. */
 #include "numeric/vector.h"
 #include "shape/arcs/biarc.h"
+#include "shape/arcs/conic_spans.h"
 #include "shape/local/hermite_data.h"
-#include "spline/chain/chain.h"
 #include "spline/data_check.h"
 #include <batten/arcs.h>
 
@@ -10,269 +10,22 @@
 
 enum { SPAN_PIECES = 8 };
 
-/* Legs and weights beyond these do not make a conic that anybody means. */
-static const double longest_leg = 20, most_weight = 50;
-
-/* A conic arc: its ends, where the tangents meet, and the weight there. */
-typedef struct {
-    double a[2], b[2], c[2], w;
-} conic_piece;
-
-/* Two points with directions of length 1, angles from the chord, and curvatures. */
-typedef struct {
-    const double *start, *end, *t0, *t1;
-    double l, alpha, beta, k0, k1;
-} conic_span;
-
-typedef struct {
-    int count;
-    const double *points;
-    const batten_curve_conics_options *options;
-    double *units;      /* [count][2] */
-    double *curvatures; /* [count] */
-    int piece_count;
-    conic_piece *pieces;
-    int *first; /* [spans + 1] pieces */
-    batten_curve_conics_report report;
-} conic_fit;
-
 batten_curve_conics_options batten_curve_conics_defaults(void)
 {
     return (batten_curve_conics_options){.size = sizeof(batten_curve_conics_options)};
 }
 
-static double cross(const double *u, const double *v)
-{
-    return u[0] * v[1] - u[1] * v[0];
-}
-
-static void along(const double *a, double l, const double *unit, double *out)
-{
-    out[0] = a[0] + l * unit[0];
-    out[1] = a[1] + l * unit[1];
-}
-
-static void between(const double *a, const double *b, double share, double *out)
-{
-    out[0] = a[0] + share * (b[0] - a[0]);
-    out[1] = a[1] + share * (b[1] - a[1]);
-}
-
-/* ---- one conic ---- */
-
-/* The curvature that a weight of 1 would give at the start, or the end. */
-static double curvature_of_parabola(const conic_piece *p, bool at_end)
-{
-    const double u[2] = {p->b[0] - p->a[0], p->b[1] - p->a[1]};
-    const double v[2] = {p->c[0] - p->b[0], p->c[1] - p->b[1]};
-    const double leg = bat_norm(2, at_end ? v : u);
-    return cross(u, v) / leg / leg / leg / 2;
-}
-
-static double curvature_of(const conic_piece *p, bool at_end)
-{
-    const double k = curvature_of_parabola(p, at_end) / p->w / p->w;
-    return isfinite(k) ? k : 0; /* a line has legs but no area; its curvature is 0 */
-}
-
-/* The weight with which a conic has a curvature; 0 when none has. */
-static double weight_for(const conic_piece *p, bool at_end, double k)
-{
-    const double w = sqrt(curvature_of_parabola(p, at_end) / k);
-    return w >= 1 / most_weight && w <= most_weight ? w : 0;
-}
-
-/* That of a circle where the legs are equal; below 1 always. */
-static double usual_weight(const conic_piece *p)
-{
-    return bat_distance(2, p->a, p->c) /
-           (bat_distance(2, p->a, p->b) + bat_distance(2, p->b, p->c));
-}
-
-static void add_conic(conic_fit *t, const conic_piece *p)
-{
-    t->pieces[t->piece_count++] = *p;
-}
-
-static void fall_back(conic_fit *t, int i)
-{
-    if (t->report.fallen_back++ == 0)
-        t->report.first_fallen_back = i;
-}
-
-/* ---- a C ---- */
-
-/* Where the tangents meet, as legs; false when that is too far. */
-static bool find_legs(const conic_span *s, double *start, double *end)
-{
-    const double turn = fabs(s->alpha) + fabs(s->beta);
-    *start = s->l * sin(fabs(s->beta)) / sin(turn);
-    *end = s->l * sin(fabs(s->alpha)) / sin(turn);
-    return s->alpha * s->beta < 0 && turn < BAT_PI &&
-           bat_max(*start, *end) <= longest_leg * s->l &&
-           bat_min(*start, *end) * longest_leg >= bat_max(*start, *end);
-}
-
-static void add_single(conic_fit *t, const conic_span *s, double leg)
-{
-    conic_piece p = {.w = 1};
-    memcpy(p.a, s->start, sizeof p.a);
-    along(s->start, leg, s->t0, p.b);
-    memcpy(p.c, s->end, sizeof p.c);
-    p.w = t->options->kind == BATTEN_CONICS_SINGLE && t->options->weight > 0
-              ? t->options->weight
-              : usual_weight(&p);
-    add_conic(t, &p);
-}
-
-/* Both conics of a pair with their joint at `nu` from A to B; weights of 1. */
-static void make_pair(const conic_span *s, double a, double b, double nu, conic_piece out[2])
-{
-    out[0] = out[1] = (conic_piece){.w = 1};
-    memcpy(out[0].a, s->start, sizeof out[0].a);
-    along(s->start, a, s->t0, out[0].b);
-    along(s->end, -b, s->t1, out[1].b);
-    between(out[0].b, out[1].b, nu, out[0].c);
-    memcpy(out[1].a, out[0].c, sizeof out[1].a);
-    memcpy(out[1].c, s->end, sizeof out[1].c);
-}
-
-/* The pair with both curvatures; false when there is none. A single conic with these tangents
- * has the curvature k0 with one weight, k1 with another. When they are the same, the conic
- * meets its own subdivision in the middle at w / (1 + w) of both legs. */
-static bool find_pair(const conic_fit *t, const conic_span *s, double leg0, double leg1,
-                      conic_piece out[2])
-{
-    conic_piece whole = {.w = 1};
-    memcpy(whole.a, s->start, sizeof whole.a);
-    along(s->start, leg0, s->t0, whole.b);
-    memcpy(whole.c, s->end, sizeof whole.c);
-    const double w0 = weight_for(&whole, false, s->k0), w1 = weight_for(&whole, true, s->k1);
-    if (w0 == 0 || w1 == 0)
-        return false;
-    const batten_curve_conics_options *o = t->options;
-    const double lambda = o->start_share > 0 ? o->start_share : w0 / (1 + w0);
-    const double mu = o->end_share > 0 ? o->end_share : w1 / (1 + w1);
-    const double a = lambda * leg0, b = mu * leg1;
-    /* Powers of lengths by the chord, so that none is too large. */
-    const double x = cbrt(fabs(s->k0) * s->l) * a, y = cbrt(fabs(s->k1) * s->l) * b;
-    make_pair(s, a, b, x / (x + y), out);
-    out[0].w = weight_for(&out[0], false, s->k0);
-    out[1].w = weight_for(&out[1], true, s->k1);
-    return out[0].w > 0 && out[1].w > 0;
-}
-
-static void add_c(conic_fit *t, int i, const conic_span *s, double leg0, double leg1)
-{
-    const batten_curve_conics_options *o = t->options;
-    conic_piece pair[2];
-    if (o->kind == BATTEN_CONICS_SINGLE) {
-        add_single(t, s, leg0);
-        return;
-    }
-    if (o->kind == BATTEN_CONICS_PARABOLAS) {
-        make_pair(s, leg0 * (o->start_share > 0 ? o->start_share : 0.5),
-                  leg1 * (o->end_share > 0 ? o->end_share : 0.5), 0.5, pair);
-    } else if (!find_pair(t, s, leg0, leg1, pair)) {
-        fall_back(t, i);
-        add_single(t, s, leg0);
-        return;
-    }
-    add_conic(t, &pair[0]);
-    add_conic(t, &pair[1]);
-}
-
-/* ---- an S ---- */
-
-/* The joint on the chord and the direction there are those of the cubic function over the chord
- * with the same angles: it crosses at alpha / (alpha + beta), at the angle -alpha beta / (alpha
- * + beta). So each half is a C, and has a curvature at its point, but not at the joint. */
-static void add_s(conic_fit *t, int i, const conic_span *s)
-{
-    const double share = s->alpha / (s->alpha + s->beta), gamma = -share * s->beta;
-    const double chord[2] = {(s->end[0] - s->start[0]) / s->l,
-                             (s->end[1] - s->start[1]) / s->l};
-    const double c = cos(gamma), d = sin(gamma);
-    const double T[2] = {c * chord[0] - d * chord[1], c * chord[1] + d * chord[0]};
-    double joint[2], leg = 0, other = 0;
-    between(s->start, s->end, share, joint);
-    const conic_span first = {s->start, joint, s->t0, T, share * s->l, s->alpha, gamma, 0, 0};
-    const conic_span second = {joint, s->end,  T, s->t1, (1 - share) * s->l,
-                               gamma, s->beta, 0, 0};
-    bool kept = true;
-    t->report.inflections++;
-    find_legs(&first, &leg, &other);
-    add_single(t, &first, leg);
-    find_legs(&second, &leg, &other);
-    add_single(t, &second, leg);
-    if (t->options->kind != BATTEN_CONICS_PAIRS)
-        return;
-    for (int k = 0; k < 2; k++) {
-        conic_piece *p = &t->pieces[t->piece_count - 2 + k];
-        const double w = weight_for(p, k == 1, k == 0 ? s->k0 : s->k1);
-        p->w = w > 0 ? w : p->w;
-        kept = kept && w > 0;
-    }
-    if (!kept)
-        fall_back(t, i);
-}
-
-/* ---- lines and arcs ---- */
-
-static void add_line(conic_fit *t, const conic_span *s)
-{
-    conic_piece p = {.w = 1};
-    memcpy(p.a, s->start, sizeof p.a);
-    between(s->start, s->end, 0.5, p.b);
-    memcpy(p.c, s->end, sizeof p.c);
-    add_conic(t, &p);
-}
-
-/* An arc in parts of no more than a third of a turn. */
-static void add_arc(conic_fit *t, const batten_span *arc, const double end[2])
-{
-    const double turn = arc->curvature[0] * arc->length;
-    const int parts = bat_max_int(1, (int)ceil(fabs(turn) / (2 * BAT_PI / 3)));
-    const double step = arc->length / parts, half = turn / parts / 2;
-    const double leg = half == 0 ? step / 2 : step / 2 * (tan(half) / half);
-    for (int i = 0; i < parts; i++) {
-        const double angle = arc->angle + 2 * half * i;
-        conic_piece p = {.w = cos(half)};
-        bat_arc_at(arc, i * step, p.a);
-        along(p.a, leg, (const double[]){cos(angle), sin(angle)}, p.b);
-        bat_arc_at(arc, (i + 1) * step, p.c);
-        if (i + 1 == parts)
-            memcpy(p.c, end, sizeof p.c);
-        add_conic(t, &p);
-    }
-}
-
-static batten_status add_biarc(conic_fit *t, int i, const conic_span *s)
-{
-    batten_biarc biarc;
-    const batten_status status =
-        batten_biarc_between((batten_ray){s->start, s->t0}, (batten_ray){s->end, s->t1},
-                             BATTEN_JOINT_AUTOMATIC, 0.5, &biarc);
-    if (status != BATTEN_OK)
-        return status;
-    if (t->report.arcs++ == 0)
-        t->report.first_arcs = i;
-    for (int k = 0; k < biarc.count; k++)
-        add_arc(t, &biarc.arcs[k], k + 1 == biarc.count ? s->end : biarc.joint);
-    return BATTEN_OK;
-}
-
 /* ---- the spans ---- */
 
-static conic_span span_at(const conic_fit *t, int i)
+static bat_conic_span span_at(const bat_conic_fit *t, int i)
 {
     const int j = (i + 1) % t->count;
-    conic_span s = {.start = t->points + 2 * i,
-                    .end = t->points + 2 * j,
-                    .t0 = t->units + 2 * i,
-                    .t1 = t->units + 2 * j,
-                    .k0 = t->curvatures[i],
-                    .k1 = t->curvatures[j]};
+    bat_conic_span s = {.start = t->points + 2 * i,
+                        .end = t->points + 2 * j,
+                        .t0 = t->units + 2 * i,
+                        .t1 = t->units + 2 * j,
+                        .k0 = t->curvatures[i],
+                        .k1 = t->curvatures[j]};
     const double chord[2] = {s.end[0] - s.start[0], s.end[1] - s.start[1]};
     s.l = bat_norm(2, chord);
     s.alpha = bat_turn(chord, s.t0);
@@ -280,26 +33,26 @@ static conic_span span_at(const conic_fit *t, int i)
     return s;
 }
 
-static batten_status make_span(conic_fit *t, int i)
+static batten_status make_span(bat_conic_fit *t, int i)
 {
-    const conic_span s = span_at(t, i);
+    const bat_conic_span s = span_at(t, i);
     const double a = fabs(s.alpha), b = fabs(s.beta);
     double leg0 = 0, leg1 = 0;
     /* Directions are known to a few roundings of the coordinates. */
     const double size = bat_max(bat_largest(2, s.start), bat_largest(2, s.end));
     if (bat_max(a, b) <= 16 * DBL_EPSILON * (1 + size / s.l))
-        add_line(t, &s);
-    else if (find_legs(&s, &leg0, &leg1))
-        add_c(t, i, &s, leg0, leg1);
+        bat_conic_add_line(t, &s);
+    else if (bat_conic_find_legs(&s, &leg0, &leg1))
+        bat_conic_add_c(t, i, &s, leg0, leg1);
     else if (s.alpha * s.beta > 0 && bat_max(a, b) < BAT_PI / 2 &&
-             bat_min(a, b) * longest_leg >= bat_max(a, b))
-        add_s(t, i, &s);
+             bat_min(a, b) * bat_conic_longest_leg >= bat_max(a, b))
+        bat_conic_add_s(t, i, &s);
     else
-        return add_biarc(t, i, &s);
+        return bat_conic_add_biarc(t, i, &s);
     return BATTEN_OK;
 }
 
-static void measure_conics(conic_fit *t, int spans)
+static void measure_conics(bat_conic_fit *t, int spans)
 {
     batten_curve_conics_report *r = &t->report;
     r->least_weight = HUGE_VAL;
@@ -309,8 +62,8 @@ static void measure_conics(conic_fit *t, int spans)
     }
     for (int i = 0; i < spans; i++) {
         const int last = t->first[i + 1] - 1, next = t->first[i + 1] % t->piece_count;
-        const double before = curvature_of(&t->pieces[last], true);
-        const double after = curvature_of(&t->pieces[next], false);
+        const double before = bat_conic_curvature(&t->pieces[last], true);
+        const double after = bat_conic_curvature(&t->pieces[next], false);
         if (i + 1 < spans || t->options->closed)
             r->jump = bat_max(r->jump, fabs(after - before));
     }
@@ -319,14 +72,14 @@ static void measure_conics(conic_fit *t, int spans)
 /* ---- the curve ---- */
 
 /* About the length of a piece, by its polygon. */
-static double step_of(const conic_piece *p)
+static double step_of(const bat_conic_piece *p)
 {
     return (bat_distance(2, p->a, p->b) + bat_distance(2, p->b, p->c) +
             bat_distance(2, p->a, p->c)) /
            2;
 }
 
-static batten_status make_curve(const conic_fit *t, double *steps, batten_curve **out)
+static batten_status make_curve(const bat_conic_fit *t, double *steps, batten_curve **out)
 {
     const int m = t->piece_count;
     const size_t n = 2 * (size_t)m + 1;
@@ -355,7 +108,8 @@ static batten_status make_curve(const conic_fit *t, double *steps, batten_curve 
     return status;
 }
 
-static batten_status emit(const conic_fit *t, int spans, double *parameters, batten_curve **out)
+static batten_status emit(const bat_conic_fit *t, int spans, double *parameters,
+                          batten_curve **out)
 {
     double *steps = bat_array((size_t)t->piece_count + 1, sizeof *steps);
     if (!steps)
@@ -386,13 +140,13 @@ static batten_status check_conic_data(int count, const double *points,
         if (!(shares[k] >= 0 && shares[k] < 1))
             return bat_fail(BATTEN_BAD_ARGUMENT,
                             "the share of a leg is %g; it must be in [0, 1)", shares[k]);
-    if (!(o->weight >= 0 && o->weight <= most_weight))
+    if (!(o->weight >= 0 && o->weight <= bat_conic_most_weight))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the weight is %g; it must be in [0, %g]",
-                        o->weight, most_weight);
+                        o->weight, bat_conic_most_weight);
     return BATTEN_OK;
 }
 
-static batten_status find_tangents(conic_fit *t)
+static batten_status find_tangents(bat_conic_fit *t)
 {
     const batten_curve_conics_options *o = t->options;
     const size_t n = (size_t)t->count;
@@ -418,7 +172,7 @@ static batten_status find_tangents(conic_fit *t)
     return status;
 }
 
-static batten_status find_curvatures(conic_fit *t)
+static batten_status find_curvatures(bat_conic_fit *t)
 {
     const batten_curve_conics_options *o = t->options;
     if (o->kind != BATTEN_CONICS_PAIRS)
@@ -434,7 +188,7 @@ static batten_status find_curvatures(conic_fit *t)
                : BATTEN_OK;
 }
 
-static batten_status allocate(conic_fit *t, int spans)
+static batten_status allocate(bat_conic_fit *t, int spans)
 {
     const size_t n = (size_t)t->count;
     t->units = bat_array(2 * n, sizeof *t->units);
@@ -457,7 +211,7 @@ batten_status batten_curve_conics(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_conics_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    conic_fit t = {.count = points.count, .points = points.at, .options = &chosen};
+    bat_conic_fit t = {.count = points.count, .points = points.at, .options = &chosen};
     t.report.first_arcs = t.report.first_fallen_back = -1;
     status = check_conic_data(points.count, points.at, t.options);
     const int spans = t.options->closed ? points.count : points.count - 1;

@@ -2,32 +2,17 @@
 #include "base/plural.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
+#include "shape/arcs/curve_report.h"
 #include "shape/arcs/smooth_arcs.h"
 #include <batten/curvature.h>
 
 #include <limits.h>
 
-typedef struct {
-    const bat_arcs_path *path;
-    batten_arcs_options options;
-    batten_arcs_side side; /* LEFT, RIGHT or EITHER */
-    double slack;          /* what rounding does to a distance */
-    /* Of the piece between two corners: */
-    double from, to;
-    bat_band band;
-    batten_arcs_join joined; /* what is made now: BIARCS or PLAIN */
-    double guess;            /* of a step, as a parameter */
-    int first;               /* of its parts in the list */
-    bat_arcs_list list, guide;
-    int enough; /* arcs */
-    bat_samples samples;
-} arc_fit;
-
 /* ---- one arc or biarc ---- */
 
 /* The node at u of the piece: at its ends on the curve, unless it closes smoothly; else in the
  * middle of the band. */
-static batten_status node_at(const arc_fit *t, double u, bat_node *node)
+static batten_status node_at(const bat_arc_fit *t, double u, bat_node *node)
 {
     double row[4];
     const batten_status status =
@@ -44,7 +29,7 @@ static batten_status node_at(const arc_fit *t, double u, bat_node *node)
 }
 
 /* The part from a to u: how much of the band it takes, BAT_ARCS_REFUSED when there is none. */
-static batten_status try_part(arc_fit *t, const bat_node *a, double from, double to,
+static batten_status try_part(bat_arc_fit *t, const bat_node *a, double from, double to,
                               bat_arcs_part *part, bat_node *b, double *share)
 {
     batten_status status = bat_arcs_take(t->path, from, to, 4, 16, &t->samples);
@@ -71,7 +56,7 @@ static batten_status try_part(arc_fit *t, const bat_node *a, double from, double
 }
 
 /* Where plain arcs are nearly straight, lines. */
-static batten_status prefer_line(arc_fit *t, const bat_node *a, const bat_node *b,
+static batten_status prefer_line(bat_arc_fit *t, const bat_node *a, const bat_node *b,
                                  bat_arcs_part *part)
 {
     batten_biarc line;
@@ -87,7 +72,7 @@ static batten_status prefer_line(arc_fit *t, const bat_node *a, const bat_node *
     return status;
 }
 
-static batten_status nothing_fits(const arc_fit *t, double u)
+static batten_status nothing_fits(const bat_arc_fit *t, double u)
 {
     batten_curve_local local = {.curvature = 0};
     const batten_status status =
@@ -103,8 +88,8 @@ static batten_status nothing_fits(const arc_fit *t, double u)
 
 /* The longest part from a: between a step that is good and one that is not, guided by the third
  * power by which errors grow. */
-static batten_status longest(arc_fit *t, const bat_node *a, double from, bat_arcs_part *best,
-                             bat_node *end, double *reach)
+static batten_status longest(bat_arc_fit *t, const bat_node *a, double from,
+                             bat_arcs_part *best, bat_node *end, double *reach)
 {
     double good = from, bad = HUGE_VAL, good_share = 0;
     double u = bat_min(t->to, from + t->guess);
@@ -148,7 +133,7 @@ static batten_status longest(arc_fit *t, const bat_node *a, double from, bat_arc
 
 static batten_status greedy(void *context, double tolerance, int *count, double *last)
 {
-    arc_fit *t = context;
+    bat_arc_fit *t = context;
     double u = t->from, reach = 0;
     bat_node a, b;
     t->band = bat_band_of(t->side, tolerance);
@@ -176,7 +161,7 @@ static batten_status greedy(void *context, double tolerance, int *count, double 
 /* ---- arcs that are tangent to one another ---- */
 
 /* Plain arcs tell how long arcs are; they stand in the list for a while. */
-static batten_status make_guide(arc_fit *t, double tolerance)
+static batten_status make_guide(bat_arc_fit *t, double tolerance)
 {
     int count = 0;
     double last = 1;
@@ -190,7 +175,7 @@ static batten_status make_guide(arc_fit *t, double tolerance)
     return status;
 }
 
-static int arcs_of(const arc_fit *t)
+static int arcs_of(const bat_arc_fit *t)
 {
     int arcs = 0;
     for (int i = t->first; i < t->list.count; i++)
@@ -201,7 +186,7 @@ static int arcs_of(const arc_fit *t)
 /* No arcs at all when the search finds none. */
 static batten_status fewest(void *context, double tolerance, int *count, double *last)
 {
-    arc_fit *t = context;
+    bat_arc_fit *t = context;
     batten_status status = make_guide(t, tolerance);
     const bat_arcs_smooth smooth = {.path = t->path,
                                     .from = t->from,
@@ -220,7 +205,7 @@ static batten_status fewest(void *context, double tolerance, int *count, double 
 }
 
 /* The fewest, unless biarcs with the directions of the curve are no more. */
-static batten_status run_smooth(arc_fit *t)
+static batten_status run_smooth(bat_arc_fit *t)
 {
     const double tolerance = t->options.tolerance;
     int count = 0, arcs = INT_MAX;
@@ -242,7 +227,7 @@ static batten_status run_smooth(arc_fit *t)
 /* ---- pieces that are one arc or circle ---- */
 
 /* A whole circle as its halves; else one arc through its middle. */
-static batten_status try_whole(arc_fit *t, bool *done)
+static batten_status try_whole(bat_arc_fit *t, bool *done)
 {
     const bat_arcs_path *p = t->path;
     bat_node a, b;
@@ -268,7 +253,7 @@ static batten_status try_whole(arc_fit *t, bool *done)
     return status == BATTEN_OK ? bat_arcs_list_add(&t->list, &part) : status;
 }
 
-static batten_status run_piece(arc_fit *t)
+static batten_status run_piece(bat_arc_fit *t)
 {
     bool done = false;
     t->first = t->list.count;
@@ -281,50 +266,6 @@ static batten_status run_piece(arc_fit *t)
     if (t->options.joined == BATTEN_ARCS_SMOOTH)
         return run_smooth(t);
     return bat_arcs_spread(greedy, t, t->options.tolerance, t->options.spread);
-}
-
-/* ---- the report ---- */
-
-static void widen(batten_arcs_report *report, const bat_beside *beside)
-{
-    report->left = bat_max(report->left, beside->high);
-    report->right = bat_max(report->right, -beside->low);
-    const bool high = beside->high > -beside->low;
-    const double largest = high ? beside->high : -beside->low;
-    if (largest > report->error) {
-        report->error = largest;
-        report->at = high ? beside->high_at : beside->low_at;
-    }
-}
-
-static batten_status measure_range(arc_fit *t, const batten_biarc *biarc, const double range[2],
-                                   batten_arcs_report *report)
-{
-    bat_arcs_probe probe;
-    bat_beside beside;
-    batten_status status =
-        bat_arcs_take(t->path, range[0], range[1], 16, 64 * biarc->count, &t->samples);
-    if (status == BATTEN_OK)
-        status = bat_arcs_measure(t->path, biarc, &t->samples, &beside);
-    if (status != BATTEN_OK)
-        return status;
-    widen(report, &beside);
-    bat_arcs_probe_make(biarc, &probe);
-    beside = bat_arcs_beside_samples(&probe, &t->samples);
-    report->sampled = bat_max(report->sampled, bat_max(beside.high, -beside.low));
-    return BATTEN_OK;
-}
-
-static batten_status measure_all(arc_fit *t, batten_arcs_report *report)
-{
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < t->list.count; i++) {
-        double ranges[2][2];
-        const int count = bat_arcs_ranges(t->path, &t->list.parts[i], ranges);
-        for (int k = 0; k < count && status == BATTEN_OK; k++)
-            status = measure_range(t, &t->list.parts[i].biarc, ranges[k], report);
-    }
-    return status;
 }
 
 /* ---- the whole ---- */
@@ -350,7 +291,7 @@ static batten_status side_of(const bat_arcs_path *p, const batten_arcs_options *
     return status;
 }
 
-static batten_status run_all(arc_fit *t, batten_arcs_report *report, batten_chain **out)
+static batten_status run_all(bat_arc_fit *t, batten_arcs_report *report, batten_chain **out)
 {
     const bat_arcs_path *p = t->path;
     t->joined = t->options.joined;
@@ -361,7 +302,7 @@ static batten_status run_all(arc_fit *t, batten_arcs_report *report, batten_chai
         status = run_piece(t);
     }
     if (status == BATTEN_OK)
-        status = measure_all(t, report);
+        status = bat_arcs_report_errors(t, report);
     if (status == BATTEN_OK)
         status = bat_arcs_chain(&t->list, &t->options, p->closed, p->scale, report, out);
     return status;
@@ -391,7 +332,7 @@ batten_status batten_arcs_from_curve(const batten_curve *curve,
     bat_arcs_path p;
     batten_arcs_report found = {0};
     status = bat_arcs_path_make(curve, options->corner, &p);
-    arc_fit t = {.path = &p, .options = *options, .slack = 32 * DBL_EPSILON * p.scale};
+    bat_arc_fit t = {.path = &p, .options = *options, .slack = 32 * DBL_EPSILON * p.scale};
     if (status == BATTEN_OK)
         status = run_all(&t, &found, out);
     if (status == BATTEN_OK && report)

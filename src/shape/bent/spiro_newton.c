@@ -9,156 +9,42 @@
 #include "numeric/givens.h"
 #include "numeric/vector.h"
 #include "shape/bent/spiro.h"
+#include "shape/bent/spiro_equations.h"
 
 #include <string.h>
 
-enum { N = BAT_SPIRO_UNKNOWNS, WIDTH = 2 * N, PER_POINT = 4 };
-
-typedef struct {
-    double *c;             /* [spans][4] */
-    bat_spiro_span *spans; /* at c */
-    double *values;        /* [count][4], of the equations at each point */
-    double worst;          /* the largest of them */
-    int worst_at;          /* its point */
-    double size;           /* the largest turning of a span */
-} iterate;
-
-typedef struct {
-    const bat_spiro_task *task;
-    double part; /* 0: Euler spirals; 1: what smooth points ask for */
-    bat_givens qr;
-    double *step, *rest; /* [spans][4]: Newton's, and what it would be at the next iterate */
-    iterate now, next;
-    int steps, max_steps;
-} spiro_search;
-
-/* ---- equations ---- */
-
-/* value = 0; its derivatives by the unknowns of the span before the point and of that after. */
-typedef struct {
-    double value, row[WIDTH];
-} equation;
-
-/* Add factor times what a span has at an end: of the span before the point (side 0) its end. */
-static void add_term(const iterate *it, int span, int side, int order, double factor,
-                     equation *out)
-{
-    const bat_spiro_span *at = &it->spans[span];
-    const int end = !side;
-    out->value += factor * at->value[end][order];
-    for (int m = 0; m < N; m++)
-        out->row[side * N + m] += factor * at->by[end][order][m];
-}
-
-/* The two conditions of a side that ends freely; a straight span has them of its unknowns. */
-static void add_free(const spiro_search *s, const iterate *it, int span, int side, int which,
-                     equation *out)
-{
-    if (s->task->straight[span]) {
-        const int m = 2 * side + which;
-        out->value = it->c[span * N + m];
-        out->row[side * N + m] = 1;
-        return;
-    }
-    const double l = s->task->chords->length[span];
-    add_term(it, span, side, 2 + which, which ? l * l * l : l * l, out);
-}
-
-static void add_jump(const iterate *it, int before, int after, int order, double factor,
-                     equation *out)
-{
-    add_term(it, before, 0, order, factor, out);
-    add_term(it, after, 1, order, -factor, out);
-}
-
-/* The third and fourth equation of a point at which curvature continues. Where k'' is the same
- * at both sides and balances a part of the jump of k', the way from k'' = 0 to no jump is a
- * hinge that stiffens. */
-static void add_smooth(const iterate *it, int before, int after, double part, double l,
-                       int which, equation *out)
-{
-    if (which == 1) {
-        add_jump(it, before, after, 3, l * l * l, out);
-        return;
-    }
-    add_jump(it, before, after, 2, part * l * l, out);
-    const double rest = (1 - part) * l * l * l / 2;
-    add_term(it, before, 0, 3, rest, out);
-    add_term(it, after, 1, 3, rest, out);
-}
-
-/* Equation `which` of 0..3 at point i between the two spans. */
-static equation equation_at(const spiro_search *s, const iterate *it, int i, int before,
-                            int after, int which)
-{
-    const bat_chord_polygon *p = s->task->chords;
-    const batten_spiro_kind kind = s->task->kinds[i];
-    const double l = 1 / (1 / p->length[before] + 1 / p->length[after]);
-    equation e = {0};
-    const bool one_way = kind == BATTEN_SPIRO_LEFT || kind == BATTEN_SPIRO_RIGHT;
-    if (kind == BATTEN_SPIRO_CORNER)
-        add_free(s, it, which < 2 ? before : after, which >= 2, which % 2, &e);
-    else if (one_way && which >= 2)
-        add_free(s, it, kind == BATTEN_SPIRO_LEFT ? before : after, kind == BATTEN_SPIRO_RIGHT,
-                 which - 2, &e);
-    else if (which >= 2)
-        add_smooth(it, before, after, kind == BATTEN_SPIRO_SMOOTH ? s->part : 0, l, which - 2,
-                   &e);
-    else {
-        add_jump(it, before, after, which, which ? l : 1, &e);
-        e.value -= which ? 0 : p->turn[i];
-    }
-    return e;
-}
-
-/* Equation 0 or 1 at the start (end 0) or the end of an open curve. */
-static equation equation_of_end(const spiro_search *s, const iterate *it, int end, int which)
-{
-    const bat_chord_polygon *p = s->task->chords;
-    const batten_spiro_end *given = &s->task->ends[end];
-    const int span = end ? p->spans - 1 : 0, side = !end;
-    equation e = {0};
-    if (which == 0 && given->has_curvature) {
-        add_term(it, span, side, 1, p->length[span], &e);
-        e.value -= given->curvature * p->length[span];
-    } else if (which == 1 && given->has_tangent) {
-        add_term(it, span, side, 0, 1, &e);
-        e.value -= given->tangent;
-    } else {
-        add_free(s, it, span, side, which, &e);
-    }
-    return e;
-}
+enum { N = BAT_SPIRO_UNKNOWNS, PER_POINT = 4 };
 
 /* ---- all of them ---- */
 
 /* Every equation at an iterate, in the order in which the matrix wants its rows, given to
  * `take`: it stands at 4 i + 0..3 of point i, and touches unknowns from `first` on. */
-typedef void (*take_equation)(spiro_search *s, int at, int first, int length,
-                              const equation *e);
+typedef void (*take_equation)(bat_spiro_search *s, int at, int first, int length,
+                              const bat_spiro_terms *e);
 
-static void visit(spiro_search *s, iterate *it, take_equation take)
+static void visit(bat_spiro_search *s, bat_spiro_iterate *it, take_equation take)
 {
     const bat_chord_polygon *p = s->task->chords;
     for (int i = 0; i < p->count; i++) {
         const bool start = !p->closed && i == 0, end = !p->closed && i == p->count - 1;
         const int before = (i + p->spans - 1) % p->spans;
         for (int which = 0; which < (start || end ? 2 : PER_POINT); which++) {
-            equation e = start || end ? equation_of_end(s, it, end, which)
-                                      : equation_at(s, it, i, before, i, which);
+            bat_spiro_terms e = start || end ? bat_spiro_end_equation(s, it, end, which)
+                                             : bat_spiro_equation(s, it, i, before, i, which);
             if (start)
                 memmove(e.row, e.row + N, N * sizeof *e.row);
-            take(s, PER_POINT * i + which, start ? 0 : before * N, start || end ? N : WIDTH,
-                 &e);
+            take(s, PER_POINT * i + which, start ? 0 : before * N,
+                 start || end ? N : BAT_SPIRO_WIDTH, &e);
         }
     }
 }
 
-static void take_value(spiro_search *s, int at, int first, int length, const equation *e)
+static void take_value(bat_spiro_search *s, int at, int first, int length,
+                       const bat_spiro_terms *e)
 {
     (void)first;
     (void)length;
-    iterate *it = &s->next;
+    bat_spiro_iterate *it = &s->next;
     it->values[at] = e->value;
     if (!(fabs(e->value) <= it->worst)) {
         it->worst = fabs(e->value);
@@ -166,7 +52,8 @@ static void take_value(spiro_search *s, int at, int first, int length, const equ
     }
 }
 
-static void take_row(spiro_search *s, int at, int first, int length, const equation *e)
+static void take_row(bat_spiro_search *s, int at, int first, int length,
+                     const bat_spiro_terms *e)
 {
     const double right = -e->value;
     (void)at;
@@ -174,7 +61,8 @@ static void take_row(spiro_search *s, int at, int first, int length, const equat
 }
 
 /* The values of the next iterate times the matrix of this one, transposed. */
-static void take_product(spiro_search *s, int at, int first, int length, const equation *e)
+static void take_product(bat_spiro_search *s, int at, int first, int length,
+                         const bat_spiro_terms *e)
 {
     const int n = s->qr.count;
     for (int k = 0; k < length; k++)
@@ -182,9 +70,9 @@ static void take_product(spiro_search *s, int at, int first, int length, const e
 }
 
 /* Measure s->next at its c. */
-static void evaluate(spiro_search *s)
+static void evaluate(bat_spiro_search *s)
 {
-    iterate *it = &s->next;
+    bat_spiro_iterate *it = &s->next;
     const bat_chord_polygon *p = s->task->chords;
     it->worst = it->size = 0;
     for (int j = 0; j < p->spans; j++) {
@@ -195,21 +83,21 @@ static void evaluate(spiro_search *s)
     visit(s, it, take_value);
 }
 
-static bool settled(const iterate *it)
+static bool settled(const bat_spiro_iterate *it)
 {
     return it->worst <= 1e-12 * it->size;
 }
 
 /* ---- steps ---- */
 
-static void swap(spiro_search *s)
+static void swap(bat_spiro_search *s)
 {
-    const iterate kept = s->now;
+    const bat_spiro_iterate kept = s->now;
     s->now = s->next;
     s->next = kept;
 }
 
-static batten_status find_step(spiro_search *s)
+static batten_status find_step(bat_spiro_search *s)
 {
     int unknown = 0;
     bat_givens_clear(&s->qr);
@@ -221,7 +109,7 @@ static batten_status find_step(spiro_search *s)
 }
 
 /* The part of the step, at most 1, that turns no span by more than a radian. */
-static double longest(const spiro_search *s)
+static double longest(const bat_spiro_search *s)
 {
     double most = 1;
     for (int j = 0; j < s->task->chords->spans; j++) {
@@ -234,7 +122,7 @@ static double longest(const spiro_search *s)
 }
 
 /* How long Newton's step would be at the next iterate, by the matrix of this one. */
-static double length_left(spiro_search *s)
+static double length_left(bat_spiro_search *s)
 {
     const int n = s->qr.count;
     memset(s->rest, 0, (size_t)n * sizeof *s->rest);
@@ -246,7 +134,7 @@ static double length_left(spiro_search *s)
 
 /* Shorten the step until what is left is shorter; false when no part of it does. The measure
  * does not depend on how the equations are scaled. */
-static bool advance(spiro_search *s)
+static bool advance(bat_spiro_search *s)
 {
     enum { HALVINGS = 12 };
     const size_t n = (size_t)s->qr.count;
@@ -266,7 +154,7 @@ static bool advance(spiro_search *s)
 }
 
 /* Newton for s->part from s->now; SINGULAR_SYSTEM when it does not get there. */
-static batten_status improve(spiro_search *s)
+static batten_status improve(bat_spiro_search *s)
 {
     enum { MOST = 40 };
     const size_t bytes = (size_t)s->task->chords->spans * N * sizeof *s->now.c;
@@ -291,7 +179,7 @@ static batten_status improve(spiro_search *s)
 }
 
 /* The span that turns most, for messages. */
-static int widest(const iterate *it, int spans)
+static int widest(const bat_spiro_iterate *it, int spans)
 {
     int at = 0;
     double most = 0;
@@ -319,7 +207,7 @@ static const char *remedy_for(const bat_spiro_task *task, int j, bool spirals)
                    : "make one of these points a corner";
 }
 
-static batten_status fail_span(const spiro_search *s, bool spirals)
+static batten_status fail_span(const bat_spiro_search *s, bool spirals)
 {
     const bat_chord_polygon *p = s->task->chords;
     const int j = widest(&s->now, p->spans);
@@ -334,7 +222,7 @@ static batten_status fail_span(const spiro_search *s, bool spirals)
 /* ---- from Euler spirals to the spline ---- */
 
 /* In parts, which shrink where one fails. `kept`: room for the last that was reached. */
-static batten_status walk(spiro_search *s, double *kept)
+static batten_status walk(bat_spiro_search *s, double *kept)
 {
     const size_t bytes = (size_t)s->task->chords->spans * N * sizeof *kept;
     double at = 0, part = 1;
@@ -364,7 +252,7 @@ static bool wants_more(const bat_spiro_task *task)
     return false;
 }
 
-static batten_status search_to_end(spiro_search *s, double *kept)
+static batten_status search_to_end(bat_spiro_search *s, double *kept)
 {
     batten_status status = improve(s);
     if (status == BATTEN_SINGULAR_SYSTEM)
@@ -374,7 +262,7 @@ static batten_status search_to_end(spiro_search *s, double *kept)
     return status;
 }
 
-static bool iterate_make(int count, int spans, iterate *it)
+static bool iterate_make(int count, int spans, bat_spiro_iterate *it)
 {
     it->values = bat_array3((size_t)count, PER_POINT, sizeof *it->values);
     it->c = bat_array3((size_t)spans, N, sizeof *it->c);
@@ -382,14 +270,14 @@ static bool iterate_make(int count, int spans, iterate *it)
     return it->values && it->c && it->spans;
 }
 
-static void iterate_free(iterate *it)
+static void iterate_free(bat_spiro_iterate *it)
 {
     bat_release(it->values);
     bat_release(it->c);
     bat_release(it->spans);
 }
 
-static void fill_report(const spiro_search *s, batten_chain_spiro_report *report)
+static void fill_report(const bat_spiro_search *s, batten_chain_spiro_report *report)
 {
     report->steps = s->steps;
     report->error = s->now.worst;
@@ -403,7 +291,7 @@ batten_status bat_spiro_solve(const bat_spiro_task *task, int max_steps, double 
 {
     const bat_chord_polygon *p = task->chords;
     const size_t bytes = (size_t)p->spans * N * sizeof *c;
-    spiro_search s = {.task = task, .max_steps = max_steps};
+    bat_spiro_search s = {.task = task, .max_steps = max_steps};
     s.step = bat_array3((size_t)p->spans, N, sizeof *s.step);
     s.rest = bat_array3((size_t)p->spans, N, sizeof *s.rest);
     double *kept = bat_array3((size_t)p->spans, N, sizeof *kept);
@@ -411,8 +299,8 @@ batten_status bat_spiro_solve(const bat_spiro_task *task, int max_steps, double 
                       iterate_make(p->count, p->spans, &s.next);
     batten_status status = BATTEN_OUT_OF_MEMORY;
     if (room)
-        status = bat_givens_begin(p->spans * N, bat_min_int(WIDTH, p->spans * N), p->closed, 1,
-                                  &s.qr);
+        status = bat_givens_begin(p->spans * N, bat_min_int(BAT_SPIRO_WIDTH, p->spans * N),
+                                  p->closed, 1, &s.qr);
     if (status == BATTEN_OK) {
         memcpy(s.now.c, c, bytes);
         status = search_to_end(&s, kept);

@@ -5,6 +5,7 @@
  */
 #include "shape/formula/nurbs.h"
 #include "shape/formula/evaluate.h"
+#include "shape/formula/nurbs_error.h"
 
 #include "numeric/banded.h"
 #include "numeric/dense.h"
@@ -12,10 +13,8 @@
 #include "spline/spline.h"
 
 #include <float.h>
-#include <string.h>
 
 enum {
-    DEGREE = 5,
     ROUNDS = 64,
     JUDGED = 16384, /* points from which on it is asked whether more of them will do */
     GROWTH = 16,    /* points so many times as many show how errors fall with them: */
@@ -23,35 +22,7 @@ enum {
     PROBES = 7 /* measurements of a span, between the abscissae */
 };
 
-static const double probes[PROBES] = {0.03, 0.08, 0.3, 0.5, 0.7, 0.92, 0.97};
-
-/* A measured error grows by this much, for what lies between the measurements. */
-#define SAFETY 1.3
-
-/* One direction: its spans, and the spline over them. Of an isocurve one direction is fixed:
- * no spans, one parameter. */
-typedef struct {
-    int span_count, room;
-    double *breaks; /* [span_count + 1] */
-    int *times;     /* [span_count + 1]: how often the knot stands there */
-    double *knots;
-    int count;        /* of control points */
-    double *greville; /* [count] */
-    double *lu;       /* [count][2 DEGREE + 1] */
-    double *errors;   /* [span_count]: the largest one measured */
-} line;
-
-typedef struct {
-    const batten_surface *surface;
-    int dimension;
-    double tolerance;
-    int most; /* points */
-    line lines[2];
-    double *points; /* [count u][count v][dimension]: data, then control points */
-    double error;   /* of the spline that was checked last */
-} surface_fit;
-
-static void release_line(line *l)
+static void release_line(bat_formula_line *l)
 {
     bat_release(l->breaks);
     bat_release(l->times);
@@ -61,7 +32,7 @@ static void release_line(line *l)
     bat_release(l->errors);
 }
 
-static void release(surface_fit *t)
+static void release(bat_formula_fit *t)
 {
     release_line(&t->lines[0]);
     release_line(&t->lines[1]);
@@ -71,7 +42,7 @@ static void release(surface_fit *t)
 /* ---- one direction ---- */
 
 static batten_status begin_line(const batten_surface *surface, batten_direction direction,
-                                int smoothness, line *l)
+                                int smoothness, bat_formula_line *l)
 {
     const int count = batten_surface_spans(surface, direction, NULL);
     l->breaks = bat_array((size_t)count, sizeof *l->breaks);
@@ -80,11 +51,12 @@ static batten_status begin_line(const batten_surface *surface, batten_direction 
         return BATTEN_OUT_OF_MEMORY;
     l->span_count = batten_surface_spans(surface, direction, l->breaks) - 1;
     for (int i = 0; i <= l->span_count; i++)
-        l->times[i] = i == 0 || i == l->span_count ? DEGREE + 1 : DEGREE - smoothness;
+        l->times[i] = i == 0 || i == l->span_count ? BAT_FORMULA_DEGREE + 1
+                                                   : BAT_FORMULA_DEGREE - smoothness;
     return BATTEN_OK;
 }
 
-static batten_status fixed_line(double at, line *l)
+static batten_status fixed_line(double at, bat_formula_line *l)
 {
     l->greville = bat_array(1, sizeof *l->greville);
     if (!l->greville)
@@ -95,14 +67,14 @@ static batten_status fixed_line(double at, line *l)
 }
 
 /* Knots and abscissae of the spans as they are. */
-static batten_status lay_knots(line *l)
+static batten_status lay_knots(bat_formula_line *l)
 {
     int total = 0;
     for (int i = 0; i <= l->span_count; i++)
         total += l->times[i];
     bat_release(l->knots);
     bat_release(l->greville);
-    l->count = total - DEGREE - 1;
+    l->count = total - BAT_FORMULA_DEGREE - 1;
     l->knots = bat_array((size_t)total, sizeof *l->knots);
     l->greville = bat_array((size_t)l->count, sizeof *l->greville);
     if (!l->knots || !l->greville)
@@ -113,35 +85,36 @@ static batten_status lay_knots(line *l)
             l->knots[k++] = l->breaks[i];
     for (int i = 0; i < l->count; i++) {
         double sum = 0;
-        for (int j = 1; j <= DEGREE; j++)
+        for (int j = 1; j <= BAT_FORMULA_DEGREE; j++)
             sum += l->knots[i + j] - l->knots[i];
-        l->greville[i] = bat_min(l->knots[i] + sum / DEGREE, l->breaks[l->span_count]);
+        l->greville[i] =
+            bat_min(l->knots[i] + sum / BAT_FORMULA_DEGREE, l->breaks[l->span_count]);
     }
     return BATTEN_OK;
 }
 
-static batten_status factor(line *l)
+static batten_status factor(bat_formula_line *l)
 {
-    const size_t width = 2 * DEGREE + 1;
+    const size_t width = 2 * BAT_FORMULA_DEGREE + 1;
     bat_release(l->lu);
     l->lu = bat_array3((size_t)l->count, width, sizeof *l->lu);
     if (!l->lu)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < l->count; i++) {
-        double basis[DEGREE + 1];
-        const int span =
-            bat_knots_span(DEGREE, l->count, l->knots, l->greville[i], BATTEN_FROM_RIGHT);
-        bat_basis(DEGREE, l->knots, span, l->greville[i], 0, basis);
-        for (int j = 0; j <= DEGREE; j++) {
-            const int column = span - DEGREE + j - i + DEGREE;
+        double basis[BAT_FORMULA_DEGREE + 1];
+        const int span = bat_knots_span(BAT_FORMULA_DEGREE, l->count, l->knots, l->greville[i],
+                                        BATTEN_FROM_RIGHT);
+        bat_basis(BAT_FORMULA_DEGREE, l->knots, span, l->greville[i], 0, basis);
+        for (int j = 0; j <= BAT_FORMULA_DEGREE; j++) {
+            const int column = span - BAT_FORMULA_DEGREE + j - i + BAT_FORMULA_DEGREE;
             if (column >= 0 && column < (int)width)
                 l->lu[(size_t)i * width + (size_t)column] = basis[j];
         }
     }
-    return bat_banded_factor(l->count, DEGREE, DEGREE, l->lu);
+    return bat_banded_factor(l->count, BAT_FORMULA_DEGREE, BAT_FORMULA_DEGREE, l->lu);
 }
 
-static batten_status prepare(line *l)
+static batten_status prepare(bat_formula_line *l)
 {
     if (l->span_count == 0)
         return BATTEN_OK;
@@ -151,7 +124,7 @@ static batten_status prepare(line *l)
 
 /* Halve the spans where the error is too large; false when one has become too short for that.
  */
-static batten_status refine(line *l, double tolerance, bool *changed)
+static batten_status refine(bat_formula_line *l, double tolerance, bool *changed)
 {
     const int old = l->span_count;
     int added = 0;
@@ -188,9 +161,9 @@ static batten_status refine(line *l, double tolerance, bool *changed)
 
 /* ---- interpolation ---- */
 
-static batten_status interpolate(surface_fit *t)
+static batten_status interpolate(bat_formula_fit *t)
 {
-    const line *u = &t->lines[0], *v = &t->lines[1];
+    const bat_formula_line *u = &t->lines[0], *v = &t->lines[1];
     const int d = t->dimension;
     const size_t total = (size_t)u->count * (size_t)v->count;
     if (total > (size_t)t->most)
@@ -205,133 +178,21 @@ static batten_status interpolate(surface_fit *t)
             (batten_uv_grid){(size_t)u->count, (size_t)v->count, u->greville, v->greville}, 0,
             NULL, t->points);
     if (status == BATTEN_OK && u->lu)
-        bat_banded_solve(u->count, DEGREE, DEGREE, u->lu, (size_t)v->count * (size_t)d,
-                         t->points);
+        bat_banded_solve(u->count, BAT_FORMULA_DEGREE, BAT_FORMULA_DEGREE, u->lu,
+                         (size_t)v->count * (size_t)d, t->points);
     if (status == BATTEN_OK && v->lu) {
         bat_transpose(u->count, v->count, (size_t)d, t->points, turned);
-        bat_banded_solve(v->count, DEGREE, DEGREE, v->lu, (size_t)u->count * (size_t)d, turned);
+        bat_banded_solve(v->count, BAT_FORMULA_DEGREE, BAT_FORMULA_DEGREE, v->lu,
+                         (size_t)u->count * (size_t)d, turned);
         bat_transpose(v->count, u->count, (size_t)d, turned, t->points);
     }
     bat_release(turned);
     return status;
 }
 
-static batten_status make_surface(const surface_fit *t, batten_surface **out)
-{
-    const line *u = &t->lines[0], *v = &t->lines[1];
-    const batten_axis axes[2] = {{DEGREE, u->count, u->knots, false},
-                                 {DEGREE, v->count, v->knots, false}};
-    return batten_surface_create(t->dimension, &axes[0], &axes[1], t->points, NULL, out);
-}
-
-static batten_status make_curve(const surface_fit *t, const line *l, batten_curve **out)
-{
-    return batten_curve_create((batten_points){t->dimension, l->count, t->points}, DEGREE, NULL,
-                               l->knots, out);
-}
-
-/* ---- errors ---- */
-
-/* The places of a span between the abscissae; [span_count * PROBES]. */
-static double *places_of(const line *l)
-{
-    double *places = bat_array((size_t)l->span_count * PROBES, sizeof *places);
-    for (int i = 0; places && i < l->span_count; i++)
-        for (int j = 0; j < PROBES; j++)
-            places[i * PROBES + j] =
-                l->breaks[i] + probes[j] * (l->breaks[i + 1] - l->breaks[i]);
-    return places;
-}
-
-/* The values of the spline that is made on a grid. */
-static batten_status evaluate_made(const surface_fit *t, size_t count_u, const double *u,
-                                   size_t count_v, const double *v, double *out)
-{
-    batten_surface *surface = NULL;
-    batten_curve *curve = NULL;
-    batten_status status;
-    if (t->lines[0].span_count > 0 && t->lines[1].span_count > 0) {
-        status = make_surface(t, &surface);
-        if (status == BATTEN_OK)
-            status = batten_surface_evaluate_grid(
-                surface, (batten_uv_grid){count_u, count_v, u, v}, 0, NULL, out);
-    } else {
-        const bool along_u = t->lines[0].span_count > 0;
-        status = make_curve(t, &t->lines[along_u ? 0 : 1], &curve);
-        if (status == BATTEN_OK)
-            status = batten_curve_evaluate_many(curve, along_u ? count_u : count_v,
-                                                along_u ? u : v, 0, NULL, out);
-    }
-    batten_surface_unref(surface);
-    batten_curve_unref(curve);
-    return status;
-}
-
-/* Compare on the grid of places; errors go to the spans of those directions that are probed. */
-static batten_status compare(surface_fit *t, size_t count_u, const double *u, bool probe_u,
-                             size_t count_v, const double *v, bool probe_v)
-{
-    const size_t d = (size_t)t->dimension;
-    double *truth = bat_array3(count_u * count_v, d, sizeof *truth);
-    double *made = bat_array3(count_u * count_v, d, sizeof *made);
-    batten_status status = truth && made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK)
-        status = batten_surface_evaluate_grid(
-            t->surface, (batten_uv_grid){count_u, count_v, u, v}, 0, NULL, truth);
-    if (status == BATTEN_OK)
-        status = evaluate_made(t, count_u, u, count_v, v, made);
-    for (size_t i = 0; status == BATTEN_OK && i < count_u; i++)
-        for (size_t j = 0; j < count_v; j++) {
-            const size_t at = (i * count_v + j) * d;
-            const double error = SAFETY * bat_distance((int)d, truth + at, made + at);
-            double *of_u = probe_u ? &t->lines[0].errors[i / PROBES] : NULL;
-            double *of_v = probe_v ? &t->lines[1].errors[j / PROBES] : NULL;
-            if (of_u)
-                *of_u = bat_max(*of_u, error);
-            if (of_v)
-                *of_v = bat_max(*of_v, error);
-            t->error = bat_max(t->error, error);
-        }
-    bat_release(truth);
-    bat_release(made);
-    return status;
-}
-
-static batten_status clear_errors(line *l)
-{
-    bat_release(l->errors);
-    l->errors = bat_array((size_t)l->span_count + 1, sizeof *l->errors);
-    return l->errors ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-}
-
-/* Along each direction where the other is exact; or, at last, between everything. */
-static batten_status measure_errors(surface_fit *t, bool between)
-{
-    line *u = &t->lines[0], *v = &t->lines[1];
-    batten_status status = clear_errors(u);
-    if (status == BATTEN_OK)
-        status = clear_errors(v);
-    double *at_u = u->span_count > 0 ? places_of(u) : NULL;
-    double *at_v = v->span_count > 0 ? places_of(v) : NULL;
-    if (status == BATTEN_OK && ((u->span_count > 0 && !at_u) || (v->span_count > 0 && !at_v)))
-        status = BATTEN_OUT_OF_MEMORY;
-    const size_t probes_u = (size_t)u->span_count * PROBES,
-                 probes_v = (size_t)v->span_count * PROBES;
-    t->error = 0;
-    if (status == BATTEN_OK && between && at_u && at_v)
-        status = compare(t, probes_u, at_u, true, probes_v, at_v, true);
-    if (status == BATTEN_OK && !between && at_u)
-        status = compare(t, probes_u, at_u, true, (size_t)v->count, v->greville, false);
-    if (status == BATTEN_OK && !between && at_v)
-        status = compare(t, (size_t)u->count, u->greville, false, probes_v, at_v, true);
-    bat_release(at_u);
-    bat_release(at_v);
-    return status;
-}
-
 /* ---- the search ---- */
 
-static batten_status refine_both(surface_fit *t, bool *changed)
+static batten_status refine_both(bat_formula_fit *t, bool *changed)
 {
     *changed = false;
     batten_status status = refine(&t->lines[0], t->tolerance, changed);
@@ -341,7 +202,7 @@ static batten_status refine_both(surface_fit *t, bool *changed)
 }
 
 /* One spline, and whether it must be refined. */
-static batten_status try_once(surface_fit *t, bool *changed)
+static batten_status try_once(bat_formula_fit *t, bool *changed)
 {
     batten_status status = prepare(&t->lines[0]);
     if (status == BATTEN_OK)
@@ -349,14 +210,14 @@ static batten_status try_once(surface_fit *t, bool *changed)
     if (status == BATTEN_OK)
         status = interpolate(t);
     if (status == BATTEN_OK)
-        status = measure_errors(t, false);
+        status = bat_formula_fit_errors(t, false);
     if (status == BATTEN_OK)
         status = refine_both(t, changed);
     const bool both = t->lines[0].span_count > 0 && t->lines[1].span_count > 0;
     if (status != BATTEN_OK || *changed || !both)
         return status;
     const double along = t->error;
-    status = measure_errors(t, true);
+    status = bat_formula_fit_errors(t, true);
     t->error = bat_max(t->error, along);
     return status == BATTEN_OK ? refine_both(t, changed) : status;
 }
@@ -369,7 +230,7 @@ typedef struct {
 /* Would the points that are needed be far too many, when errors keep falling as slowly as they
  * did since there were a sixteenth of them? Where the surface jumps they do not fall at all;
  * where it is smooth and its features are found, to a four-thousandth. */
-static bool is_hopeless(const surface_fit *t, const attempt *attempts, int round)
+static bool is_hopeless(const bat_formula_fit *t, const attempt *attempts, int round)
 {
     const attempt *now = &attempts[round];
     int before = round;
@@ -384,7 +245,7 @@ static bool is_hopeless(const surface_fit *t, const attempt *attempts, int round
     return now->points * times > GROWTH * (double)t->most;
 }
 
-static batten_status search(surface_fit *t)
+static batten_status search(bat_formula_fit *t)
 {
     attempt attempts[ROUNDS];
     bool changed = true;
@@ -411,7 +272,7 @@ static double box_size(const batten_surface *surface)
     return bat_largest(6, corners);
 }
 
-static batten_status begin_fit(surface_fit *t, double tolerance)
+static batten_status begin_fit(bat_formula_fit *t, double tolerance)
 {
     batten_status status = bat_tolerance_check(tolerance);
     const double least = 64 * DBL_EPSILON * box_size(t->surface);
@@ -426,7 +287,7 @@ static batten_status begin_fit(surface_fit *t, double tolerance)
 batten_status bat_surface_approximate(const batten_surface *surface, double tolerance, int most,
                                       batten_surface **out, double *error)
 {
-    surface_fit t = {.surface = surface, .dimension = surface->dimension, .most = most};
+    bat_formula_fit t = {.surface = surface, .dimension = surface->dimension, .most = most};
     batten_status status = begin_fit(&t, tolerance);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         status = begin_line(surface, (batten_direction)k,
@@ -434,7 +295,7 @@ batten_status bat_surface_approximate(const batten_surface *surface, double tole
     if (status == BATTEN_OK)
         status = search(&t);
     if (status == BATTEN_OK)
-        status = make_surface(&t, out);
+        status = bat_formula_fit_surface(&t, out);
     if (status == BATTEN_OK && error)
         *error = t.error;
     release(&t);
@@ -445,7 +306,7 @@ batten_status bat_formula_isocurve(const batten_surface *surface, batten_directi
                                    double at, batten_curve **out)
 {
     const batten_direction along = bat_other(direction);
-    surface_fit t = {
+    bat_formula_fit t = {
         .surface = surface, .dimension = surface->dimension, .most = BAT_APPROXIMATE_MOST};
     batten_status status = begin_fit(&t, 1e-9 * box_size(surface));
     if (status == BATTEN_OK)
@@ -456,7 +317,7 @@ batten_status bat_formula_isocurve(const batten_surface *surface, batten_directi
     if (status == BATTEN_OK)
         status = search(&t);
     if (status == BATTEN_OK)
-        status = make_curve(&t, &t.lines[along], out);
+        status = bat_formula_fit_curve(&t, &t.lines[along], out);
     release(&t);
     return status;
 }

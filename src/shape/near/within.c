@@ -1,144 +1,15 @@
 /* Knots that go in and out until a curve is near enough. */
 #include "shape/near/within.h"
 #include "numeric/vector.h"
+#include "shape/near/within_trial.h"
 #include "spline/curve/curve.h"
 
 #include <string.h>
 
-/* One fit: inner knots, and what came of them. */
-typedef struct {
-    int count; /* inner knots */
-    double *inner;
-    int data_count;
-    double *parameters, *distances; /* [data_count + 1] */
-    batten_curve *curve;            /* NULL: the knots do not do */
-    double max;
-} trial;
-
-static void trial_end(trial *t)
-{
-    bat_release(t->inner);
-    bat_release(t->parameters);
-    bat_release(t->distances);
-    batten_curve_unref(t->curve);
-    *t = (trial){0};
-}
-
-static batten_status trial_begin(int count, trial *out)
-{
-    *out = (trial){.count = count, .max = HUGE_VAL};
-    out->inner = bat_array((size_t)count + 1, sizeof *out->inner);
-    return out->inner ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-}
-
-/* ---- one fit ---- */
-
-/* All knots of a fit, as batten_curve_least_squares wants them; release them. */
-static double *knots_of(const bat_within *w, const trial *t)
-{
-    const double a = w->domain.a, b = w->domain.b;
-    const int ends = w->periodic ? 1 : w->degree + 1;
-    double *knots = bat_array((size_t)(t->count + 2 * ends), sizeof *knots);
-    for (int i = 0; knots && i < ends; i++) {
-        knots[i] = a;
-        knots[ends + t->count + i] = b;
-    }
-    if (knots)
-        memcpy(knots + ends, t->inner, (size_t)t->count * sizeof *knots);
-    return knots;
-}
-
-static batten_status fit_curve(bat_within *w, const double *knots, trial *t)
-{
-    batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
-    options.degree = w->degree;
-    options.point_count = t->count + (w->periodic ? 1 : w->degree + 1);
-    options.parameters = BATTEN_GIVEN;
-    options.given = w->parameters;
-    options.weights = w->weights;
-    options.knots = BATTEN_KNOTS_GIVEN;
-    options.given_knots = knots;
-    options.closed = w->periodic;
-    options.hold_start = options.hold_end = !w->periodic;
-    options.corrections = w->corrections;
-    options.regularise = true;
-    w->fits++;
-    const batten_status status =
-        batten_curve_least_squares((batten_points){w->dimension, w->count, w->points}, &options,
-                                   t->parameters, NULL, &t->curve);
-    /* Knots that cannot be, or leave the numbers, are no better than a curve too far off. */
-    const bool useless = status == BATTEN_SINGULAR_SYSTEM || status == BATTEN_BAD_KNOTS ||
-                         status == BATTEN_NOT_FINITE || status == BATTEN_OVERFLOW;
-    return useless ? BATTEN_OK : status;
-}
-
-static batten_status fit(bat_within *w, trial *t)
-{
-    batten_status status = w->sample ? w->sample(w, t->count, t->inner) : BATTEN_OK;
-    if (status != BATTEN_OK)
-        return status;
-    const size_t n = (size_t)w->count;
-    double *knots = knots_of(w, t);
-    t->data_count = w->count;
-    t->parameters = bat_array(n + 1, sizeof *t->parameters);
-    t->distances = bat_array(n, sizeof *t->distances);
-    status = knots && t->parameters && t->distances ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK)
-        status = fit_curve(w, knots, t);
-    bat_release(knots);
-    if (status == BATTEN_OK) /* of a ring the first again */
-        t->parameters[n] = t->parameters[0] + (w->domain.b - w->domain.a);
-    if (status == BATTEN_OK && t->curve)
-        status = w->measure(w, t->curve, t->parameters, t->distances, &t->max);
-    return status;
-}
-
-/* ---- the best so far ---- */
-
-static bool is_near(const bat_within *w, const trial *t)
-{
-    return t->curve && t->max <= w->tolerance;
-}
-
-static int size_of(const batten_curve *curve)
-{
-    return batten_curve_point_count(curve);
-}
-
-/* Within the tolerance the smaller is the better, else the nearer. */
-static bool is_better(const bat_within *w, const trial *t)
-{
-    if (!w->curve)
-        return true;
-    if (t->max <= w->tolerance && w->error <= w->tolerance)
-        return size_of(t->curve) < size_of(w->curve);
-    return t->max < w->error;
-}
-
-static void copy_parameters(const bat_within *w, const double *from, double *to)
-{
-    if (!w->sample)
-        memcpy(to, from, (size_t)(w->count + w->periodic) * sizeof *to);
-}
-
-/* The curve of this way so far: later fits begin with its parameters; and perhaps the best. */
-static void keep_trial(bat_within *w, const trial *t)
-{
-    if (!t->curve)
-        return;
-    copy_parameters(w, t->parameters, w->parameters);
-    if (!is_better(w, t))
-        return;
-    batten_curve_unref(w->curve);
-    w->curve = batten_curve_ref(t->curve);
-    w->error = t->max;
-    copy_parameters(w, t->parameters, w->best);
-}
-
 /* ---- knots that go ---- */
 
 /* Indices of the inner knots in the order in which they are removed. */
-static batten_status rank(const bat_within *w, const trial *t, int *order, int *count)
+static batten_status rank(const bat_within *w, const bat_trial *t, int *order, int *count)
 {
     bat_spline spline;
     batten_status status = bat_curve_to_spline(t->curve, &spline);
@@ -152,9 +23,10 @@ static batten_status rank(const bat_within *w, const trial *t, int *order, int *
     return status;
 }
 
-static batten_status without(const trial *t, int gone_count, const bool *gone, trial *out)
+static batten_status without(const bat_trial *t, int gone_count, const bool *gone,
+                             bat_trial *out)
 {
-    const batten_status status = trial_begin(t->count - gone_count, out);
+    const batten_status status = bat_trial_begin(t->count - gone_count, out);
     for (int i = 0, k = 0; status == BATTEN_OK && i < t->count; i++)
         if (!gone[i])
             out->inner[k++] = t->inner[i];
@@ -168,29 +40,29 @@ typedef struct {
 
 /* All ranked knots at once; a block that cannot go is tried by halves, until `most` fits are
  * done. *t becomes the curve without those that went. */
-static batten_status take_away(bat_within *w, trial *t, int count, const int *order, int most,
-                               int *removed)
+static batten_status take_away(bat_within *w, bat_trial *t, int count, const int *order,
+                               int most, int *removed)
 {
     block waiting[64] = {{0, count}};
     bool *gone = bat_array((size_t)t->count, sizeof *gone);
-    trial best = {0};
+    bat_trial best = {0};
     batten_status status = gone ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     *removed = 0;
     for (int depth = 1; status == BATTEN_OK && depth > 0 && w->fits < most;) {
         const block b = waiting[--depth];
-        trial next = {0};
+        bat_trial next = {0};
         for (int i = b.from; i < b.to; i++)
             gone[order[i]] = true;
         status = without(t, *removed + b.to - b.from, gone, &next);
         if (status == BATTEN_OK)
-            status = fit(w, &next);
-        if (status == BATTEN_OK && is_near(w, &next)) {
-            trial_end(&best);
+            status = bat_trial_fit(w, &next);
+        if (status == BATTEN_OK && bat_trial_is_near(w, &next)) {
+            bat_trial_end(&best);
             best = next;
             *removed += b.to - b.from;
             continue;
         }
-        trial_end(&next);
+        bat_trial_end(&next);
         for (int i = b.from; i < b.to; i++)
             gone[order[i]] = false;
         const int middle = b.from + (b.to - b.from) / 2;
@@ -201,23 +73,23 @@ static batten_status take_away(bat_within *w, trial *t, int count, const int *or
     }
     bat_release(gone);
     if (status == BATTEN_OK && *removed > 0) {
-        trial_end(t);
+        bat_trial_end(t);
         *t = best;
     } else {
-        trial_end(&best);
+        bat_trial_end(&best);
     }
     return status;
 }
 
 /* How many fits may be tried: enough for some dozens of knots one by one, however many there
  * are; fewer where each takes long. */
-static int trials(const bat_within *w, const trial *t)
+static int trials(const bat_within *w, const bat_trial *t)
 {
     const double each = bat_max(4, bat_min(64, 2e5 / w->count));
     return (int)(each * log2(2.0 + t->count));
 }
 
-static batten_status shrink(bat_within *w, trial *t)
+static batten_status shrink(bat_within *w, bat_trial *t)
 {
     batten_status status = BATTEN_OK;
     const int most = w->fits + trials(w, t);
@@ -231,7 +103,7 @@ static batten_status shrink(bat_within *w, trial *t)
             status = take_away(w, t, count, order, most, &removed);
         bat_release(order);
         if (status == BATTEN_OK)
-            keep_trial(w, t);
+            bat_trial_keep(w, t);
     }
     return status;
 }
@@ -243,7 +115,7 @@ enum { LEAST_DATA = 2 };
 
 /* Between two data of from .. to - 1 with parameters of their own, next to the middle weighted
  * by squared distances; false when there are none. */
-static bool middle_of(const trial *t, int from, int to, double *knot)
+static bool middle_of(const bat_trial *t, int from, int to, double *knot)
 {
     double sum = 0, moment = 0, nearest = HUGE_VAL;
     for (int i = from; i < to; i++) {
@@ -292,9 +164,9 @@ static double snap(const bat_within *w, double from, double to, double knot)
 enum { MOST_KNOTS = 100000 };
 
 /* The knots of `t`, and one in each span that is too far off. */
-static batten_status refine(const bat_within *w, const trial *t, trial *out)
+static batten_status refine(const bat_within *w, const bat_trial *t, bat_trial *out)
 {
-    batten_status status = trial_begin(2 * t->count + 1, out);
+    batten_status status = bat_trial_begin(2 * t->count + 1, out);
     if (status != BATTEN_OK)
         return status;
     out->count = 0;
@@ -316,7 +188,7 @@ static batten_status refine(const bat_within *w, const trial *t, trial *out)
 /* As many knots as data with parameters of their own allow, so that the curve goes through
  * them: the means of as many neighbours as the degree says [PT97, 9.8]; of a ring the data, or
  * with an even degree the middles between them. */
-static batten_status all_knots(const bat_within *w, trial *out)
+static batten_status all_knots(const bat_within *w, bat_trial *out)
 {
     const int n = w->count, p = w->degree;
     int count = 0;
@@ -331,7 +203,7 @@ static batten_status all_knots(const bat_within *w, trial *out)
     const bool middles = w->periodic && p % 2 == 0;
     const int inner = bat_max_int(0, w->periodic ? count - 1 : count - p - 1),
               width = w->periodic ? 1 + middles : p;
-    const batten_status status = trial_begin(inner, out);
+    const batten_status status = bat_trial_begin(inner, out);
     for (int j = 0; status == BATTEN_OK && j < inner; j++) {
         double sum = 0;
         for (int k = 0; k < width; k++)
@@ -345,46 +217,46 @@ static batten_status all_knots(const bat_within *w, trial *out)
 /* ---- the two ways ---- */
 
 /* Of a ring a first few knots in equal steps. */
-static batten_status few_knots(const bat_within *w, trial *out)
+static batten_status few_knots(const bat_within *w, bat_trial *out)
 {
     const int count = w->periodic ? w->degree : 0;
-    const batten_status status = trial_begin(count, out);
+    const batten_status status = bat_trial_begin(count, out);
     for (int i = 0; status == BATTEN_OK && i < count; i++)
         out->inner[i] = w->domain.a + (i + 1.0) / (count + 1) * (w->domain.b - w->domain.a);
     return status;
 }
 
-static batten_status grow(bat_within *w, trial *t)
+static batten_status grow(bat_within *w, bat_trial *t)
 {
     batten_status status = few_knots(w, t);
     if (status == BATTEN_OK)
-        status = fit(w, t);
+        status = bat_trial_fit(w, t);
     bool grows = true;
     while (status == BATTEN_OK && t->curve && t->max > w->tolerance && grows) {
-        trial next = {0};
+        bat_trial next = {0};
         status = refine(w, t, &next);
         grows = next.count > t->count;
         if (status == BATTEN_OK && grows)
-            status = fit(w, &next);
+            status = bat_trial_fit(w, &next);
         if (status == BATTEN_OK && grows) {
-            trial_end(t);
+            bat_trial_end(t);
             *t = next;
         } else {
-            trial_end(&next);
+            bat_trial_end(&next);
         }
     }
     if (status == BATTEN_OK)
-        keep_trial(w, t);
+        bat_trial_keep(w, t);
     return status;
 }
 
 /* A curve through all data that swings between them: later ones may swing as much. */
-static batten_status allow_swing(bat_within *w, trial *t)
+static batten_status allow_swing(bat_within *w, bat_trial *t)
 {
     w->swing = HUGE_VAL;
     batten_status status = w->measure(w, t->curve, t->parameters, t->distances, &t->max);
     w->swing = 0;
-    if (status != BATTEN_OK || !is_near(w, t))
+    if (status != BATTEN_OK || !bat_trial_is_near(w, t))
         return status;
     status = w->measure(w, t->curve, t->parameters, t->distances, &t->max);
     w->swing = 2 * (t->max - w->tolerance);
@@ -392,45 +264,46 @@ static batten_status allow_swing(bat_within *w, trial *t)
                                : status;
 }
 
-static batten_status begin_with_all(bat_within *w, trial *t)
+static batten_status begin_with_all(bat_within *w, bat_trial *t)
 {
-    trial_end(t);
+    bat_trial_end(t);
     batten_status status = all_knots(w, t);
     if (status == BATTEN_OK)
-        status = fit(w, t);
-    if (status == BATTEN_OK && t->curve && !is_near(w, t) && !(w->error <= w->tolerance))
+        status = bat_trial_fit(w, t);
+    if (status == BATTEN_OK && t->curve && !bat_trial_is_near(w, t) &&
+        !(w->error <= w->tolerance))
         status = allow_swing(w, t);
     if (status == BATTEN_OK)
-        keep_trial(w, t);
+        bat_trial_keep(w, t);
     return status;
 }
 
 batten_status bat_within_insert(bat_within *w)
 {
-    trial t = {0};
-    copy_parameters(w, w->start, w->parameters);
+    bat_trial t = {0};
+    bat_trial_copy_parameters(w, w->start, w->parameters);
     batten_status status = grow(w, &t);
-    if (status == BATTEN_OK && !is_near(w, &t) && !w->sample)
+    if (status == BATTEN_OK && !bat_trial_is_near(w, &t) && !w->sample)
         status = begin_with_all(w, &t);
-    if (status == BATTEN_OK && !is_near(w, &t) && !w->sample) {
+    if (status == BATTEN_OK && !bat_trial_is_near(w, &t) && !w->sample) {
         /* Feet that fell together. */
-        copy_parameters(w, w->start, w->parameters);
+        bat_trial_copy_parameters(w, w->start, w->parameters);
         status = begin_with_all(w, &t);
     }
-    if (status == BATTEN_OK && is_near(w, &t))
+    if (status == BATTEN_OK && bat_trial_is_near(w, &t))
         status = shrink(w, &t);
-    trial_end(&t);
+    bat_trial_end(&t);
     return status;
 }
 
 batten_status bat_within_remove(bat_within *w)
 {
-    trial t = {0};
-    copy_parameters(w, w->start, w->parameters);
+    bat_trial t = {0};
+    bat_trial_copy_parameters(w, w->start, w->parameters);
     batten_status status = begin_with_all(w, &t);
-    if (status == BATTEN_OK && is_near(w, &t))
+    if (status == BATTEN_OK && bat_trial_is_near(w, &t))
         status = shrink(w, &t);
-    trial_end(&t);
+    bat_trial_end(&t);
     return status;
 }
 
@@ -447,13 +320,13 @@ batten_status bat_curve_chained(int count, batten_curve *const *pieces, batten_c
     const int p = batten_curve_degree(pieces[0]), d = batten_curve_dimension(pieces[0]);
     int points = 1;
     for (int i = 0; i < count; i++)
-        points += size_of(pieces[i]) - 1;
+        points += bat_trial_size(pieces[i]) - 1;
     batten_curve *made = NULL;
     const batten_status status = bat_curve_make(d, p, points, false, &made);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0, at = 0; i < count; i++) {
-        const int n = size_of(pieces[i]);
+        const int n = bat_trial_size(pieces[i]);
         memcpy(made->points + (size_t)at * (size_t)d, batten_curve_points(pieces[i]),
                (size_t)(n * d) * sizeof(double));
         /* Of the knots at a joint the second piece brings all but one. */

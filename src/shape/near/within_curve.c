@@ -10,23 +10,12 @@
  */
 #include "numeric/vector.h"
 #include "shape/near/within.h"
+#include "shape/near/within_proof.h"
 #include "spline/curve/curve.h"
 
 #include <float.h>
-#include <string.h>
 
-/* A part of the given curve without corners, clamped, and what was taken of it. */
-typedef struct {
-    batten_curve *curve;
-    int break_count, span_count;
-    double *breaks; /* [break_count], of the given curve */
-    double *common; /* [span_count + 1], with the knots */
-    double *bounds; /* [span_count] */
-    int *span_of;   /* [data] */
-    double *points, *weights, *parameters;
-} source;
-
-static void release_samples(source *s)
+static void release_samples(bat_within_source *s)
 {
     bat_release(s->common);
     bat_release(s->bounds);
@@ -52,8 +41,8 @@ static int merge(int a_count, const double *a, int b_count, const double *b, dou
     return count;
 }
 
-static batten_status make_room(source *s, int inner_count, const double *inner, int each, int d,
-                               int *count)
+static batten_status make_room(bat_within_source *s, int inner_count, const double *inner,
+                               int each, int d, int *count)
 {
     release_samples(s);
     s->common = bat_array((size_t)(s->break_count + inner_count), sizeof *s->common);
@@ -76,7 +65,7 @@ static batten_status make_room(source *s, int inner_count, const double *inner, 
  */
 static batten_status sample(bat_within *w, int inner_count, const double *inner)
 {
-    source *s = w->context;
+    bat_within_source *s = w->context;
     const int each = w->degree + 3;
     int count = 0;
     batten_status status = make_room(s, inner_count, inner, each, w->dimension, &count);
@@ -104,163 +93,20 @@ static batten_status sample(bat_within *w, int inner_count, const double *inner)
                                       s->points);
 }
 
-/* ---- the proof ---- */
-
-enum { DEEPEST = 10 };
-
-/* Rows of w (P - S) and of w, [m + 1][d + 1]. */
-static void difference_rows(int d, int a, const double *P, const double *w, int b,
-                            const double *S, double *out)
-{
-    for (int k = 0; k <= a + b; k++) {
-        double *row = out + k * (d + 1), total = 0;
-        memset(row, 0, (size_t)(d + 1) * sizeof *row);
-        for (int i = bat_max_int(0, k - b); i <= bat_min_int(a, k); i++) {
-            const double factor = bat_binomials[a][i] * bat_binomials[b][k - i],
-                         weight = factor * (w ? w[i] : 1);
-            for (int c = 0; c < d; c++)
-                row[c] += weight * (P[i * d + c] - S[(k - i) * d + c]);
-            row[d] += weight;
-            total += factor;
-        }
-        for (int c = 0; c <= d; c++)
-            row[c] /= total;
-    }
-}
-
-static double rows_bound(int d, int m, const double *rows)
-{
-    double largest = 0, least = rows[d];
-    for (int k = 0; k <= m; k++) {
-        largest = bat_max(largest, bat_norm(d, rows + k * (d + 1)));
-        least = bat_min(least, rows[k * (d + 1) + d]);
-    }
-    return largest / least;
-}
-
-/* The left half into `left`, the right half stays. */
-static void halve(int width, int m, double *rows, double *left)
-{
-    for (int k = 0; k <= m; k++) {
-        memcpy(left + k * width, rows, (size_t)width * sizeof *left);
-        for (int i = 0; i < (m - k) * width; i++)
-            rows[i] = rows[i] / 2 + rows[i + width] / 2;
-    }
-}
-
-/* A bound on the distance over the span whose rows are the first of `stack`
- * [DEEPEST + 2][m + 1][d + 1]: `floor` or less, or hardly more than it is. */
-static double prove(int d, int m, double floor, double *stack)
-{
-    const size_t size = (size_t)(m + 1) * (size_t)(d + 1);
-    int depth[DEEPEST + 2] = {0};
-    double bound = 0, seen = 0;
-    for (int top = 0; top >= 0;) {
-        double *rows = stack + (size_t)top * size, *next = rows + size;
-        const double here = rows_bound(d, m, rows);
-        seen = bat_max(seen, bat_norm(d, rows) / rows[d]);
-        seen = bat_max(seen, bat_norm(d, rows + m * (d + 1)) / rows[m * (d + 1) + d]);
-        if (here <= floor || here <= 1.05 * seen || depth[top] == DEEPEST) {
-            bound = bat_max(bound, here);
-            top--;
-            continue;
-        }
-        halve(d + 1, m, rows, next);
-        depth[top]++;
-        depth[top + 1] = depth[top];
-        top++;
-    }
-    return bound;
-}
-
-/* The Bezier points of a curve on the common spans; *made is yours. */
-static batten_status on_common(const batten_curve *curve, const source *s, batten_curve **made)
-{
-    const int own = batten_curve_spans(curve, NULL);
-    double *breaks = bat_array((size_t)own, sizeof *breaks);
-    double *missing = bat_array((size_t)s->span_count + 1, sizeof *missing);
-    batten_curve *refined = NULL;
-    batten_status status = breaks && missing ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK) {
-        int count = 0;
-        batten_curve_spans(curve, breaks);
-        for (int i = 0, j = 0; i <= s->span_count; i++) {
-            while (j < own && breaks[j] < s->common[i])
-                j++;
-            if (j == own || breaks[j] != s->common[i])
-                missing[count++] = s->common[i];
-        }
-        status = batten_curve_refine(curve, count, missing, &refined);
-    }
-    if (status == BATTEN_OK)
-        status = batten_curve_to_bezier(refined, made);
-    batten_curve_unref(refined);
-    bat_release(breaks);
-    bat_release(missing);
-    return status;
-}
-
-static batten_status prove_all(const bat_within *w, const batten_curve *P,
-                               const batten_curve *S)
-{
-    source *s = w->context;
-    const int d = w->dimension, a = batten_curve_degree(P), b = batten_curve_degree(S),
-              m = a + b;
-    double *stack = bat_array3(DEEPEST + 2, (size_t)(m + 1) * (size_t)(d + 1), sizeof *stack);
-    if (!stack)
-        return BATTEN_OUT_OF_MEMORY;
-    assert(batten_curve_point_count(P) == s->span_count * a + 1);
-    assert(batten_curve_point_count(S) == s->span_count * b + 1);
-    for (int j = 0; j < s->span_count; j++) {
-        const double *weights = batten_curve_weights(P);
-        difference_rows(d, a, batten_curve_points(P) + (size_t)(j * a * d),
-                        weights ? weights + j * a : NULL, b,
-                        batten_curve_points(S) + (size_t)(j * b * d), stack);
-        s->bounds[j] = prove(d, m, w->tolerance / 8, stack);
-    }
-    bat_release(stack);
-    return BATTEN_OK;
-}
-
-static batten_status measure_curve_error(bat_within *w, const batten_curve *curve,
-                                         const double *parameters, double *distances,
-                                         double *max)
-{
-    source *s = w->context;
-    batten_curve *clamped = NULL, *P = NULL, *S = NULL;
-    (void)parameters;
-    batten_status status = batten_curve_clamp(curve, &clamped);
-    if (status == BATTEN_OK)
-        status = on_common(clamped, s, &S);
-    if (status == BATTEN_OK)
-        status = on_common(s->curve, s, &P);
-    if (status == BATTEN_OK)
-        status = prove_all(w, P, S);
-    *max = 0;
-    for (int i = 0; status == BATTEN_OK && i < w->count; i++) {
-        distances[i] = s->bounds[s->span_of[i]];
-        *max = bat_max(*max, distances[i]);
-    }
-    batten_curve_unref(S);
-    batten_curve_unref(P);
-    batten_curve_unref(clamped);
-    return status;
-}
-
 /* ---- one part ---- */
 
 static batten_status approximate_part(batten_curve *part, bool ring, int degree,
                                       double tolerance, double *error, batten_curve **out)
 {
     const int d = batten_curve_dimension(part);
-    source s = {.curve = part, .break_count = batten_curve_spans(part, NULL)};
+    bat_within_source s = {.curve = part, .break_count = batten_curve_spans(part, NULL)};
     bat_within w = {.dimension = d,
                     .degree = degree,
                     .periodic = ring,
                     .tolerance = tolerance,
                     .domain = batten_curve_domain(part),
                     .sample = sample,
-                    .measure = measure_curve_error,
+                    .measure = bat_within_curve_error,
                     .context = &s,
                     .error = HUGE_VAL};
     s.breaks = bat_array((size_t)s.break_count, sizeof *s.breaks);

@@ -1,5 +1,6 @@
 /* Curves within a tolerance of points: corners, the pieces between them, the report. */
 #include "numeric/vector.h"
+#include "shape/near/corners.h"
 #include "shape/near/within.h"
 #include "spline/curve/curve.h"
 #include "spline/data_check.h"
@@ -12,124 +13,10 @@ batten_curve_within_options batten_curve_within_defaults(void)
         .size = sizeof(batten_curve_within_options), .degree = 3, .parameters = BATTEN_CHORD};
 }
 
-typedef struct {
-    const batten_curve_within_options *options;
-    int dimension, count;
-    const double *points;
-    bool *corner; /* [count] */
-    int corner_count;
-    /* The row as pieces see it: a closed one with corners begins at one and ends there. */
-    int row_count, first;
-    double *row, *parameters; /* [row_count + 1] */
-    double *bows;             /* [row_count] how far a curve may leave the chord to the next */
-    int piece_count;
-    batten_curve **pieces; /* [row_count] */
-    batten_curve *curve;
-    int fits;
-} within_fit;
-
-/* ---- corners ---- */
-
-/* Corners are looked for no farther than so many points to either side. */
-enum { REACH = 1000 };
-
-/* The nearest point of the row on one side that is `far` away, or the end. */
-static int far_point(const within_fit *t, int from, int step, double far)
-{
-    const double *points = t->points;
-    const int d = t->dimension, n = t->count;
-    int i = from;
-    for (int k = 0; k < bat_min_int(n - 1, REACH); k++) {
-        const int next = i + step;
-        if (!t->options->closed && (next < 0 || next >= n))
-            break;
-        i = (next + n) % n;
-        if (bat_distance(d, points + (size_t)i * (size_t)d, points + (size_t)from * (size_t)d) >
-            far)
-            break;
-    }
-    return i;
-}
-
-/* By how much the row turns at a point, between directions to points that are `far` away; 0 at
- * the ends. */
-static double turn_at(const within_fit *t, int i, double far)
-{
-    const int d = t->dimension, before = far_point(t, i, -1, far),
-              after = far_point(t, i, 1, far);
-    double a[3], b[3];
-    for (int k = 0; k < d; k++) {
-        a[k] = t->points[i * d + k] - t->points[before * d + k];
-        b[k] = t->points[after * d + k] - t->points[i * d + k];
-    }
-    const double la = bat_norm(d, a), lb = bat_norm(d, b);
-    if (!(la > 0 && lb > 0))
-        return 0;
-    double sum = 0, difference = 0;
-    for (int k = 0; k < d; k++) {
-        sum += (a[k] / la + b[k] / lb) * (a[k] / la + b[k] / lb);
-        difference += (b[k] / lb - a[k] / la) * (b[k] / lb - a[k] / la);
-    }
-    return 2 * atan2(sqrt(difference), sqrt(sum));
-}
-
-/* Where no point nearer than that turns more; of equal ones the first. */
-static bool is_sharpest(const within_fit *t, const double *turns, int i, double far)
-{
-    const int n = t->count;
-    for (int step = -1; step <= 1; step += 2) {
-        const int end = far_point(t, i, step, far);
-        for (int k = (i + step + n) % n; k != end; k = (k + step + n) % n)
-            if (turns[k] > turns[i] || (turns[k] == turns[i] && step < 0))
-                return false;
-    }
-    return true;
-}
-
-static batten_status detect_corners(within_fit *t)
-{
-    const batten_curve_within_options *o = t->options;
-    const double far = 4 * o->tolerance;
-    if (o->corner == 0)
-        return BATTEN_OK;
-    double *turns = bat_array((size_t)t->count, sizeof *turns);
-    if (!turns)
-        return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < t->count; i++)
-        turns[i] = turn_at(t, i, far);
-    for (int i = 0; i < t->count; i++)
-        t->corner[i] = turns[i] > o->corner && is_sharpest(t, turns, i, far);
-    bat_release(turns);
-    return BATTEN_OK;
-}
-
-static batten_status find_corners(within_fit *t)
-{
-    const batten_curve_within_options *o = t->options;
-    t->corner = bat_array((size_t)t->count, sizeof *t->corner);
-    if (!t->corner)
-        return BATTEN_OUT_OF_MEMORY;
-    const batten_status status = detect_corners(t);
-    for (int k = 0; status == BATTEN_OK && k < o->corner_count; k++) {
-        const int i = o->corners[k];
-        if (i < 0 || i >= t->count || (k > 0 && i <= o->corners[k - 1]))
-            return bat_fail(
-                BATTEN_BAD_ARGUMENT,
-                "corner %d is point %d; of %d points it may be 0 to %d, and indices rise", k, i,
-                t->count, t->count - 1);
-        t->corner[i] = true;
-    }
-    if (!o->closed)
-        t->corner[0] = t->corner[t->count - 1] = false; /* ends are ends */
-    for (int i = 0; i < t->count; i++)
-        t->corner_count += t->corner[i];
-    return status;
-}
-
 /* ---- the row ---- */
 
 /* Turned so that a closed row with corners begins at its first one, and ends there again. */
-static batten_status take_row(within_fit *t)
+static batten_status take_row(bat_within_fit *t)
 {
     const batten_curve_within_options *o = t->options;
     const int n = t->count;
@@ -176,7 +63,7 @@ static double between(int d, const double *p, const double *places)
 }
 
 /* By how much the polygon turns at a datum of the row: radians, of a function in slopes. */
-static double turn_of_row(const within_fit *t, int i)
+static double turn_of_row(const bat_within_fit *t, int i)
 {
     const int d = t->dimension;
     const double *p = t->row + (size_t)i * (size_t)d, *u = t->parameters + i;
@@ -194,7 +81,7 @@ static double turn_of_row(const within_fit *t, int i)
 
 /* An arc that turns by an angle bows by an eighth of it and its chord; four times as much, and
  * the tolerance, is left to a curve. Where data coincide anything may be. */
-static void find_bows(within_fit *t)
+static void find_bows(bat_within_fit *t)
 {
     const int d = t->dimension,
               last =
@@ -217,7 +104,7 @@ static batten_status measure_point_error(bat_within *w, const batten_curve *curv
                                          const double *parameters, double *distances,
                                          double *max)
 {
-    const within_fit *t = w->context;
+    const bat_within_fit *t = w->context;
     const size_t n = (size_t)w->count, d = (size_t)w->dimension, each = PLACES + 1;
     const double *bows = t->bows + (w->points - t->row) / w->dimension;
     double *u = bat_array3(n, each, sizeof *u), *at = bat_array3(n * each, d, sizeof *at);
@@ -252,7 +139,7 @@ static batten_status measure_point_error(bat_within *w, const batten_curve *curv
 }
 
 /* The seam of a ring of even degree stands, like its other knots, between two data. */
-static batten_interval domain_of(const within_fit *t, int from, int to, bool periodic)
+static batten_interval domain_of(const bat_within_fit *t, int from, int to, bool periodic)
 {
     const double *u = t->parameters;
     const double gap = periodic && t->options->degree % 2 == 0 ? (u[to + 1] - u[to]) / 2 : 0;
@@ -274,7 +161,7 @@ static batten_status search(bat_within *w, batten_within_method method)
     return status == BATTEN_OK && !done ? bat_within_remove(w) : status;
 }
 
-static batten_status fit_piece(within_fit *t, int from, int to, bool periodic,
+static batten_status fit_piece(bat_within_fit *t, int from, int to, bool periodic,
                                batten_curve **out)
 {
     const batten_curve_within_options *o = t->options;
@@ -308,7 +195,7 @@ static batten_status fit_piece(within_fit *t, int from, int to, bool periodic,
     return status;
 }
 
-static batten_status make_piece(within_fit *t, int from, int to, bool smooth_ring)
+static batten_status make_piece(bat_within_fit *t, int from, int to, bool smooth_ring)
 {
     const batten_curve_within_options *o = t->options;
     batten_curve **out = &t->pieces[t->piece_count];
@@ -327,7 +214,7 @@ static batten_status make_piece(within_fit *t, int from, int to, bool smooth_rin
     return status;
 }
 
-static batten_status make_pieces(within_fit *t)
+static batten_status make_pieces(bat_within_fit *t)
 {
     const batten_curve_within_options *o = t->options;
     if (o->closed && t->corner_count == 0) {
@@ -350,7 +237,7 @@ static batten_status make_pieces(within_fit *t)
 /* ---- what came out ---- */
 
 /* The largest distance of the curve from the polygon of the data. */
-static batten_status measure_between(const within_fit *t, double *apart)
+static batten_status measure_between(const bat_within_fit *t, double *apart)
 {
     const int d = t->dimension;
     double at[PLACES * 3], u[PLACES];
@@ -368,7 +255,7 @@ static batten_status measure_between(const within_fit *t, double *apart)
     return BATTEN_OK;
 }
 
-static batten_status check_result(within_fit *t, double *parameters,
+static batten_status check_result(bat_within_fit *t, double *parameters,
                                   batten_curve_within_report *report)
 {
     const int d = t->dimension;
@@ -401,9 +288,9 @@ static batten_status check_result(within_fit *t, double *parameters,
     return measure_between(t, &report->apart);
 }
 
-static batten_status search_within(within_fit *t)
+static batten_status search_within(bat_within_fit *t)
 {
-    batten_status status = find_corners(t);
+    batten_status status = bat_find_corners(t);
     if (status == BATTEN_OK)
         status = take_row(t);
     if (status == BATTEN_OK) {
@@ -460,10 +347,10 @@ batten_status batten_curve_within(batten_points points,
     if (status != BATTEN_OK)
         return status;
     options = &chosen;
-    within_fit t = {.options = options,
-                    .dimension = points.dimension,
-                    .count = points.count,
-                    .points = points.at};
+    bat_within_fit t = {.options = options,
+                        .dimension = points.dimension,
+                        .count = points.count,
+                        .points = points.at};
     batten_curve_within_report found = {0};
     double *at = NULL;
     status = check_within_data(points.dimension, points.count, points.at, options);

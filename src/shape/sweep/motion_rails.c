@@ -6,114 +6,18 @@
 #include "base/sort.h"
 #include "numeric/jet3.h"
 #include "numeric/rounding.h"
+#include "shape/sweep/rail_heights.h"
 #include <batten/nearest.h>
 
-#include <stdlib.h>
 #include <string.h>
 
-enum { SAMPLES = 64, HALVINGS = 200 };
-
-typedef struct {
-    bat_motion base;
-    batten_curve *rails[2];
-    batten_vec3 across;
-    bool by_planes;
-    double heights[2]; /* of the common start and end, by planes */
-    double height, tolerance;
-} between;
-
-/* ---- matching ---- */
-
-static batten_status height_at(const between *m, int rail, double u, double *height)
-{
-    double at[3];
-    const batten_status status = batten_curve_evaluate(m->rails[rail], u, 0, at);
-    *height = bat_vec3_dot(bat_vec3_of(3, at), m->across);
-    return status;
-}
-
-/* The parameter at which a rail has this height; rails rise. */
-static batten_status find_height(const between *m, int rail, double height, double *u)
-{
-    batten_interval where = batten_curve_domain(m->rails[rail]);
-    double low = 0, high = 0, at = 0;
-    batten_status status = height_at(m, rail, where.a, &low);
-    if (status == BATTEN_OK)
-        status = height_at(m, rail, where.b, &high);
-    if (height <= low || height >= high) {
-        *u = height <= low ? where.a : where.b;
-        return status;
-    }
-    for (int i = 0; status == BATTEN_OK && i < HALVINGS; i++) {
-        const double middle = where.a + (where.b - where.a) / 2;
-        if (!(where.a < middle && middle < where.b))
-            break;
-        status = height_at(m, rail, middle, &at);
-        if (at <= height)
-            where.a = middle;
-        else
-            where.b = middle;
-    }
-    *u = where.a;
-    return status;
-}
-
-/* From derivatives of the height in u those of u in the height, times powers of `range`. */
-static void invert_derivatives(const double *f, double range, double *u)
-{
-    const double r = range / f[1];
-    const double f2 = f[2] / f[1], f3 = f[3] / f[1], f4 = f[4] / f[1];
-    u[1] = r;
-    u[2] = -f2 * r * r;
-    u[3] = (3 * f2 * f2 - f3) * r * r * r;
-    u[4] = (10 * f2 * f3 - 15 * f2 * f2 * f2 - f4) * r * r * r * r;
-}
-
-/* Derivatives of a curve whose parameter goes as u[0..4]: the chain rule. */
-static void apply_chain_rule(const double *c, const double *u, double *out)
-{
-    for (int k = 0; k < 3; k++) {
-        const double c1 = c[3 + k], c2 = c[6 + k], c3 = c[9 + k], c4 = c[12 + k];
-        out[k] = c[k];
-        out[3 + k] = c1 * u[1];
-        out[6 + k] = c2 * u[1] * u[1] + c1 * u[2];
-        out[9 + k] = c3 * u[1] * u[1] * u[1] + 3 * c2 * u[1] * u[2] + c1 * u[3];
-        out[12 + k] = c4 * u[1] * u[1] * u[1] * u[1] + 6 * c3 * u[1] * u[1] * u[2] +
-                      c2 * (3 * u[2] * u[2] + 4 * u[1] * u[3]) + c1 * u[4];
-    }
-}
-
-/* Point and four derivatives of a rail at the share v of the way. */
-static batten_status look_at_rail(const between *m, int rail, double v, batten_side side,
-                                  double *out)
-{
-    const batten_interval domain = batten_curve_domain(m->rails[rail]);
-    double u[5] = {v < 1 ? (1 - v) * domain.a + v * domain.b : domain.b, domain.b - domain.a};
-    double values[15], f[5];
-    batten_status status = BATTEN_OK;
-    if (m->by_planes)
-        status = find_height(m, rail, (1 - v) * m->heights[0] + v * m->heights[1], &u[0]);
-    if (status == BATTEN_OK)
-        status = batten_curve_evaluate_side(m->rails[rail], u[0], side, 4, values);
-    if (status != BATTEN_OK)
-        return status;
-    if (m->by_planes) {
-        for (int k = 0; k < 5; k++)
-            f[k] = bat_vec3_dot(bat_vec3_of(3, values + 3 * k), m->across);
-        if (!(f[1] > 0))
-            return bat_fail(BATTEN_SINGULAR_HERE,
-                            "rail %d does not rise at %.17g of its parameters", rail + 1, u[0]);
-        invert_derivatives(f, m->heights[1] - m->heights[0], u);
-    }
-    apply_chain_rule(values, u, out);
-    return BATTEN_OK;
-}
+enum { SAMPLES = 64 };
 
 /* ---- the pose ---- */
 
 /* The direction from rail to rail and how far it is, with derivatives; d [5][3]. Where the
  * rails meet, both come from D = (v - end) E. */
-static void find_chord(const between *m, double v, const double *d, bat_jet3 *chord,
+static void find_chord(const bat_between *m, double v, const double *d, bat_jet3 *chord,
                        bat_jet *length)
 {
     const double distance = bat_norm(3, d);
@@ -170,11 +74,11 @@ static void put_column(const bat_jet3 *a, int column, bat_pose *out)
 static batten_status between_pose(const bat_motion *motion, double v, batten_side side,
                                   bat_pose *out)
 {
-    const between *m = (const between *)(const void *)motion;
+    const bat_between *m = (const bat_between *)(const void *)motion;
     double rails[2][15], d[15];
-    batten_status status = look_at_rail(m, 0, v, side, rails[0]);
+    batten_status status = bat_rail_look(m, 0, v, side, rails[0]);
     if (status == BATTEN_OK)
-        status = look_at_rail(m, 1, v, side, rails[1]);
+        status = bat_rail_look(m, 1, v, side, rails[1]);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i < 15; i++)
@@ -201,7 +105,7 @@ static batten_status between_pose(const bat_motion *motion, double v, batten_sid
 
 static void between_free(bat_motion *motion)
 {
-    between *m = (between *)(void *)motion;
+    bat_between *m = (bat_between *)(void *)motion;
     batten_curve_unref(m->rails[0]);
     batten_curve_unref(m->rails[1]);
     bat_release(m);
@@ -210,15 +114,15 @@ static void between_free(bat_motion *motion)
 /* ---- building ---- */
 
 /* Both rails rise all along, over the same heights. */
-static batten_status check_heights(between *m)
+static batten_status check_heights(bat_between *m)
 {
     double ends[2][2];
     for (int k = 0; k < 2; k++) {
         const batten_interval domain = batten_curve_domain(m->rails[k]);
         batten_parameters turns = {0, NULL};
-        batten_status status = height_at(m, k, domain.a, &ends[k][0]);
+        batten_status status = bat_rail_height(m, k, domain.a, &ends[k][0]);
         if (status == BATTEN_OK)
-            status = height_at(m, k, domain.b, &ends[k][1]);
+            status = bat_rail_height(m, k, domain.b, &ends[k][1]);
         if (status == BATTEN_OK)
             status = batten_curve_turns(m->rails[k], m->across, &turns);
         if (status != BATTEN_OK)
@@ -245,7 +149,7 @@ static batten_status check_heights(between *m)
     return BATTEN_OK;
 }
 
-static batten_status check_length(const between *m, int rail)
+static batten_status check_length(const bat_between *m, int rail)
 {
     const double *points = batten_curve_points(m->rails[rail]);
     const int count = batten_curve_point_count(m->rails[rail]);
@@ -260,18 +164,19 @@ static batten_status check_length(const between *m, int rail)
 }
 
 /* From rail to rail at v. */
-static batten_status gap_at(const between *m, double v, batten_vec3 *gap)
+static batten_status gap_at(const bat_between *m, double v, batten_vec3 *gap)
 {
     double rails[2][15];
-    batten_status status = look_at_rail(m, 0, v, BATTEN_FROM_RIGHT, rails[0]);
+    batten_status status = bat_rail_look(m, 0, v, BATTEN_FROM_RIGHT, rails[0]);
     if (status == BATTEN_OK)
-        status = look_at_rail(m, 1, v, BATTEN_FROM_RIGHT, rails[1]);
+        status = bat_rail_look(m, 1, v, BATTEN_FROM_RIGHT, rails[1]);
     *gap = bat_vec3_subtract(bat_vec3_of(3, rails[1]), bat_vec3_of(3, rails[0]));
     return status;
 }
 
 /* The least distance of the rails between a and b, by golden sections. */
-static batten_status least_gap(const between *m, double a, double b, double *at, double *least)
+static batten_status least_gap(const bat_between *m, double a, double b, double *at,
+                               double *least)
 {
     const double golden = (sqrt(5) - 1) / 2;
     batten_vec3 gap;
@@ -305,7 +210,7 @@ static batten_status least_gap(const between *m, double a, double b, double *at,
 }
 
 /* Are the rails apart anywhere? */
-static batten_status check_apart(const between *m)
+static batten_status check_apart(const bat_between *m)
 {
     const bat_motion *base = &m->base;
     double widest = 0;
@@ -324,7 +229,7 @@ static batten_status check_apart(const between *m)
 }
 
 /* Rails may meet at their ends alone. */
-static batten_status check_meeting(const between *m)
+static batten_status check_meeting(const bat_between *m)
 {
     const bat_motion *base = &m->base;
     const int count = (base->break_count - 1) * SAMPLES;
@@ -357,7 +262,7 @@ static batten_status check_meeting(const between *m)
 }
 
 /* The knots of both rails, as shares of the way. */
-static batten_status lay_breaks(between *m)
+static batten_status lay_breaks(bat_between *m)
 {
     const size_t total = (size_t)batten_curve_spans(m->rails[0], NULL) +
                          (size_t)batten_curve_spans(m->rails[1], NULL);
@@ -371,7 +276,7 @@ static batten_status lay_breaks(between *m)
         const int own = batten_curve_spans(m->rails[k], breaks + count);
         for (int i = 0; i < own; i++, count++) {
             double height = 0;
-            const batten_status status = height_at(m, k, breaks[count], &height);
+            const batten_status status = bat_rail_height(m, k, breaks[count], &height);
             if (status != BATTEN_OK)
                 return status;
             breaks[count] = m->by_planes
@@ -390,7 +295,7 @@ static batten_status lay_breaks(between *m)
     return BATTEN_OK;
 }
 
-static batten_status build_motion(between *m, const bat_rails *rails)
+static batten_status build_motion(bat_between *m, const bat_rails *rails)
 {
     for (int k = 0; k < 2; k++) {
         m->rails[k] = batten_curve_ref(rails->rails[k]);
@@ -420,7 +325,7 @@ static batten_status build_motion(between *m, const bat_rails *rails)
 
 batten_status bat_motion_between(const bat_rails *rails, bat_motion **out)
 {
-    between *m = bat_array(1, sizeof *m);
+    bat_between *m = bat_array(1, sizeof *m);
     if (!m)
         return BATTEN_OUT_OF_MEMORY;
     m->base.pose = between_pose;

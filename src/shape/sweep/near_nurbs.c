@@ -4,6 +4,7 @@
 #include "numeric/banded.h"
 #include "numeric/rounding.h"
 #include "numeric/vector.h"
+#include "shape/sweep/near_error.h"
 #include "shape/sweep/true_sweep.h"
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
@@ -14,36 +15,12 @@
 
 enum {
     MOST_SECTIONS = 2000,
-    PLACES = 5,       /* at which a span is measured */
-    LAST_PLACES = 11, /* the last time */
-    MOST_PLACES = 63, /* where the error is largest */
-    MOST_PARTS = 8    /* that a span is cut into at once */
+    MOST_PARTS = 8 /* that a span is cut into at once */
 };
-
-typedef struct {
-    const bat_sweep *sweep;
-    int degree;
-    double tolerance;
-    int points;       /* of the section */
-    size_t width;     /* of one of them */
-    size_t row;       /* points * width */
-    int mesh_count;   /* breaks of v */
-    double *mesh;     /* [MOST_SECTIONS + 2] */
-    int *times;       /* [MOST_SECTIONS + 2] multiplicities */
-    double *error;    /* [MOST_SECTIONS + 1] of each span */
-    int count;        /* sections, and control rows */
-    double *knots;    /* [count + degree + 1] */
-    double *rows;     /* [count][row] */
-    double *band;     /* [count][2 degree + 1] */
-    double *true_row; /* [row] */
-    double *made_row; /* [row] */
-    double size;      /* of the coordinates */
-    double worst;
-} fitting;
 
 /* ---- knots ---- */
 
-static int count_rows(const fitting *f)
+static int count_rows(const bat_sweep_fitting *f)
 {
     int count = f->degree + 1;
     for (int i = 1; i + 1 < f->mesh_count; i++)
@@ -51,7 +28,7 @@ static int count_rows(const fitting *f)
     return count;
 }
 
-static void lay_knots(fitting *f)
+static void lay_knots(bat_sweep_fitting *f)
 {
     double *knot = f->knots;
     for (int i = 0; i < f->mesh_count; i++) {
@@ -61,7 +38,7 @@ static void lay_knots(fitting *f)
     }
 }
 
-static double greville_abscissa(const fitting *f, int i)
+static double greville_abscissa(const bat_sweep_fitting *f, int i)
 {
     double sum = 0;
     if (i == 0)
@@ -73,7 +50,7 @@ static double greville_abscissa(const fitting *f, int i)
     return bat_min(f->knots[i + f->degree], bat_max(f->knots[i + 1], sum / f->degree));
 }
 
-static batten_status make_room(fitting *f)
+static batten_status make_room(bat_sweep_fitting *f)
 {
     const size_t count = (size_t)f->count, band = 2 * (size_t)f->degree + 1;
     bat_release(f->knots);
@@ -87,7 +64,7 @@ static batten_status make_room(fitting *f)
 
 /* ---- one interpolation ---- */
 
-static batten_status interpolate(fitting *f)
+static batten_status interpolate(bat_sweep_fitting *f)
 {
     const int q = f->degree, n = f->count;
     const size_t band = 2 * (size_t)q + 1;
@@ -116,119 +93,10 @@ static batten_status interpolate(fitting *f)
     return status;
 }
 
-/* ---- its error ---- */
-
-static void made_at(const fitting *f, double v, double *out)
-{
-    double basis[BATTEN_MAX_DEGREE + 1];
-    const int q = f->degree;
-    const int span = bat_knots_span(q, f->count, f->knots, v, BATTEN_FROM_RIGHT);
-    bat_basis(q, f->knots, span, v, 0, basis);
-    memset(out, 0, f->row * sizeof *out);
-    for (int k = 0; k <= q; k++) {
-        const double *from = f->rows + (size_t)(span - q + k) * f->row;
-        for (size_t c = 0; c < f->row; c++)
-            out[c] += basis[k] * from[c];
-    }
-}
-
-/* With weights that are followed too: A'/w' - A/w is the mean, weighted by w', of what control
- * points miss and of (P - S)(w' - w) / w', where no two points are farther than `extent`. */
-static double homogeneous_distance(const fitting *f, const double *made, const double *truth)
-{
-    double worst = 0, least = HUGE_VAL, extent = 0;
-    const double *first = truth;
-    for (int i = 0; i < f->points; i++) {
-        double p[3], q[3];
-        const double w = made[4 * i + 3], w0 = truth[4 * i + 3];
-        if (!(w > 0))
-            return HUGE_VAL;
-        for (int c = 0; c < 3; c++) {
-            p[c] = truth[4 * i + c] / w0;
-            q[c] = first[c] / first[3];
-        }
-        extent = bat_max(extent, 2 * bat_distance(3, p, q));
-        least = bat_min(least, w);
-    }
-    for (int i = 0; i < f->points; i++) {
-        const double w = made[4 * i + 3], w0 = truth[4 * i + 3];
-        double p[3], q[3];
-        for (int c = 0; c < 3; c++) {
-            p[c] = made[4 * i + c] / w;
-            q[c] = truth[4 * i + c] / w0;
-        }
-        worst = bat_max(worst, w * bat_distance(3, p, q) + extent * fabs(w - w0));
-    }
-    return worst / least;
-}
-
-/* No point of the section is farther off than this. */
-static double distance_of_rows(const fitting *f, const double *made, const double *truth)
-{
-    double worst = 0;
-    if (f->width == 4)
-        return homogeneous_distance(f, made, truth);
-    for (int i = 0; i < f->points; i++)
-        worst = bat_max(worst, bat_distance(3, made + 3 * i, truth + 3 * i));
-    return worst;
-}
-
-static batten_status measure_span(fitting *f, int s, int places, double *error)
-{
-    *error = 0;
-    for (int i = 0; i < places; i++) {
-        const double t = (i + 0.5) / places;
-        const double v = (1 - t) * f->mesh[s] + t * f->mesh[s + 1];
-        const batten_status status =
-            bat_sweep_rows(f->sweep, v, BATTEN_FROM_RIGHT, f->true_row);
-        if (status != BATTEN_OK)
-            return status;
-        made_at(f, v, f->made_row);
-        *error = bat_max(*error, distance_of_rows(f, f->made_row, f->true_row));
-    }
-    return BATTEN_OK;
-}
-
-static batten_status measure_spans(fitting *f, int places)
-{
-    f->worst = 0;
-    for (int s = 0; s + 1 < f->mesh_count; s++) {
-        const batten_status status = measure_span(f, s, places, &f->error[s]);
-        if (status != BATTEN_OK)
-            return status;
-        f->worst = bat_max(f->worst, f->error[s]);
-    }
-    return BATTEN_OK;
-}
-
-/* Of the coordinates. */
-static double rounding_of(const fitting *f)
-{
-    return 4 * DBL_EPSILON * f->size;
-}
-
-/* The last time: spans that may be the worst at more places, and what more places found is
- * added once more for those that lie between. */
-static batten_status measure_last(fitting *f)
-{
-    batten_status status = measure_spans(f, LAST_PLACES);
-    const double found = f->worst;
-    for (int s = 0; s + 1 < f->mesh_count && status == BATTEN_OK; s++) {
-        double error = 0;
-        if (f->error[s] < 0.5 * found)
-            continue;
-        status = measure_span(f, s, MOST_PLACES, &error);
-        f->error[s] = bat_max(error, f->error[s]) + bat_max(0, error - f->error[s]);
-        f->worst = bat_max(f->worst, f->error[s]);
-    }
-    f->worst += rounding_of(f);
-    return status;
-}
-
 /* ---- more sections ---- */
 
 /* Into how many parts a span should be cut: its error falls with the power degree + 1. */
-static int parts_of(const fitting *f, int span)
+static int parts_of(const bat_sweep_fitting *f, int span)
 {
     /* The error falls with the power degree + 1 of the length, a tenth more to be safe; what is not finite asks for the most. */
     const double ratio = f->error[span] / f->tolerance;
@@ -239,7 +107,7 @@ static int parts_of(const fitting *f, int span)
 }
 
 /* False when there would be too many, `needed`, or when breaks could not be told apart. */
-static bool cut_spans(fitting *f, int *needed)
+static bool cut_spans(bat_sweep_fitting *f, int *needed)
 {
     int added = 0;
     for (int s = 0; s + 1 < f->mesh_count; s++)
@@ -266,7 +134,7 @@ static bool cut_spans(fitting *f, int *needed)
     return true;
 }
 
-static batten_status not_met(const fitting *f, int needed)
+static batten_status not_met(const bat_sweep_fitting *f, int needed)
 {
     int s = 0;
     char why[80] = "whose spans cannot be cut any more";
@@ -292,7 +160,7 @@ static batten_status too_many_spans(const bat_motion *m)
 }
 
 /* The breaks of the motion inside the part, as often as it is not smooth there. */
-static batten_status begin_mesh(fitting *f)
+static batten_status begin_mesh(bat_sweep_fitting *f)
 {
     const bat_motion *m = f->sweep->motion;
     const batten_interval part = f->sweep->part;
@@ -314,7 +182,7 @@ static batten_status begin_mesh(fitting *f)
     return count_rows(f) <= MOST_SECTIONS ? BATTEN_OK : too_many_spans(m);
 }
 
-static batten_status refine_once(fitting *f, bat_work *work, int places)
+static batten_status refine_once(bat_sweep_fitting *f, bat_work *work, int places)
 {
     f->count = count_rows(f);
     const double total = (double)f->count * f->points;
@@ -332,33 +200,33 @@ static batten_status refine_once(fitting *f, bat_work *work, int places)
     lay_knots(f);
     status = interpolate(f);
     if (status == BATTEN_OK)
-        status = measure_spans(f, places);
+        status = bat_sweep_measure_spans(f, places);
     return status;
 }
 
 /* A path of straight lines makes a surface of degree 1. */
-static batten_status try_straight(fitting *f, bat_work *work, bool *met)
+static batten_status try_straight(bat_sweep_fitting *f, bat_work *work, bool *met)
 {
     const int degree = f->degree;
     f->degree = 1;
     batten_status status = begin_mesh(f);
     if (status == BATTEN_OK)
-        status = refine_once(f, work, LAST_PLACES);
-    if (status == BATTEN_OK && f->tolerance < rounding_of(f))
+        status = refine_once(f, work, BAT_SWEEP_LAST_PLACES);
+    if (status == BATTEN_OK && f->tolerance < bat_sweep_rounding(f))
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
                           "the sweep cannot be within %g: its coordinates, as large as %g, are "
                           "known to %.3g",
-                          f->tolerance, f->size, rounding_of(f));
+                          f->tolerance, f->size, bat_sweep_rounding(f));
     *met = status == BATTEN_OK && f->worst <= 32 * DBL_EPSILON * f->size &&
-           f->worst + rounding_of(f) <= f->tolerance;
+           f->worst + bat_sweep_rounding(f) <= f->tolerance;
     if (*met)
-        f->worst += rounding_of(f);
+        f->worst += bat_sweep_rounding(f);
     else
         f->degree = degree;
     return status;
 }
 
-static batten_status refine_until_near(fitting *f, bat_work *work)
+static batten_status refine_until_near(bat_sweep_fitting *f, bat_work *work)
 {
     bool met = false;
     int needed = 0;
@@ -367,9 +235,9 @@ static batten_status refine_until_near(fitting *f, bat_work *work)
         return status;
     status = begin_mesh(f);
     while (status == BATTEN_OK && !met) {
-        status = refine_once(f, work, PLACES);
+        status = refine_once(f, work, BAT_SWEEP_PLACES);
         if (status == BATTEN_OK && f->worst <= f->tolerance)
-            status = measure_last(f);
+            status = bat_sweep_measure_last(f);
         met = status == BATTEN_OK && f->worst <= f->tolerance;
         if (status == BATTEN_OK && !met && !cut_spans(f, &needed))
             status = not_met(f, needed);
@@ -380,7 +248,7 @@ static batten_status refine_until_near(fitting *f, bat_work *work)
 /* ---- handing over ---- */
 
 /* A path that comes back to its start closes to the bit. */
-static void close_seam(fitting *f)
+static void close_seam(bat_sweep_fitting *f)
 {
     double *last = f->rows + (size_t)(f->count - 1) * f->row;
     double gap = 0;
@@ -401,7 +269,7 @@ static void fill_knots_u(const bat_sweep *s, bat_nurbs *made)
     memcpy(made->axes[BATTEN_U].knots, knots, (size_t)count * sizeof *knots);
 }
 
-static batten_status make_surface(const fitting *f, batten_surface **out)
+static batten_status make_surface(const bat_sweep_fitting *f, batten_surface **out)
 {
     const bat_sweep *s = f->sweep;
     const double *w = s->row ? NULL : batten_curve_weights(s->section);
@@ -434,7 +302,7 @@ static batten_status make_surface(const fitting *f, batten_surface **out)
     return bat_nurbs_finish(made, out);
 }
 
-static void release_fitting(fitting *f)
+static void release_fitting(bat_sweep_fitting *f)
 {
     bat_release(f->mesh);
     bat_release(f->times);
@@ -465,7 +333,7 @@ batten_status bat_sweep_fit(const bat_sweep *sweep, int degree, double tolerance
     batten_status status = check_request(degree, tolerance);
     if (status != BATTEN_OK)
         return status;
-    fitting f = {.sweep = sweep, .degree = degree, .tolerance = tolerance};
+    bat_sweep_fitting f = {.sweep = sweep, .degree = degree, .tolerance = tolerance};
     f.points = bat_sweep_count(sweep);
     f.width = bat_sweep_width(sweep);
     f.row = (size_t)f.points * f.width;
