@@ -203,7 +203,7 @@ static batten_status marks_of(const bat_skin *t, int k, double *to)
     for (int j = 0; j <= n; j++)
         if (!(to[j] < to[j + 1]))
             return bat_fail(BATTEN_NOT_INCREASING,
-                            "marks do not rise inside section %d: %g and then %g", k, to[j],
+                            "marks do not rise inside section %d: %g and then %g", k + 1, to[j],
                             to[j + 1]);
     return BATTEN_OK;
 }

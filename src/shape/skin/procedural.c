@@ -109,7 +109,7 @@ static batten_status polynomial_sections(const procedural *s, double tolerance, 
         if (!(tolerance > 0))
             return bat_fail(BATTEN_BAD_ARGUMENT,
                             "section %d is rational: as NURBS the surface needs a tolerance",
-                            k);
+                            k + 1);
         status = batten_curve_approximate(s->sections[k],
                                           bat_max_int(3, batten_curve_degree(s->sections[k])),
                                           tolerance / 4, &moved, &out[k]);

@@ -107,8 +107,8 @@ static batten_status check_section(const bat_skin *t, const batten_surface *surf
         return status;
     worst += row_distance(t, surface, k);
     if (!(worst <= allowed))
-        return bat_fail(BATTEN_TOLERANCE_NOT_MET, "section %d is missed by %g, more than %g", k,
-                        worst, allowed);
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET, "section %d is missed by %g, more than %g",
+                        k + 1, worst, allowed);
     return BATTEN_OK;
 }
 

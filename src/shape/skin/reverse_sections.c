@@ -191,7 +191,7 @@ static batten_status reverse(bat_skin *t, int k)
         return status;
     batten_curve_unref(t->placed[k]);
     t->placed[k] = reversed;
-    bat_fail(BATTEN_OK, "section %d was reversed, and %d before it", k,
+    bat_fail(BATTEN_OK, "section %d was reversed, and %d before it", k + 1,
              t->found.reversed_count++);
     return BATTEN_OK;
 }
@@ -244,11 +244,11 @@ static batten_status begin_at(bat_skin *t, int k, bool closed)
     const batten_interval domain = batten_curve_domain(t->placed[k]);
     if (!(starts[k] >= domain.a && starts[k] <= domain.b))
         return bat_fail(BATTEN_OUT_OF_DOMAIN,
-                        "section %d cannot begin at %g, outside its domain [%g, %g]", k,
+                        "section %d cannot begin at %g, outside its domain [%g, %g]", k + 1,
                         starts[k], domain.a, domain.b);
     if (!closed)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "section %d is open and cannot begin at another place", k);
+                        "section %d is open and cannot begin at another place", k + 1);
     const batten_curve *was = t->placed[k];
     const batten_status status = start_section_at(&t->placed[k], starts[k]);
     t->found.turned_count += t->placed[k] != was;

@@ -64,7 +64,7 @@ static batten_status check_rows(rows *r)
     size_t total = 0;
     for (int k = 0; k < r->count; k++) {
         if (r->counts[k] < 2)
-            return bat_fail(BATTEN_TOO_FEW_POINTS, "row %d has %d point%s, and needs 2", k,
+            return bat_fail(BATTEN_TOO_FEW_POINTS, "row %d has %d point%s, and needs 2", k + 1,
                             r->counts[k], bat_plural(r->counts[k]));
         total += (size_t)r->counts[k];
     }
@@ -76,8 +76,8 @@ static batten_status check_rows(rows *r)
     size_t first = 0;
     for (int k = 0; k < r->count && bad < total; first += (size_t)r->counts[k++])
         if (bad < first + (size_t)r->counts[k])
-            return bat_fail(BATTEN_NOT_FINITE, "point %zu of row %d is not finite", bad - first,
-                            k);
+            return bat_fail(BATTEN_NOT_FINITE, "point %zu of row %d is not finite",
+                            bad - first + 1, k + 1);
     return BATTEN_OK;
 }
 
@@ -98,7 +98,7 @@ static batten_status parametrize_row(const rows *r, int k)
     if (status != BATTEN_OK) {
         char reason[160];
         snprintf(reason, sizeof reason, "%s", batten_message());
-        return bat_fail(status, "row %d: %s", k, reason);
+        return bat_fail(status, "row %d: %s", k + 1, reason);
     }
     const double start = u[0], length = u[n - 1] - u[0];
     for (int i = 0; i < n; i++)
@@ -179,7 +179,7 @@ static batten_status check_points(rows *r, const batten_surface *surface, const 
             r->found.error = bat_max(r->found.error, miss);
             if (!(miss <= 1e-11 * size))
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET, "point %zu of row %d is missed by %g",
-                                i - r->first[k], k, miss);
+                                i - r->first[k] + 1, k + 1, miss);
         }
     return BATTEN_OK;
 }

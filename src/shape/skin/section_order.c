@@ -21,7 +21,7 @@ batten_status bat_skin_kinds(bat_skin *t)
             continue;
         if (first >= 0 && closed != t->closed && !t->mixed)
             return bat_fail(BATTEN_NOT_COMPATIBLE, "section %d is %s, and section %d is %s",
-                            first, t->closed ? "closed" : "open", k,
+                            first + 1, t->closed ? "closed" : "open", k + 1,
                             closed ? "closed" : "open");
         if (first < 0) {
             first = k;
@@ -110,14 +110,14 @@ static void count_crossing(bat_skin *t, int k)
 {
     if (t->found.crossing_count++ == 0)
         t->found.crossing = k;
-    bat_fail(BATTEN_OK, "sections %d and %d cross", k, k + 1);
+    bat_fail(BATTEN_OK, "sections %d and %d cross", k + 1, k + 2);
 }
 
 static void count_disorder(bat_skin *t, int k)
 {
     if (t->found.disorder_count++ == 0)
         t->found.disorder = k;
-    bat_fail(BATTEN_OK, "sections %d and %d are rather in the other order", k, k + 1);
+    bat_fail(BATTEN_OK, "sections %d and %d are rather in the other order", k + 1, k + 2);
 }
 
 batten_status bat_skin_order(bat_skin *t)

@@ -104,12 +104,14 @@ static batten_status check_laws(int count, const batten_surface_skin_options *o)
 {
     for (int k = 0; k < count; k++) {
         if (o->twist && !isfinite(o->twist[k]))
-            return bat_fail(BATTEN_NOT_FINITE, "the twist of section %d is %g", k, o->twist[k]);
+            return bat_fail(BATTEN_NOT_FINITE, "the twist of section %d is %g", k + 1,
+                            o->twist[k]);
         if (o->scale && !isfinite(o->scale[k]))
-            return bat_fail(BATTEN_NOT_FINITE, "the scale of section %d is %g", k, o->scale[k]);
+            return bat_fail(BATTEN_NOT_FINITE, "the scale of section %d is %g", k + 1,
+                            o->scale[k]);
         if (o->scale && o->scale[k] <= 0)
             return bat_fail(BATTEN_BAD_ARGUMENT, "the scale of section %d is %g, not above 0",
-                            k, o->scale[k]);
+                            k + 1, o->scale[k]);
     }
     return BATTEN_OK;
 }

@@ -109,7 +109,7 @@ TEST(closed_sections_begin_where_they_are_told)
         CHECK_STATUS(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options,
                                          NULL, v, &report, &surface),
                      BATTEN_OUT_OF_DOMAIN);
-        CHECK_MESSAGE("section 1 cannot begin at 1000");
+        CHECK_MESSAGE("section 2 cannot begin at 1000");
         options.turn = true;
         CHECK_STATUS(batten_surface_skin((batten_curve_row){3, (curves)sections}, &options,
                                          NULL, v, &report, &surface),
@@ -276,7 +276,7 @@ TEST(sections_matched_by_marks_have_them_at_one_parameter)
     CHECK_STATUS(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL,
                                      NULL, NULL, &surface),
                  BATTEN_NOT_INCREASING);
-    CHECK_MESSAGE("marks do not rise inside section 1");
+    CHECK_MESSAGE("marks do not rise inside section 2");
     options.align = true;
     CHECK_STATUS(batten_surface_skin((batten_curve_row){4, (curves)sections}, &options, NULL,
                                      NULL, NULL, &surface),
@@ -296,7 +296,7 @@ TEST(G7_open_and_closed_sections_do_not_go_together)
     CHECK_STATUS(batten_surface_skin((batten_curve_row){3, (curves)sections}, NULL, NULL, NULL,
                                      NULL, &surface),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("section 0 is closed, and section 2 is open");
+    CHECK_MESSAGE("section 1 is closed, and section 3 is open");
     CHECK_EACH_ALLOCATION(batten_surface_ruled(sections[1], sections[2], &surface));
     batten_surface_unref(surface);
     unref_all(3, sections);
@@ -321,14 +321,14 @@ TEST(G7_sections_that_cross_or_stand_in_disorder_are_named)
     CHECK_OK(batten_surface_skin((batten_curve_row){5, (curves)sections}, NULL, NULL, NULL,
                                  &report, &surface));
     CHECK(report.disorder == 2 && report.disorder_count == 1 && report.crossing == -1);
-    CHECK_MESSAGE("sections 2 and 3 are rather in the other order");
+    CHECK_MESSAGE("sections 3 and 4 are rather in the other order");
     batten_surface_unref(surface);
     batten_curve_unref(sections[1]);
     sections[1] = line_at(0, -0.5, 1.5); /* it crosses the first */
     CHECK_OK(batten_surface_skin((batten_curve_row){2, (curves)sections}, NULL, NULL, NULL,
                                  &report, &surface));
     CHECK(report.crossing == 0 && report.crossing_count == 1 && report.disorder == -1);
-    CHECK_MESSAGE("sections 0 and 1 cross");
+    CHECK_MESSAGE("sections 1 and 2 cross");
     batten_surface_unref(surface);
     unref_all(5, sections);
 }

@@ -180,17 +180,17 @@ TEST(G9_rows_of_points_that_are_bad_are_named)
     CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, few, points}, NULL, NULL,
                                           (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_MESSAGE("row 1 has 1 point, and needs 2");
+    CHECK_MESSAGE("row 2 has 1 point, and needs 2");
     points[16] = 0; /* the second point of row 1 on its first */
     CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, NULL, NULL,
                                           (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("row 1: ");
+    CHECK_MESSAGE("row 2: ");
     points[16] = NAN;
     CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, NULL, NULL,
                                           (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 1 of row 1 is not finite");
+    CHECK_MESSAGE("point 2 of row 2 is not finite");
     batten_surface_skin_rows_options options = batten_surface_skin_rows_defaults();
     options.degree = 0;
     CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, &options, NULL,

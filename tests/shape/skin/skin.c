@@ -221,7 +221,7 @@ TEST(sections_that_run_backwards_are_reversed_on_request_and_named)
     options.align = true;
     CHECK_OK(batten_surface_skin((batten_curve_row){4, (curves)turned}, &options, NULL, NULL,
                                  NULL, &aligned));
-    CHECK_MESSAGE("section 2 was reversed");
+    CHECK_MESSAGE("section 3 was reversed");
     CHECK(distance_on(right, aligned) < 1e-13 * 25);
     CHECK(distance_on(right, crossed) > 0.1);
     batten_surface_unref(crossed);

@@ -48,15 +48,15 @@ TEST(features_of_skins_say_what_they_cannot_do)
     static const struct {
         const char *feature, *says;
     } rows[] = {
-        {"{skin: [ring, wall]}", "section 0 is closed, and section 1 is open"},
+        {"{skin: [ring, wall]}", "section 1 is closed, and section 2 is open"},
         {"{skin: [ring, ring2], starts: [0.1]}", "'starts' has 1 value for 2 sections"},
-        {"{skin: [wall, wall2], starts: [0.1, 0.1]}", "section 0 is open"},
+        {"{skin: [wall, wall2], starts: [0.1, 0.1]}", "section 1 is open"},
         {"{skin: [frame, frame2], match: marks, marks: [0.3], within: 1 mm}",
          "'marks' has 1 value, not as many for each of 2 sections"},
         {"{skin: [frame, frame2], match: marks, within: 1 mm}", "there are no marks"},
         {"{skin: [frame, frame2], match: arc-length}", "a tolerance is needed"},
         {"{skin: [wall, wall, wall2]}", "sections 0 and 1 coincide"},
-        {"{skin-rows: [e, one, g]}", "row 1 has 1 point, and needs 2"},
+        {"{skin-rows: [e, one, g]}", "row 2 has 1 point, and needs 2"},
         {"{skin-rows: [e, g], margin: 0.6}", "the margin of knots is 0.6"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
