@@ -255,6 +255,7 @@ static char *write_finite(char *to, uint64_t bits, char letter)
 {
     double value;
     memcpy(&value, &bits, sizeof value);
+    /* Below 2^53 = 9007199254740992 a whole number has all its digits. */
     if (value < 9007199254740992.0) {
         const uint64_t whole = (uint64_t)value;
         if ((double)whole == value)
