@@ -67,7 +67,12 @@ TEST(a_failure_ends_what_needs_it_and_names_file_line_and_column)
     batten_notes *notes = NULL;
     CHECK_OK(batten_notes_create(20, &notes));
     CHECK_OK(parse(text, NULL, &design));
-    const batten_status status = batten_design_evaluate(design, NULL, NULL, notes);
+    batten_status status = batten_design_evaluate(design, NULL, NULL, notes);
+    if (test_memory_failed(status, BATTEN_BAD_ARGUMENT)) {
+        batten_notes_free(notes); /* those of the first attempt */
+        CHECK_OK(batten_notes_create(20, &notes));
+        status = batten_design_evaluate(design, NULL, NULL, notes);
+    }
     CHECK_INT(status, BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("d.yaml:4:3: bad (circle): the radius is 0");
     CHECK(batten_design_result(design, "good")->value != NULL);
@@ -78,7 +83,8 @@ TEST(a_failure_ends_what_needs_it_and_names_file_line_and_column)
           !batten_design_result(design, "after")->value);
     char *data = NULL;
     size_t size = 0;
-    CHECK(batten_design_output(design, 0, NULL, notes, &data, &size) != BATTEN_OK);
+    CHECK_STATUS(batten_design_output(design, 0, NULL, notes, &data, &size),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("d.yaml:9:3: bad.txt (measure): it needs 'bad', which failed");
     CHECK(data == NULL);
     CHECK_OK(batten_design_output(design, 1, NULL, notes, &data, &size));

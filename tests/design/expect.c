@@ -164,6 +164,8 @@ static void check_moves(subject *of, const fact *f)
 
 static void check_notes(subject *of, const fact *f)
 {
+    if (batten_notes_dropped(of->notes)) /* as memory was missing for one */
+        return;
     char all[3000] = "";
     for (int i = 0; i < batten_notes_count(of->notes); i++) {
         const size_t length = strlen(all);
@@ -238,8 +240,11 @@ static void check_row(const char *before, const expect_row *row)
              before, row->feature);
     CHECK_OK(batten_notes_create(30, &notes));
     batten_status status = evaluate_design(text, "a", notes, &design);
-    if (test_memory_failed(status, row->status))
+    if (test_memory_failed(status, row->status)) {
+        batten_notes_free(notes); /* those of the first attempt */
+        CHECK_OK(batten_notes_create(30, &notes));
         status = evaluate_design(text, "a", notes, &design);
+    }
     if (status == BATTEN_OK && row->status == BATTEN_OK)
         check_result(row, design, notes);
     else if (status != row->status || !strstr(batten_message(), row->facts)) {

@@ -8,7 +8,8 @@ A room is a folder with sources: shape/skin is src/shape/skin, tested by tests/s
 Nothing in the tree is touched: the objects of the build are copied first, mutants live in a temporary folder.
 A mutant may write anywhere: one started by root runs as nobody, who cannot replace what is not its own.
 A mutant that does not compile, or whose object code is that of the original, is drawn again. A test run that
-takes many times as long as usual has noticed its mutant.
+takes many times as long as usual has noticed its mutant. What the tests do not notice they may still notice with
+failing allocations, as CI runs them: a sample of these is tried then.
 """
 import argparse
 import collections
@@ -30,6 +31,7 @@ import time
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from source import ROOT, TOKENS, blanked, read, tracked, without_directives  # noqa: E402
 
+FAULT_SECONDS, FAULT_LIMIT = '0.02', 120  # for each test, for those of a room
 NOBODY = 65534  # its number on every system that we know
 KERNEL = ['base', 'numeric', 'spline', 'inspect', 'shape', 'body', 'mesh', 'model', 'fair', 'exchange']
 NEGATED = {'<': '>=', '<=': '>', '>': '<=', '>=': '<', '==': '!=', '!=': '=='}
@@ -185,8 +187,9 @@ class Workshop:
     """Copies of the objects, made once, and what compiles, links and runs a mutant."""
 
     def __init__(self, build, folder):
-        self.build, self.folder, self.lock = build, folder, threading.Lock()
-        self.lines, self.programs, self.originals, self.times = command_lines(build), {}, {}, {}
+        self.build, self.folder, self.lock = build, folder, threading.RLock()
+        self.lines, self.programs, self.originals = command_lines(build), {}, {}
+        self.times, self.fault_times = {}, {}
         self.linker = '-fuse-ld=lld' if shutil.which('ld.lld') else '-fno-lto'
         self.compiler = next(iter(self.lines.values()))[0][0]
         libraries = subprocess.run(['pkg-config', '--libs', 'cmocka', 'cairo', 'yaml-0.1'], capture_output=True,
@@ -252,14 +255,15 @@ class Workshop:
             self.link(['-Wl,-S', *main, made, *archives], command)
         return target, command
 
-    def run(self, target, command, room, at, limit):
+    def run(self, target, command, room, at, limit, faults=False):
         """Do the tests of the room notice? Stops at the first that does."""
         scratch = os.path.join(at, 'scratch')
         os.makedirs(scratch, exist_ok=True)
         if os.geteuid() == 0:
             os.chmod(at, 0o755)
             os.chmod(scratch, 0o777)
-        environment = dict(os.environ, TMPDIR=scratch, **({'BATTEN_COMMAND': command} if command else {}))
+        environment = dict(os.environ, TMPDIR=scratch, BATTEN_FAULT_SECONDS=FAULT_SECONDS,
+                           **({'BATTEN_COMMAND': command} if command else {}))
 
         def limits():
             os.setsid()
@@ -271,7 +275,8 @@ class Workshop:
                 os.setgid(NOBODY)
                 os.setuid(NOBODY)
 
-        process = subprocess.Popen([target, '--room', room], cwd=scratch, env=environment, preexec_fn=limits,
+        words = [target, '--room', room, *(['--faults'] if faults else [])]
+        process = subprocess.Popen(words, cwd=scratch, env=environment, preexec_fn=limits,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         timer = threading.Timer(limit, lambda: end(process))
         timer.start()
@@ -331,6 +336,8 @@ def one(workshop, texts, weights, spots, seed, room, at):
         begin = time.monotonic()
         target, command = workshop.program(path, made, at)
         noticed = workshop.run(target, command, room, at, 5 * workshop.times[room] + 5)
+        if not noticed and stands_faults(workshop, room):
+            noticed = workshop.run(target, command, room, at, 5 * workshop.fault_times[room] + 5, faults=True)
         return mutant, noticed, time.monotonic() - begin
     return None
 
@@ -343,8 +350,8 @@ def compared(path):
         return file.read()
 
 
-def measure(workshop, room):
-    """Run the room once as it is: how long, and that it passes."""
+def run_as_is(workshop, room, limit, faults=False):
+    """Run the room without a mutant: how long it takes, and whether it passes."""
     top = room.split('/')[0]
     tests, archives = workshop.tests(top)
     with tempfile.TemporaryDirectory(dir=workshop.folder) as at:
@@ -356,10 +363,27 @@ def measure(workshop, room):
             main = [line[1] for s, line in workshop.lines.items() if s.startswith('cli/')]
             workshop.link(['-Wl,-S', *main, *archives], command)
         begin = time.monotonic()
-        failed = workshop.run(target, command, room, at, 600)
-        workshop.times[room] = time.monotonic() - begin
-    if failed:
+        failed = workshop.run(target, command, room, at, limit, faults)
+        return time.monotonic() - begin, not failed
+
+
+def measure(workshop, room):
+    workshop.times[room], passes = run_as_is(workshop, room, 600)
+    if not passes:
         sys.exit(f'the tests of {room} fail as they are')
+
+
+def stands_faults(workshop, room):
+    """Whether failing allocations can tell about mutants of this room; tests of the command run it beside them."""
+    if room.startswith('cli'):
+        return False
+    with workshop.lock:
+        if room not in workshop.fault_times:
+            seconds, passes = run_as_is(workshop, room, FAULT_LIMIT, faults=True)
+            workshop.fault_times[room] = seconds if passes else None
+            if not passes:
+                print(f'{room}: its tests with failing allocations take longer than {FAULT_LIMIT} s, or fail')
+    return workshop.fault_times[room] is not None
 
 
 def shown(mutant, texts):

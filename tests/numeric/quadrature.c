@@ -152,13 +152,20 @@ TEST(peaks_at_breaks_are_seen_however_narrow)
     }
 }
 
+static batten_status count_calls(const bat_peaked_integral *integral, problem *p, double *value,
+                                 double *error)
+{
+    p->calls = 0;
+    return bat_integrate_peaked(integral, value, error, NULL);
+}
+
 TEST(an_integral_without_peaks_costs_one_rule_for_each_interval)
 {
     problem p = {.kind = 0};
     const double breaks[] = {-1, -0.5, 0, 0.5, 1};
     const bat_peaked_integral integral = {integrand, &p, 5, breaks, 1e-4, 1000};
     double value, error;
-    CHECK_OK(bat_integrate_peaked(&integral, &value, &error, NULL));
+    CHECK_OK(count_calls(&integral, &p, &value, &error));
     CHECK_NEAR(value, 2.0 / 23, 1e-9);
     CHECK(p.calls == 4 * 18);
 }

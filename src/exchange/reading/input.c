@@ -190,8 +190,10 @@ batten_status bat_input_array(bat_input *input, size_t count, size_t size, void 
     if (status != BATTEN_OK)
         return status;
     void *array = bat_array(count, size);
-    if (!array)
+    if (!array) {
+        input->memory -= count * size;
         return BATTEN_OUT_OF_MEMORY;
+    }
     memcpy(memory, &array, sizeof array);
     return BATTEN_OK;
 }
@@ -215,8 +217,10 @@ batten_status bat_list_reserve(bat_input *input, bat_list *list, size_t count)
     if (status != BATTEN_OK)
         return status;
     void *items = bat_resize(list->items, capacity, list->size);
-    if (!items)
+    if (!items) {
+        input->memory -= (capacity - list->capacity) * list->size;
         return BATTEN_OUT_OF_MEMORY;
+    }
     list->items = items;
     list->capacity = capacity;
     return BATTEN_OK;

@@ -93,14 +93,16 @@ TEST(what_cannot_be_cut_is_left_out_with_its_reason)
     batten_curve_unref(curve);
     program(model, NULL, notes);
     if (!batten_notes_dropped(notes)) {
-        CHECK_INT(batten_notes_count(notes), 2);
+        /* A second attempt, after memory was missing, says them again. */
+        const int first = batten_notes_count(notes) - 2;
+        CHECK(first == 0 || first == 2);
         for (int i = 0; i < 2; i++) {
-            const batten_note *note = batten_notes_at(notes, i);
+            const batten_note *note = batten_notes_at(notes, first + i);
             CHECK_TEXT(note->entity, i ? "up" : "egg");
             CHECK_INT(note->line, 0);
             CHECK_CONTAINS(note->text, "left out: this curve");
         }
-        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "is not a chain of arcs and lines");
+        CHECK_CONTAINS(batten_notes_at(notes, first)->text, "is not a chain of arcs and lines");
     }
     batten_notes_free(notes);
     batten_model_unref(model);

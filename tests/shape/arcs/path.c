@@ -4,6 +4,17 @@
 
 #include <batten/standard.h>
 
+/* What failed is ended, so that a test may try again. */
+static batten_status make_path(const batten_curve *curve, double angle, bat_arcs_path *out)
+{
+    const batten_status status = bat_arcs_path_make(curve, angle, out);
+    if (status != BATTEN_OK) {
+        bat_arcs_path_end(out);
+        *out = (bat_arcs_path){0};
+    }
+    return status;
+}
+
 static batten_curve *bezier(int degree, int pieces, const double *points, const double *breaks)
 {
     batten_curve *curve = NULL;
@@ -37,7 +48,7 @@ TEST(a_cusp_inside_a_piece_is_a_station_and_a_corner)
         const double breaks[] = {0, 1};
         batten_curve *curve = bezier(3, 1, points, breaks);
         bat_arcs_path p;
-        CHECK_OK(bat_arcs_path_make(curve, 0.1, &p));
+        CHECK_OK(make_path(curve, 0.1, &p));
         CHECK(has(p.station_count, p.stations, c, 1e-6));
         CHECK_INT(p.corner_count, 3);
         CHECK_NEAR(p.corners[1], c, 1e-6);
@@ -57,7 +68,7 @@ TEST(a_corner_is_a_jump_of_direction_above_the_angle_given)
     batten_curve *curve = bezier(1, 2, points, breaks);
     for (int k = 0; k < 2; k++) {
         bat_arcs_path p;
-        CHECK_OK(bat_arcs_path_make(curve, k ? 0.31 : 0.29, &p));
+        CHECK_OK(make_path(curve, k ? 0.31 : 0.29, &p));
         CHECK_INT(p.corner_count, k ? 2 : 3);
         if (!k)
             CHECK_NEAR(p.corners[1], 1, 0);
@@ -77,7 +88,7 @@ TEST(a_seam_is_smooth_when_a_closed_curve_has_no_corner)
     CHECK_OK(batten_curve_circle(2, BATTEN_CIRCLE_SQUARE_9, &curves[0]));
     for (int i = 0; i < 3; i++) {
         bat_arcs_path p;
-        CHECK_OK(bat_arcs_path_make(curves[i], 1e-3, &p));
+        CHECK_OK(make_path(curves[i], 1e-3, &p));
         CHECK(p.closed);
         CHECK(p.smooth_seam == (i == 0));
         CHECK_INT(p.corner_count, i == 1 ? 5 : 2);
@@ -91,7 +102,7 @@ TEST(samples_take_both_ends_the_stations_between_and_enough_besides)
     const double points[] = {0, 0, 1, 3, 2, -3, 3, 0}, breaks[] = {0, 1};
     batten_curve *curve = bezier(3, 1, points, breaks);
     bat_arcs_path p;
-    CHECK_OK(bat_arcs_path_make(curve, 0.1, &p));
+    CHECK_OK(make_path(curve, 0.1, &p));
     CHECK(has(p.station_count, p.stations, 0.5, 1e-9)); /* its inflection */
     for (int inner = 1; inner < 4; inner++) {
         bat_samples s = {0};
@@ -123,8 +134,7 @@ TEST(points_and_endless_curves_have_no_path)
     batten_curve *curves[2] = {bezier(1, 1, point, breaks), bezier(1, 1, huge, breaks)};
     for (int i = 0; i < 2; i++) {
         bat_arcs_path p;
-        CHECK_STATUS(bat_arcs_path_make(curves[i], 0.1, &p),
-                     i ? BATTEN_OVERFLOW : BATTEN_SINGULAR_HERE);
+        CHECK_STATUS(make_path(curves[i], 0.1, &p), i ? BATTEN_OVERFLOW : BATTEN_SINGULAR_HERE);
         bat_arcs_path_end(&p);
         batten_curve_unref(curves[i]);
     }

@@ -4,6 +4,18 @@
 
 static const double pi = 3.14159265358979323846;
 
+/* What failed is ended, so that a test may try again. */
+static batten_status make_polygon(int count, const double *points, bool closed,
+                                  bat_chord_polygon *out)
+{
+    const batten_status status = bat_chord_polygon_make(count, points, closed, out);
+    if (status != BATTEN_OK) {
+        bat_chord_polygon_end(out);
+        *out = (bat_chord_polygon){0};
+    }
+    return status;
+}
+
 TEST(the_turns_of_a_regular_polygon_add_up_to_the_turns_it_makes)
 {
     for (int n = 3; n < 9; n++)
@@ -15,7 +27,7 @@ TEST(the_turns_of_a_regular_polygon_add_up_to_the_turns_it_makes)
                     points[2 * i + 1] = 3 * side * sin(2 * pi * i * winding / n);
                 }
                 bat_chord_polygon c;
-                CHECK_OK(bat_chord_polygon_make(n, points, true, &c));
+                CHECK_OK(make_polygon(n, points, true, &c));
                 CHECK_INT(c.spans, n);
                 CHECK_NEAR(c.unit, 6 * sin(pi * winding / n), 1e-14);
                 CHECK_NEAR(c.size, 3, 0);
@@ -39,7 +51,7 @@ TEST(an_open_polygon_does_not_turn_at_its_ends_and_its_sharpest_turn_is_found)
     const double expected[] = {0, pi / 2, 3 * pi / 4, -3 * pi / 4, 0};
     bat_chord_polygon c;
     int at = -1;
-    CHECK_OK(bat_chord_polygon_make(5, points, false, &c));
+    CHECK_OK(make_polygon(5, points, false, &c));
     CHECK_INT(c.spans, 4);
     for (int i = 0; i < 5; i++)
         CHECK_NEAR(c.turn[i], expected[i], 1e-14);
@@ -57,7 +69,7 @@ TEST(an_open_polygon_does_not_turn_at_its_ends_and_its_sharpest_turn_is_found)
     CHECK_NEAR(directions[4], pi / 2 + 0.5, 1e-14);
     bat_chord_polygon_end(&c);
     const double straight[] = {0, 0, 1, 0, 2, 0};
-    CHECK_OK(bat_chord_polygon_make(3, straight, false, &c));
+    CHECK_OK(make_polygon(3, straight, false, &c));
     CHECK_NEAR(bat_chord_polygon_sharpest(&c, &at), 0, 0);
     CHECK_INT(at, 0);
     bat_chord_polygon_end(&c);
@@ -68,7 +80,7 @@ TEST(a_polygon_that_turns_back_on_itself_is_refused_at_that_point)
     for (int k = 0; k < 2; k++) {
         const double points[] = {0, 0, 3, 0, 1, k * 1e-9, 1, 5};
         bat_chord_polygon c;
-        CHECK_OK(bat_chord_polygon_make(4, points, false, &c));
+        CHECK_OK(make_polygon(4, points, false, &c));
         CHECK_OK(bat_chord_polygon_check_turn(&c, 2));
         CHECK_STATUS(bat_chord_polygon_check_turn(&c, 1), k ? BATTEN_OK : BATTEN_SINGULAR_HERE);
         if (!k)
@@ -78,7 +90,7 @@ TEST(a_polygon_that_turns_back_on_itself_is_refused_at_that_point)
     /* Far from the origin coordinates are rounded: a back turn within that is one. */
     const double far[] = {1e9, 1e9, 1e9 + 3, 1e9, 1e9 + 1, 1e9 + 2.4e-7};
     bat_chord_polygon c;
-    CHECK_OK(bat_chord_polygon_make(3, far, false, &c));
+    CHECK_OK(make_polygon(3, far, false, &c));
     CHECK_STATUS(bat_chord_polygon_check_turn(&c, 1), BATTEN_SINGULAR_HERE);
     bat_chord_polygon_end(&c);
 }
@@ -87,12 +99,12 @@ TEST(chords_without_length_or_beyond_numbers_are_named)
 {
     const double same[] = {0, 0, 1, 1, 2, 0, 0, 0}, huge[] = {-1e308, 0, 1e308, 1e308, 0, 1};
     bat_chord_polygon c;
-    CHECK_OK(bat_chord_polygon_make(4, same, false, &c));
+    CHECK_OK(make_polygon(4, same, false, &c));
     bat_chord_polygon_end(&c);
-    CHECK_STATUS(bat_chord_polygon_make(4, same, true, &c), BATTEN_COINCIDENT);
+    CHECK_STATUS(make_polygon(4, same, true, &c), BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 3 and 0");
     bat_chord_polygon_end(&c);
-    CHECK_STATUS(bat_chord_polygon_make(3, huge, false, &c), BATTEN_OVERFLOW);
+    CHECK_STATUS(make_polygon(3, huge, false, &c), BATTEN_OVERFLOW);
     CHECK_MESSAGE("points 0 and 1");
     bat_chord_polygon_end(&c);
 }
