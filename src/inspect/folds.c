@@ -48,6 +48,7 @@ static batten_status look_closely(const batten_surface *surface, int direction, 
         const batten_status status = batten_surface_evaluate(surface, m.u, m.v, 1, values);
         if (status != BATTEN_OK)
             return status;
+        /* Normals of derivatives that are parallel to 1e-12 are rounding. */
         see_place(d, values, 1e-12, &m);
         if (!m.regular)
             break;
