@@ -8,44 +8,26 @@
  * curve ends there.
  */
 #include "base/plural.h"
+#include "inspect/section_chains.h"
 #include "numeric/vector.h"
 #include <batten/nearest.h>
 
 #include <float.h>
 #include <string.h>
 
-typedef struct {
-    double u, v;
-    batten_vec3 point;
-    int link[2]; /* neighbours in the chain; -1 for none */
-} crossing;
-
-typedef struct {
-    const batten_surface *surface;
-    batten_vec3 normal;
-    double offset, roundoff; /* of a height */
-    int nu, nv;              /* cells */
-    bool closed[2];          /* does the last line along u, v repeat the first? */
-    double *u, *v;           /* [nu + 1], [nv + 1] */
-    double *heights;         /* [nu + 1][nv + 1]; never 0 */
-    int *edge_u, *edge_v;    /* crossing on the edge from node (i, j) along u, v; -1 for none */
-    crossing *crossings;
-    int count;
-} march;
-
-static size_t node(const march *m, int i, int j)
+static size_t node(const bat_section_march *m, int i, int j)
 {
     return (size_t)i * (size_t)(m->nv + 1) + (size_t)j;
 }
 
 /* ---- heights ---- */
 
-static double height_of(const march *m, const double *point)
+static double height_of(const bat_section_march *m, const double *point)
 {
     return m->normal.x * point[0] + m->normal.y * point[1] + m->normal.z * point[2] - m->offset;
 }
 
-static batten_status measure_nodes(march *m)
+static batten_status measure_nodes(bat_section_march *m)
 {
     double *row = bat_array3((size_t)m->nv + 1, 3, sizeof *row);
     batten_status status = row ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -67,7 +49,7 @@ static batten_status measure_nodes(march *m)
 
 /* Nodes on the plane go above it; those on the rim of the surface to the other side than their
  * inner neighbour, so that a rim that lies in the plane is part of the section. */
-static void decide_zeros(march *m)
+static void decide_zeros(bat_section_march *m)
 {
     const double tiny = DBL_MIN;
     for (int i = 0; i <= m->nu; i++)
@@ -87,8 +69,8 @@ static void decide_zeros(march *m)
 /* ---- crossings ---- */
 
 /* Bisect [a, b] along one line until the ends are neighbours; the end nearer to the plane. */
-static batten_status refine(const march *m, double *u, double *v, double *varying, double b,
-                            double height_b, double *point)
+static batten_status refine(const bat_section_march *m, double *u, double *v, double *varying,
+                            double b, double height_b, double *point)
 {
     double a = *varying;
     batten_status status = BATTEN_OK;
@@ -115,24 +97,24 @@ static batten_status refine(const march *m, double *u, double *v, double *varyin
 }
 
 /* The crossing on the edge from node (i, j) to (i + di, j + dj), if there is one. */
-static batten_status cross_edge(march *m, int i, int j, int di, int dj, int *edge)
+static batten_status cross_edge(bat_section_march *m, int i, int j, int di, int dj, int *edge)
 {
     const double a = m->heights[node(m, i, j)], b = m->heights[node(m, i + di, j + dj)];
     *edge = -1;
     if ((a > 0) == (b > 0))
         return BATTEN_OK;
-    crossing *made = &m->crossings[m->count];
+    bat_section_crossing *made = &m->crossings[m->count];
     double u = m->u[i], v = m->v[j], point[3] = {0};
     batten_status status =
         refine(m, &u, &v, di ? &u : &v, di ? m->u[i + 1] : m->v[j + 1], b, point);
     if (status != BATTEN_OK)
         return status;
-    *made = (crossing){u, v, {point[0], point[1], point[2]}, {-1, -1}};
+    *made = (bat_section_crossing){u, v, {point[0], point[1], point[2]}, {-1, -1}};
     *edge = m->count++;
     return BATTEN_OK;
 }
 
-static batten_status cross_edges(march *m)
+static batten_status cross_edges(bat_section_march *m)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i <= m->nu; i++)
@@ -152,7 +134,7 @@ static batten_status cross_edges(march *m)
 }
 
 /* No more crossings than edges whose ends have different signs. */
-static int count_crossings(const march *m)
+static int count_crossings(const bat_section_march *m)
 {
     int count = 0;
     for (int i = 0; i <= m->nu; i++)
@@ -166,18 +148,18 @@ static int count_crossings(const march *m)
 
 /* ---- links ---- */
 
-static void join(march *m, int a, int b)
+static void join(bat_section_march *m, int a, int b)
 {
     if (a == b) /* a cell that is as wide as a closed surface */
         return;
-    crossing *first = &m->crossings[a], *second = &m->crossings[b];
+    bat_section_crossing *first = &m->crossings[a], *second = &m->crossings[b];
     first->link[first->link[0] >= 0] = b;
     second->link[second->link[0] >= 0] = a;
 }
 
 /* Four crossings: two curves that do not meet. The height in the middle says which corners
  * belong together: those of its sign are joined across the cell, the other two are cut off. */
-static batten_status join_saddle(march *m, int i, int j, const int edges[4])
+static batten_status join_saddle(bat_section_march *m, int i, int j, const int edges[4])
 {
     double point[3];
     const double u = (m->u[i] + m->u[i + 1]) / 2, v = (m->v[j] + m->v[j + 1]) / 2;
@@ -193,7 +175,7 @@ static batten_status join_saddle(march *m, int i, int j, const int edges[4])
     return BATTEN_OK;
 }
 
-static batten_status join_cell(march *m, int i, int j)
+static batten_status join_cell(bat_section_march *m, int i, int j)
 {
     const int edges[4] = {m->edge_u[node(m, i, j)], m->edge_v[node(m, i + 1, j)],
                           m->edge_u[node(m, i, j + 1)], m->edge_v[node(m, i, j)]};
@@ -208,93 +190,12 @@ static batten_status join_cell(march *m, int i, int j)
     return BATTEN_OK;
 }
 
-static batten_status join_cells(march *m)
+static batten_status join_cells(bat_section_march *m)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i < m->nu; i++)
         for (int j = 0; status == BATTEN_OK && j < m->nv; j++)
             status = join_cell(m, i, j);
-    return status;
-}
-
-/* ---- chains ---- */
-
-/* The crossing after `at` when one came from `from`; -1 at an end. */
-static int following(const march *m, int at, int from)
-{
-    const int *link = m->crossings[at].link;
-    return link[0] == from ? link[1] : link[0];
-}
-
-/* Do two crossings stand at one point, as those do that share a node on the plane? */
-static bool is_same(const march *m, int a, int b)
-{
-    const batten_vec3 d = bat_vec3_subtract(m->crossings[a].point, m->crossings[b].point);
-    return bat_vec3_norm(d) <= m->roundoff;
-}
-
-/* The chain from `first`, without repeated points, into line (NULL counts only). Returns the
- * number of points; `closed` says whether it came back. */
-static int walk(const march *m, int first, batten_polyline *line, bool *taken, bool *closed)
-{
-    int count = 0, last = -1, from = -1, at = first;
-    do {
-        const crossing *c = &m->crossings[at];
-        const int next =
-            from < 0 ? (c->link[1] >= 0 ? c->link[1] : c->link[0]) : following(m, at, from);
-        taken[at] = line != NULL;
-        if (last < 0 || !is_same(m, last, at)) {
-            if (line) {
-                memcpy(line->points + 3 * count, &c->point, 3 * sizeof(double));
-                line->parameters[2 * count] = c->u;
-                line->parameters[2 * count + 1] = c->v;
-            }
-            count++;
-            last = at;
-        }
-        from = at;
-        at = next;
-    } while (at >= 0 && at != first);
-    *closed = at == first && count > 2;
-    if (*closed && is_same(m, last, first))
-        count--;
-    return count;
-}
-
-static batten_status take_chain(march *m, int first, bool *taken, batten_polylines *out)
-{
-    bool closed;
-    const int count = walk(m, first, NULL, taken, &closed);
-    batten_polyline line = {.count = count, .closed = closed};
-    line.points = bat_array3((size_t)count + 1, 3, sizeof *line.points);
-    line.parameters = bat_array3((size_t)count + 1, 2, sizeof *line.parameters);
-    if (!line.points || !line.parameters) {
-        bat_release(line.points);
-        bat_release(line.parameters);
-        return BATTEN_OUT_OF_MEMORY;
-    }
-    walk(m, first, &line, taken, &closed);
-    if (count >= 2) {
-        out->lines[out->count++] = line;
-    } else { /* the plane touches one point */
-        bat_release(line.points);
-        bat_release(line.parameters);
-    }
-    return BATTEN_OK;
-}
-
-/* Open chains begin at a crossing of one link; loops anywhere. */
-static batten_status take_chains(march *m, batten_polylines *out)
-{
-    bool *taken = bat_array((size_t)m->count, sizeof *taken);
-    out->lines = bat_array((size_t)m->count, sizeof *out->lines);
-    batten_status status = taken && out->lines ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int loops = 0; loops < 2; loops++)
-        for (int k = 0; status == BATTEN_OK && k < m->count; k++)
-            if (!taken[k] && m->crossings[k].link[0] >= 0 &&
-                (loops || m->crossings[k].link[1] < 0))
-                status = take_chain(m, k, taken, out);
-    bat_release(taken);
     return status;
 }
 
@@ -332,7 +233,7 @@ static double *lines_of(const batten_surface *surface, batten_direction directio
 }
 
 /* The plane with a unit normal; what rounding leaves of a height on it. */
-static void set_plane(march *m, batten_vec3 normal, double offset)
+static void set_plane(bat_section_march *m, batten_vec3 normal, double offset)
 {
     const batten_box box = batten_surface_box(m->surface);
     const double corners[6] = {box.low.x,  box.low.y,  box.low.z,
@@ -345,7 +246,7 @@ static void set_plane(march *m, batten_vec3 normal, double offset)
         m->closed[k] = batten_surface_is_closed(m->surface, (batten_direction)k, m->roundoff);
 }
 
-static batten_status begin_march(march *m)
+static batten_status begin_march(bat_section_march *m)
 {
     const size_t nodes_u = (size_t)m->nu + 1, nodes_v = (size_t)m->nv + 1;
     m->u = lines_of(m->surface, BATTEN_U, m->nu);
@@ -362,7 +263,7 @@ static batten_status begin_march(march *m)
     return m->crossings ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void end_march(march *m)
+static void end_march(bat_section_march *m)
 {
     bat_release(m->u);
     bat_release(m->v);
@@ -379,7 +280,7 @@ batten_status batten_surface_section(const batten_surface *surface, batten_vec3 
     batten_status status = check_section(surface, normal, offset, cells_u, cells_v);
     if (status != BATTEN_OK)
         return status;
-    march m = {.surface = surface, .nu = cells_u, .nv = cells_v};
+    bat_section_march m = {.surface = surface, .nu = cells_u, .nv = cells_v};
     batten_polylines lines = {0};
     set_plane(&m, normal, offset);
     status = begin_march(&m);
@@ -388,7 +289,7 @@ batten_status batten_surface_section(const batten_surface *surface, batten_vec3 
     if (status == BATTEN_OK)
         status = join_cells(&m);
     if (status == BATTEN_OK)
-        status = take_chains(&m, &lines);
+        status = bat_section_chains(&m, &lines);
     end_march(&m);
     if (status == BATTEN_OK)
         *out = lines;

@@ -1,109 +1,11 @@
 /* The arguments of a feature or an output: words of the text become typed values. */
 #include "base/plural.h"
+#include "design/text/argument_words.h"
 #include "design/text/document.h"
 #include "design/text/spelling.h"
 
 #include <stdio.h>
 #include <string.h>
-
-/* What is being read, for the sentences about it. */
-typedef struct {
-    bat_document *document;
-    const bat_entry *entry;
-    const batten_parameter *parameter;
-    int at; /* the node to which complaints point */
-} reading;
-
-static const char *operation_of(const reading *r)
-{
-    return r->entry->feature->shown.name;
-}
-
-static void complain_of(const reading *r, const char *what)
-{
-    const bool principal = strcmp(r->parameter->name, operation_of(r)) == 0;
-    if (principal)
-        bat_complain(r->document, r->at, "%s %s", operation_of(r), what);
-    else
-        bat_complain(r->document, r->at, "'%s' of %s %s", r->parameter->name, operation_of(r),
-                     what);
-}
-
-/* ---- names and words ---- */
-
-static void read_model(const reading *r, const char *word, bat_item *item)
-{
-    bat_document *d = r->document;
-    item->count = bat_document_feature(d, word);
-    item->text = word;
-    if (item->count >= 0)
-        return;
-    const char *near = NULL;
-    int best = 99;
-    for (int i = 0; i < d->feature_count; i++)
-        if (bat_is_nearer(word, d->features[i].name, &best))
-            near = d->features[i].name;
-    bat_complain(d, r->at, "no feature is named '%.80s'%s%s%s", word,
-                 near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
-}
-
-/* Copy word number `index` of a list with blanks between; false at its end. */
-static bool word_at(const char **words, char *word, size_t size)
-{
-    *words += strspn(*words, " ");
-    const size_t length = strcspn(*words, " ");
-    if (length == 0 || length >= size)
-        return false;
-    memcpy(word, *words, length);
-    word[length] = 0;
-    *words += length;
-    return true;
-}
-
-static void read_word(const reading *r, const char *given, bat_item *item)
-{
-    char word[40], near[40] = "", what[400];
-    const char *rest = r->parameter->words;
-    int best = 99;
-    item->text = given;
-    item->count = -1;
-    for (int i = 0; word_at(&rest, word, sizeof word); i++) {
-        if (strcmp(word, given) == 0) {
-            item->count = i;
-            return;
-        }
-        if (bat_is_nearer(given, word, &best))
-            snprintf(near, sizeof near, "%s", word);
-    }
-    snprintf(what, sizeof what, "cannot be '%.60s'%s%s%s; it is one of: %s", given,
-             *near ? "; did you mean '" : "", near, *near ? "'" : "", r->parameter->words);
-    complain_of(r, what);
-}
-
-static void read_yes_no(const reading *r, const char *word, bat_item *item)
-{
-    static const char *const words[] = {"no", "yes", "false", "true"};
-    for (int i = 0; i < 4; i++)
-        if (strcmp(word, words[i]) == 0) {
-            item->count = i % 2;
-            return;
-        }
-    char what[120];
-    snprintf(what, sizeof what, "must be yes or no, not '%.60s'", word);
-    complain_of(r, what);
-}
-
-static void read_file(const reading *r, const char *word, bat_item *item)
-{
-    item->text = word;
-    if (!*word)
-        complain_of(r, "needs the name of a file");
-    else if (!r->document->allow_outside && bat_path_leaves(word))
-        bat_complain(
-            r->document, r->at,
-            "the path %.200s leads out of the folder of the design; --allow-outside allows it",
-            word);
-}
 
 /* ---- numbers ---- */
 
@@ -134,7 +36,7 @@ static bool fits(batten_value_kind kind, const bat_quantity *q)
     return is_number || (q->length == 1 && q->angle == 0);
 }
 
-static bool read_quantity(const reading *r, batten_value_kind kind, const char *word,
+static bool read_quantity(const bat_reading *r, batten_value_kind kind, const char *word,
                           bat_quantity *out)
 {
     const bat_names names = bat_document_names(r->document);
@@ -142,13 +44,13 @@ static bool read_quantity(const reading *r, batten_value_kind kind, const char *
     char what[700], text[48];
     if (bat_quantity_read(word, &names, &vanished, out) != BATTEN_OK) {
         snprintf(what, sizeof what, "needs %s: %s", kind_name(kind), batten_message());
-        complain_of(r, what);
+        bat_complain_of(r, what);
         return false;
     }
     if (!fits(kind, out)) {
         snprintf(what, sizeof what, "needs %s; '%.60s' is %s", kind_name(kind), word,
                  bat_dimension_name(out->length, out->angle, text));
-        complain_of(r, what);
+        bat_complain_of(r, what);
         return false;
     }
     if (vanished)
@@ -158,14 +60,14 @@ static bool read_quantity(const reading *r, batten_value_kind kind, const char *
     return true;
 }
 
-static void read_count(const reading *r, const char *word, bat_item *item)
+static void read_count(const bat_reading *r, const char *word, bat_item *item)
 {
     char what[200];
     bat_quantity q;
     if (*word != '=') {
         if (bat_count_read(word, &item->count) != BATTEN_OK) {
             snprintf(what, sizeof what, "is wrong: %.150s", batten_message());
-            complain_of(r, what);
+            bat_complain_of(r, what);
         }
         return;
     }
@@ -177,7 +79,7 @@ static void read_count(const reading *r, const char *word, bat_item *item)
         return;
     }
     snprintf(what, sizeof what, "must be a whole number, 0 or more, not '%.60s'", word);
-    complain_of(r, what);
+    bat_complain_of(r, what);
 }
 
 /* "x", "-z", "origin": directions and the origin have names. */
@@ -197,7 +99,7 @@ static bool named_point(const char *word, double *out)
 }
 
 /* The coordinates of a list of words. */
-static void read_coordinates(reading r, const bat_node *node, int least, int most,
+static void read_coordinates(bat_reading r, const bat_node *node, int least, int most,
                              bat_item *item)
 {
     const bat_node *nodes = r.document->tree.nodes;
@@ -205,7 +107,7 @@ static void read_coordinates(reading r, const bat_node *node, int least, int mos
     if (node->count < least || node->count > most) {
         snprintf(what, sizeof what, "needs %s, not %d value%s", kind_name(r.parameter->kind),
                  node->count, bat_plural(node->count));
-        complain_of(&r, what);
+        bat_complain_of(&r, what);
         return;
     }
     int k = 0;
@@ -213,13 +115,13 @@ static void read_coordinates(reading r, const bat_node *node, int least, int mos
         bat_quantity q;
         r.at = i;
         if (nodes[i].kind != BAT_NODE_WORD)
-            complain_of(&r, "has a list where a length is expected");
+            bat_complain_of(&r, "has a list where a length is expected");
         else if (read_quantity(&r, BATTEN_VALUE_LENGTH, nodes[i].word, &q))
             item->number[k] = q.value;
     }
 }
 
-static void read_list_item(const reading *r, const bat_node *node, bat_item *item)
+static void read_list_item(const bat_reading *r, const bat_node *node, bat_item *item)
 {
     const batten_value_kind kind = r->parameter->kind;
     char what[120];
@@ -229,15 +131,15 @@ static void read_list_item(const reading *r, const bat_node *node, bat_item *ite
     } else if (kind == BATTEN_VALUE_RANGE && node->kind == BAT_NODE_LIST) {
         read_coordinates(*r, node, 2, 2, item);
         if (item->number[0] >= item->number[1])
-            complain_of(r, "must have its lower end first, and the other above it");
+            bat_complain_of(r, "must have its lower end first, and the other above it");
     } else {
         snprintf(what, sizeof what, "needs %s, not a %s", kind_name(kind),
                  node->kind == BAT_NODE_LIST ? "list" : "map");
-        complain_of(r, what);
+        bat_complain_of(r, what);
     }
 }
 
-static void read_item(const reading *r, const bat_node *node, bat_item *item)
+static void read_item(const bat_reading *r, const bat_node *node, bat_item *item)
 {
     bat_quantity q;
     const batten_value_kind kind = r->parameter->kind;
@@ -248,26 +150,26 @@ static void read_item(const reading *r, const bat_node *node, bat_item *item)
     }
     switch (kind) {
     case BATTEN_VALUE_MODEL:
-        read_model(r, word, item);
+        bat_read_model(r, word, item);
         return;
     case BATTEN_VALUE_WORD:
-        read_word(r, word, item);
+        bat_read_word(r, word, item);
         return;
     case BATTEN_VALUE_TEXT:
         item->text = word;
         return;
     case BATTEN_VALUE_FILE:
-        read_file(r, word, item);
+        bat_read_file(r, word, item);
         return;
     case BATTEN_VALUE_YES_NO:
-        read_yes_no(r, word, item);
+        bat_read_yes_no(r, word, item);
         return;
     case BATTEN_VALUE_COUNT:
         read_count(r, word, item);
         return;
     case BATTEN_VALUE_POINTS:
         if (!named_point(word, item->number))
-            read_model(r, word, item);
+            bat_read_model(r, word, item);
         return;
     case BATTEN_VALUE_POINT:
     case BATTEN_VALUE_RANGE:
@@ -276,7 +178,7 @@ static void read_item(const reading *r, const bat_node *node, bat_item *item)
             snprintf(what, sizeof what, "needs %s%s, not '%.60s'", kind_name(kind),
                      kind == BATTEN_VALUE_POINT ? ", or one of origin x y z -x -y -z" : "",
                      word);
-            complain_of(r, what);
+            bat_complain_of(r, what);
         }
         return;
     default:
@@ -313,7 +215,7 @@ static bool is_many(bat_document *d, const batten_parameter *p, const bat_node *
     return p->kind == BATTEN_VALUE_POINTS && names_features(d, node);
 }
 
-static batten_status read_argument(reading *r, int node, bat_argument *out)
+static batten_status read_argument(bat_reading *r, int node, bat_argument *out)
 {
     bat_document *d = r->document;
     const bat_node *at = &d->tree.nodes[node];
@@ -321,7 +223,7 @@ static batten_status read_argument(reading *r, int node, bat_argument *out)
     const int count = many ? at->count : 1;
     r->at = node;
     if (count == 0) {
-        complain_of(r, "needs at least one value");
+        bat_complain_of(r, "needs at least one value");
         return BATTEN_OK;
     }
     out->items = bat_arena_array(&d->arena, (size_t)count, sizeof *out->items);
@@ -337,7 +239,7 @@ static batten_status read_argument(reading *r, int node, bat_argument *out)
     return BATTEN_OK;
 }
 
-static batten_status read_standard(reading *r, bat_argument *out)
+static batten_status read_standard(bat_reading *r, bat_argument *out)
 {
     if (!r->parameter->standard)
         return BATTEN_OK;
@@ -377,7 +279,7 @@ static void unknown_key(bat_document *d, const bat_entry *entry, int key)
     batten_text_free(&all);
 }
 
-static batten_status read_map(reading *r, bat_entry *entry)
+static batten_status read_map(bat_reading *r, bat_entry *entry)
 {
     const bat_node *nodes = r->document->tree.nodes;
     const batten_feature *f = &entry->feature->shown;
@@ -402,7 +304,7 @@ batten_status bat_arguments_read(bat_document *document, bat_entry *entry)
     if (!entry->feature)
         return BATTEN_OK;
     const batten_feature *f = &entry->feature->shown;
-    reading r = {.document = document, .entry = entry, .parameter = &f->parameters[0]};
+    bat_reading r = {.document = document, .entry = entry, .parameter = &f->parameters[0]};
     entry->arguments =
         bat_arena_array(&document->arena, (size_t)f->parameter_count, sizeof *entry->arguments);
     if (!entry->arguments)

@@ -1,76 +1,12 @@
 /* Circles, arcs and ellipses, from and to the numbers that DXF has for them. */
 #include "exchange/dxf/round.h"
-#include "body/elementary/elementary.h"
 #include "exchange/dxf/dxf.h"
+#include "exchange/dxf/round_curve.h"
 #include "numeric/vector.h"
 
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- from the entity to the curve ---- */
-
-static batten_vec3 vector_of(const double v[3])
-{
-    return (batten_vec3){v[0], v[1], v[2]};
-}
-
-static void put_vector(batten_vec3 v, double out[3])
-{
-    out[0] = v.x + 0.0; /* no -0 */
-    out[1] = v.y + 0.0;
-    out[2] = v.z + 0.0;
-}
-
-/* The sweep from one angle to the other, above 0 and at most a turn. */
-static double sweep_of(const double angles[2], double turn, double least)
-{
-    const double sweep = fmod(angles[1] - angles[0], turn);
-    return sweep <= least ? sweep + turn : sweep;
-}
-
-static batten_status circle_curve(const bat_dxf_round *round, batten_curve **out)
-{
-    bat_conic circle = {.kind = BAT_ELLIPSE, .a = round->size, .b = round->size};
-    if (!(circle.a > 0))
-        return bat_fail(BATTEN_BAD_FORMAT, "its radius is %g", circle.a);
-    circle.frame = bat_dxf_axes(vector_of(round->normal));
-    const batten_frame axes = circle.frame;
-    const batten_vec3 y = bat_vec3_cross(axes.z, axes.x);
-    circle.frame.origin = bat_vec3_along(
-        bat_vec3_along(bat_vec3_scale(axes.x, round->centre[0]), round->centre[1], y),
-        round->centre[2], axes.z);
-    if (round->kind == BAT_DXF_CIRCLE)
-        return bat_conic_between(&circle, 0, 2 * BAT_PI, out);
-    const double start = fmod(round->angles[0], 360) * BAT_PI / 180;
-    const double sweep = sweep_of(round->angles, 360, 0) * BAT_PI / 180;
-    return bat_conic_between(&circle, start, start + sweep, out);
-}
-
-static batten_status ellipse_curve(const bat_dxf_round *round, batten_curve **out)
-{
-    bat_conic ellipse = {.kind = BAT_ELLIPSE};
-    const batten_vec3 axis = vector_of(round->axis);
-    ellipse.frame = bat_dxf_axes(vector_of(round->normal));
-    ellipse.frame.origin = vector_of(round->centre);
-    const batten_vec3 flat =
-        bat_vec3_along(axis, -bat_vec3_dot(axis, ellipse.frame.z), ellipse.frame.z);
-    ellipse.a = bat_vec3_norm(flat);
-    ellipse.b = round->size * ellipse.a;
-    if (!(ellipse.a > 0 && ellipse.b > 0))
-        return bat_fail(BATTEN_BAD_FORMAT, "its half axes are %g and %g", ellipse.a, ellipse.b);
-    ellipse.frame.x = bat_vec3_scale(flat, 1 / ellipse.a);
-    const double from = round->angles[0];
-    /* Angles are written with 12 digits: what is nearer to the start is a whole turn. */
-    return bat_conic_between(&ellipse, from, from + sweep_of(round->angles, 2 * BAT_PI, 1e-12),
-                             out);
-}
-
-batten_status bat_dxf_round_curve(const bat_dxf_round *round, batten_curve **out)
-{
-    return round->kind == BAT_DXF_ELLIPSE ? ellipse_curve(round, out)
-                                          : circle_curve(round, out);
-}
 
 /* ---- from the curve to the entity ---- */
 
@@ -97,7 +33,8 @@ static bool first_ellipse(const looking *l, batten_vec3 *centre, batten_vec3 *p,
 {
     const double *P = batten_curve_points(l->bezier), *W = batten_curve_weights(l->bezier);
     const double w = W[1] / sqrt(W[0] * W[2]), rest = (1 - w) * (1 + w);
-    const batten_vec3 a = vector_of(P), b = vector_of(P + 3), c = vector_of(P + 6);
+    const batten_vec3 a = bat_dxf_vector(P), b = bat_dxf_vector(P + 3),
+                      c = bat_dxf_vector(P + 6);
     /* 1 - w^2 and w have lost half of their digits below the root of DBL_EPSILON. */
     if (!(rest > 1e-8 && w > 1e-8))
         return false;
@@ -131,7 +68,7 @@ static bool find_axes(const looking *l, batten_vec3 p, batten_vec3 q, found *f)
     f->x = bat_vec3_scale(x, 1 / f->a);
     f->b = area / f->a;
     if (is_circle)
-        f->a = f->b = bat_vec3_norm(bat_vec3_subtract(vector_of(P), f->centre));
+        f->a = f->b = bat_vec3_norm(bat_vec3_subtract(bat_dxf_vector(P), f->centre));
     f->y = bat_vec3_cross(f->z, f->x);
     return true;
 }
@@ -139,7 +76,7 @@ static bool find_axes(const looking *l, batten_vec3 p, batten_vec3 q, found *f)
 /* The angle of a point on the ellipse; false when it is beside it. */
 static bool angle_of(const looking *l, const found *f, const double point[3], double *angle)
 {
-    const batten_vec3 d = bat_vec3_subtract(vector_of(point), f->centre);
+    const batten_vec3 d = bat_vec3_subtract(bat_dxf_vector(point), f->centre);
     const double x = bat_vec3_dot(d, f->x) / f->a, y = bat_vec3_dot(d, f->y) / f->b;
     *angle = atan2(y, x);
     return fabs(bat_vec3_dot(d, f->z)) <= l->tolerance &&
@@ -222,14 +159,14 @@ static double angle_to_places(double angle, double turn, int n)
 static batten_status settle_circle(const looking *l, found *f, const places *n,
                                    bat_dxf_round *out, bool *does)
 {
-    const batten_frame axes = bat_dxf_axes(unit_of(vector_of(out->normal)));
+    const batten_frame axes = bat_dxf_axes(unit_of(bat_dxf_vector(out->normal)));
     const batten_vec3 y = bat_vec3_cross(axes.z, axes.x);
     const batten_vec3 at = vector_to_places((batten_vec3){bat_vec3_dot(f->centre, axes.x),
                                                           bat_vec3_dot(f->centre, y),
                                                           bat_vec3_dot(f->centre, axes.z)},
                                             n->centre);
-    const batten_vec3 start = vector_of(batten_curve_points(l->bezier));
-    put_vector(at, out->centre);
+    const batten_vec3 start = bat_dxf_vector(batten_curve_points(l->bezier));
+    bat_dxf_put_vector(at, out->centre);
     f->centre =
         bat_vec3_along(bat_vec3_along(bat_vec3_scale(axes.x, at.x), at.y, y), at.z, axes.z);
     out->size = to_places(bat_vec3_norm(bat_vec3_subtract(start, f->centre)), n->size);
@@ -268,8 +205,8 @@ static void settle_ellipse(const found *f, const places *n, bat_dxf_round *out)
     const double from = f->from + (other ? BAT_PI : 0);
     const batten_vec3 axis = bat_vec3_scale(f->x, other ? -f->a : f->a);
     out->kind = BAT_DXF_ELLIPSE;
-    put_vector(vector_to_places(f->centre, n->centre), out->centre);
-    put_vector(vector_to_places(axis, n->axis), out->axis);
+    bat_dxf_put_vector(vector_to_places(f->centre, n->centre), out->centre);
+    bat_dxf_put_vector(vector_to_places(axis, n->axis), out->axis);
     out->size = to_places(f->b / f->a, n->angle);
     out->angles[0] = f->is_full ? 0 : angle_to_places(from, 2 * BAT_PI, n->angle);
     out->angles[1] =
@@ -312,7 +249,7 @@ static batten_status settle(const looking *l, found *f, bat_dxf_round *out)
     bool does = false;
     if (!are_fine(l, f, &n))
         return BATTEN_OK;
-    put_vector(f->is_full && z.z < 0 ? bat_vec3_scale(z, -1) : z, out->normal);
+    bat_dxf_put_vector(f->is_full && z.z < 0 ? bat_vec3_scale(z, -1) : z, out->normal);
     if (f->a == f->b)
         return settle_circle(l, f, &n, out, &does);
     if (f->is_full && z.z < 0)
@@ -370,7 +307,7 @@ static batten_status find_again(const batten_curve *curve, const bat_dxf_round *
 {
     bat_dxf_round read = *round;
     batten_curve *made = NULL;
-    put_vector(unit_of(vector_of(round->normal)), read.normal);
+    bat_dxf_put_vector(unit_of(bat_dxf_vector(round->normal)), read.normal);
     *is_there = false;
     batten_status status = bat_dxf_round_curve(&read, &made);
     if (status == BATTEN_OK)

@@ -5,6 +5,7 @@
  * when it rises all over, its highest point is not inside, and the border is known.
  */
 #include "inspect/extent/surface_extent.h"
+#include "inspect/extent/extent_patches.h"
 #include "numeric/bernstein.h"
 #include "spline/surface/surface.h"
 
@@ -255,62 +256,9 @@ static batten_status climb_all(climb *c)
     return status;
 }
 
-/* ---- patches of a surface ---- */
-
-typedef struct {
-    batten_surface *bezier;
-    int spans[2];
-    double *breaks[2]; /* [spans + 1] */
-    bool *creases[2];  /* [spans + 1] */
-} patches;
-
-static void patches_end(patches *p)
-{
-    batten_surface_unref(p->bezier);
-    for (int k = 0; k < 2; k++) {
-        bat_release(p->breaks[k]);
-        bat_release(p->creases[k]);
-    }
-}
-
-/* Inner knots as often there as the degree says. */
-static void find_creases(const batten_surface *surface, batten_direction along, int count,
-                         const double *breaks, bool *creases)
-{
-    const double *knots = batten_surface_knots(surface, along);
-    const int n = batten_surface_knot_count(surface, along);
-    const int degree = batten_surface_degree(surface, along);
-    for (int i = 0, k = 0; i < count; i++) {
-        int times = 0;
-        for (; k < n && knots[k] <= breaks[i]; k++)
-            times += knots[k] == breaks[i];
-        creases[i] = i > 0 && i + 1 < count && times >= degree;
-    }
-}
-
-static batten_status patches_begin(const batten_surface *surface, patches *p)
-{
-    *p = (patches){.bezier = NULL};
-    batten_status status = batten_surface_to_bezier(surface, &p->bezier);
-    for (int k = 0; status == BATTEN_OK && k < 2; k++) {
-        const batten_direction along = (batten_direction)k;
-        const int count = batten_surface_spans(surface, along, NULL);
-        p->spans[k] = count - 1;
-        p->breaks[k] = bat_array((size_t)count, sizeof *p->breaks[k]);
-        p->creases[k] = bat_array((size_t)count, sizeof *p->creases[k]);
-        if (!p->breaks[k] || !p->creases[k]) {
-            status = BATTEN_OUT_OF_MEMORY;
-            break;
-        }
-        batten_surface_spans(surface, along, p->breaks[k]);
-        find_creases(surface, along, count, p->breaks[k], p->creases[k]);
-    }
-    return status;
-}
-
 /* The heights of patch (i, j) along an axis, `sign` times the coordinate, into a slot. */
-static void fill_heights(const climb *c, const patches *p, int i, int j, int axis, double sign,
-                         double *slot)
+static void fill_heights(const climb *c, const bat_extent_patches *p, int i, int j, int axis,
+                         double sign, double *slot)
 {
     const int d = batten_surface_dimension(p->bezier);
     const size_t row = (size_t)batten_surface_point_count(p->bezier, BATTEN_V);
@@ -328,7 +276,7 @@ static void fill_heights(const climb *c, const patches *p, int i, int j, int axi
 }
 
 /* Twice over all patches: corners lead first where all counts, so that few patches wait. */
-static batten_status add_patches(climb *c, const patches *p, int axis, double sign)
+static batten_status add_patches(climb *c, const bat_extent_patches *p, int axis, double sign)
 {
     for (int pass = c->region ? 1 : 0; pass < 2; pass++)
         for (int i = 0; i < p->spans[0]; i++)
@@ -360,7 +308,7 @@ static double *side_of(batten_box *box, int axis, bool high)
     return axis == 0 ? &corner->x : axis == 1 ? &corner->y : &corner->z;
 }
 
-static batten_status find_side(climb *c, const patches *p, int axis, bool high,
+static batten_status find_side(climb *c, const bat_extent_patches *p, int axis, bool high,
                                bat_extent *extent)
 {
     const double sign = high ? 1 : -1;
@@ -380,7 +328,7 @@ static batten_status find_side(climb *c, const patches *p, int axis, bool high,
 batten_status bat_surface_extent(const batten_surface *surface, const bat_region *region,
                                  double tolerance, bat_extent *extent)
 {
-    patches p;
+    bat_extent_patches p;
     climb c = {.region = region,
                .tolerance = tolerance,
                .rational = batten_surface_is_rational(surface),
@@ -388,10 +336,10 @@ batten_status bat_surface_extent(const batten_surface *surface, const bat_region
                           batten_surface_degree(surface, BATTEN_V)}};
     c.points = ((size_t)c.degree[0] + 1) * ((size_t)c.degree[1] + 1);
     c.width = c.rational ? 2 * c.points : c.points;
-    batten_status status = patches_begin(surface, &p);
+    batten_status status = bat_extent_patches_begin(surface, &p);
     for (int side = 0; status == BATTEN_OK && side < 6; side++)
         status = find_side(&c, &p, side / 2, side % 2, extent);
-    patches_end(&p);
+    bat_extent_patches_end(&p);
     bat_release(c.cells);
     bat_release(c.slots);
     return status;

@@ -59,4 +59,8 @@ static inline double bat_lattice_enough(double foreseen)
     return 20000 + 64 * bat_min(foreseen, 20000) + 8 * foreseen;
 }
 
+/* ---- sheet.c ---- */
+
+batten_status bat_sheet_is_crease(const bat_sheet *sheet, int d, double at, bool *found);
+
 #endif

@@ -18,144 +18,6 @@
 #include <time.h>
 #include <unistd.h>
 
-static int open_file(const char *path, int flags, mode_t mode)
-{
-    int file;
-    do
-        file = open(path, flags | O_CLOEXEC, mode);
-    while (file < 0 && errno == EINTR);
-    return file;
-}
-
-bat_file_calls bat_system = {open_file, stat,  readlink, read,   write,
-                             fchmod,    fsync, close,    rename, unlink};
-
-/* "cannot DO 'PATH': REASON", the reason in English whatever the locale. */
-static batten_status refused(const char *doing, const char *path, int reason)
-{
-    char shown[BAT_SHOWN_SIZE];
-    const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    bat_fail(BATTEN_FILE_ERROR, "cannot %s '%s': %s", doing,
-             bat_shown(path, strlen(path), shown),
-             c ? strerror_l(reason, c) : "the system refuses");
-    if (c)
-        freelocale(c);
-    return BATTEN_FILE_ERROR;
-}
-
-/* ---- loading ---- */
-
-typedef struct {
-    const char *path;
-    size_t limit;
-    char *data; /* [capacity + 1] */
-    size_t length, capacity;
-} loading;
-
-static batten_status too_large(const loading *load)
-{
-    char shown[BAT_SHOWN_SIZE];
-    return bat_fail(BATTEN_TOO_LARGE, "'%s' has more than the %zu bytes allowed",
-                    bat_shown(load->path, strlen(load->path), shown), load->limit);
-}
-
-/* Asking the system for its small pages one by one takes longer than filling them. It may well
- * refuse: this is a wish. */
-static void prefer_large_pages(char *data, size_t size)
-{
-#ifdef MADV_HUGEPAGE
-    const size_t large = (size_t)2 << 20, before = (large - (uintptr_t)data % large) % large;
-    if (size >= before + large)
-        madvise(data + before, (size - before) / large * large, MADV_HUGEPAGE);
-#else
-    (void)data;
-    (void)size;
-#endif
-}
-
-/* Room for `capacity` bytes, but for no more than one beyond the limit. */
-static batten_status reserve(loading *load, size_t capacity)
-{
-    if (load->limit < SIZE_MAX - 1 && capacity > load->limit + 1)
-        capacity = load->limit + 1;
-    char *data = bat_resize(load->data, capacity + 1, 1);
-    if (!data)
-        return BATTEN_OUT_OF_MEMORY;
-    prefer_large_pages(data, capacity);
-    load->data = data;
-    load->capacity = capacity;
-    return BATTEN_OK;
-}
-
-/* A pipe was opened without waiting; whoever writes into it may take their time. */
-static batten_status wait_for_writer(int file, const char *path)
-{
-    const int flags = fcntl(file, F_GETFL);
-    if (flags < 0 || fcntl(file, F_SETFL, flags & ~O_NONBLOCK) < 0)
-        return refused("read", path, errno);
-    return BATTEN_OK;
-}
-
-/* Read to the end, for a file may grow or shrink meanwhile. */
-static batten_status read_all(int file, loading *load)
-{
-    batten_status status = BATTEN_OK;
-    ssize_t got = 1;
-    while (status == BATTEN_OK && got != 0) {
-        if (load->length == load->capacity) {
-            status = reserve(load, 2 * load->capacity);
-            continue;
-        }
-        got = bat_system.read(file, load->data + load->length, load->capacity - load->length);
-        if (got > 0)
-            load->length += (size_t)got;
-        else if (got < 0 && errno == EAGAIN)
-            status = wait_for_writer(file, load->path);
-        else if (got < 0 && errno != EINTR)
-            status = refused("read", load->path, errno);
-        if (load->length > load->limit)
-            status = too_large(load);
-    }
-    return status;
-}
-
-static batten_status load_open_file(int file, loading *load)
-{
-    struct stat about;
-    const bool known = fstat(file, &about) == 0;
-    const bool is_regular = known && S_ISREG(about.st_mode);
-    const size_t expected = is_regular && about.st_size > 0 ? (size_t)about.st_size : 0;
-    if (expected > load->limit)
-        return too_large(load);
-    /* One more, to see the end without growing. */
-    batten_status status = reserve(load, expected + (is_regular ? 1 : 4096));
-    if (status == BATTEN_OK)
-        status = read_all(file, load);
-    char shown[BAT_SHOWN_SIZE];
-    if (status == BATTEN_OK && load->length == 0 && known && S_ISFIFO(about.st_mode))
-        status = bat_fail(BATTEN_FILE_ERROR, "nobody writes into the pipe '%s'",
-                          bat_shown(load->path, strlen(load->path), shown));
-    return status;
-}
-
-batten_status batten_load_file(const char *path, size_t limit, char **data, size_t *size)
-{
-    const int file = bat_system.open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY, 0);
-    if (file < 0)
-        return refused("open", path, errno);
-    loading load = {.path = path, .limit = limit};
-    const batten_status status = load_open_file(file, &load);
-    bat_system.close(file);
-    if (status != BATTEN_OK) {
-        bat_release(load.data);
-        return status;
-    }
-    load.data[load.length] = 0;
-    *data = load.data;
-    *size = load.length;
-    return BATTEN_OK;
-}
-
 /* ---- saving ---- */
 
 typedef struct {
@@ -206,7 +68,7 @@ static batten_status resolve(saving *save)
         if (length < 0 && (errno == EINVAL || errno == ENOENT))
             break;
         if (length < 0 || length == LONGEST || count == MOST_LINKS) {
-            status = refused("save", save->path, length < 0 ? errno : ELOOP);
+            status = bat_file_refused("save", save->path, length < 0 ? errno : ELOOP);
             break;
         }
         char *next = joined(save->target, link, (size_t)length);
@@ -223,7 +85,7 @@ static batten_status look_at_target(const saving *save, struct stat *about, bool
 {
     *exists = bat_system.stat(save->target, about) == 0;
     if (!*exists && errno != ENOENT)
-        return refused("save", save->path, errno);
+        return bat_file_refused("save", save->path, errno);
     return BATTEN_OK;
 }
 
@@ -259,7 +121,7 @@ static batten_status write_all(int file, const saving *save, const char *data, s
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0)
-            return refused("write", save->path, written < 0 ? errno : ENOSPC);
+            return bat_file_refused("write", save->path, written < 0 ? errno : ENOSPC);
         data += written;
         size -= (size_t)written;
     }
@@ -272,14 +134,14 @@ static batten_status synchronise(int file, const char *path)
     do
         result = bat_system.fsync(file);
     while (result < 0 && errno == EINTR);
-    return result < 0 ? refused("save", path, errno) : BATTEN_OK;
+    return result < 0 ? bat_file_refused("save", path, errno) : BATTEN_OK;
 }
 
 /* After EINTR the file is closed, and what was synchronised is safe. */
 static batten_status close_file(int file, const char *path)
 {
     if (bat_system.close(file) < 0 && errno != EINTR)
-        return refused("save", path, errno);
+        return bat_file_refused("save", path, errno);
     return BATTEN_OK;
 }
 
@@ -289,8 +151,8 @@ static batten_status write_straight(const saving *save, const char *data, size_t
     /* Without waiting for a reader of the pipe, but then at the pace of the one there is. */
     const int file = bat_system.open(save->target, O_WRONLY | O_NONBLOCK | O_NOCTTY, 0);
     if (file < 0)
-        return refused("write", save->path, errno);
-    batten_status status = wait_for_writer(file, save->path);
+        return bat_file_refused("write", save->path, errno);
+    batten_status status = bat_file_wait_for_writer(file, save->path);
     if (status == BATTEN_OK)
         status = write_all(file, save, data, size);
     const batten_status closed = close_file(file, save->path);
@@ -346,7 +208,7 @@ static batten_status open_temporary(saving *save, int *file)
             errno = EEXIST;
         }
     }
-    return *file < 0 ? refused("save", save->path, errno) : BATTEN_OK;
+    return *file < 0 ? bat_file_refused("save", save->path, errno) : BATTEN_OK;
 }
 
 /* Is what lies at the target what lay there at the beginning? */
@@ -374,7 +236,7 @@ static batten_status fill_temporary(const saving *save, int file, const char *da
 {
     batten_status status = BATTEN_OK;
     if (save->existed && bat_system.fchmod(file, save->before.st_mode & 07777) < 0)
-        status = refused("save", save->path, errno);
+        status = bat_file_refused("save", save->path, errno);
     if (status == BATTEN_OK)
         status = write_all(file, save, data, size);
     if (status == BATTEN_OK)
@@ -389,7 +251,7 @@ static batten_status synchronise_folder(const saving *save)
     const int folder = bat_system.open(save->folder, O_RDONLY | O_DIRECTORY, 0);
     batten_status status = BATTEN_OK;
     if (folder < 0)
-        status = refused("open", save->folder, errno);
+        status = bat_file_refused("open", save->folder, errno);
     if (status == BATTEN_OK) {
         status = synchronise(folder, save->folder);
         const batten_status closed = close_file(folder, save->folder);
@@ -414,7 +276,7 @@ static batten_status replace(saving *save, const char *data, size_t size)
     if (status == BATTEN_OK && is_asked_to_end(save))
         status = cancelled(save);
     if (status == BATTEN_OK && bat_system.rename(save->temporary, save->target) < 0)
-        status = refused("save", save->path, errno);
+        status = bat_file_refused("save", save->path, errno);
     if (status != BATTEN_OK) {
         bat_system.unlink(save->temporary);
         return status;
@@ -432,7 +294,7 @@ static batten_status replace_undisturbed(saving *save, const char *data, size_t 
     if (status != BATTEN_OK)
         return status;
     if (save->existed && access(save->target, W_OK) < 0)
-        return refused("save", save->path, errno);
+        return bat_file_refused("save", save->path, errno);
     sigset_t before;
     pthread_sigmask(SIG_BLOCK, NULL, &before);
     for (int i = 0; i < ENDING_COUNT; i++)
@@ -454,9 +316,9 @@ batten_status batten_save_file(const char *path, const char *data, size_t size)
         status = look_at_target(&save, &save.before, &save.existed);
     const mode_t mode = save.existed ? save.before.st_mode : S_IFREG;
     if (status == BATTEN_OK && !*name_of(path))
-        status = refused("save", path, *path ? EISDIR : ENOENT);
+        status = bat_file_refused("save", path, *path ? EISDIR : ENOENT);
     else if (status == BATTEN_OK && S_ISDIR(mode))
-        status = refused("save", path, EISDIR);
+        status = bat_file_refused("save", path, EISDIR);
     else if (status == BATTEN_OK && !S_ISREG(mode))
         status = write_straight(&save, data, size);
     else if (status == BATTEN_OK)

@@ -24,4 +24,11 @@ typedef struct {
 /* Written by tests alone. */
 extern bat_file_calls bat_system;
 
+/* ---- posix_load.c ---- */
+
+/* "cannot DO 'PATH': REASON", the reason in English whatever the locale. */
+batten_status bat_file_refused(const char *doing, const char *path, int reason);
+/* A pipe was opened without waiting; whoever writes into it may take their time. */
+batten_status bat_file_wait_for_writer(int file, const char *path);
+
 #endif
