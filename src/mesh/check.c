@@ -1,5 +1,5 @@
 /* What is true of a mesh: its edges, whether it is closed, area and volume. */
-#include "mesh/faces/pairs.h"
+#include "base/pairs.h"
 #include <batten/mesh.h>
 #include <float.h>
 #include <string.h>

@@ -171,14 +171,14 @@ enum { WHOLE = -1 };
 
 /* The node in the middle of an edge of a triangle, or WHOLE; the first triangle at the edge
  * decides. */
-static batten_status middle_of(bat_net *net, bat_pairs *edges, const bat_triangle *t, int a,
-                               bool always, int *out)
+static batten_status middle_of(bat_net *net, bat_pair_values *edges, const bat_triangle *t,
+                               int a, bool always, int *out)
 {
     enum { UNKNOWN = -2 };
     const int b = (a + 1) % 3;
     const int first = bat_min_int(t->node[a], t->node[b]);
     const int second = bat_max_int(t->node[a], t->node[b]);
-    int *known = bat_pairs_at(edges, first, second, UNKNOWN);
+    int *known = bat_pair_values_at(edges, first, second, UNKNOWN);
     if (!known)
         return BATTEN_OUT_OF_MEMORY;
     batten_status status = BATTEN_OK;
@@ -255,7 +255,7 @@ static void find_range(bat_net *net)
 }
 
 /* Triangles at critical nodes decide first. */
-static batten_status decide_first(bat_net *net, const bat_net *old, bat_pairs *edges)
+static batten_status decide_first(bat_net *net, const bat_net *old, bat_pair_values *edges)
 {
     batten_status status = BATTEN_OK;
     for (size_t i = 0; i < old->triangle_count; i++)
@@ -271,7 +271,7 @@ static batten_status decide_first(bat_net *net, const bat_net *old, bat_pairs *e
 static batten_status refine(bat_net *net, bool always, bool *changed)
 {
     bat_net old = *net;
-    bat_pairs edges = {0};
+    bat_pair_values edges = {0};
     net->triangles = NULL;
     net->triangle_count = net->triangle_capacity = 0;
     const size_t nodes = net->node_count;
@@ -286,7 +286,7 @@ static batten_status refine(bat_net *net, bool always, bool *changed)
         if (status == BATTEN_OK && i % 1024 == 0)
             status = bat_work_step(&net->work, 1024, 0, "contours");
     }
-    bat_pairs_free(&edges);
+    bat_pair_values_free(&edges);
     bat_release(old.triangles);
     *changed = net->node_count > nodes;
     return status;

@@ -7,10 +7,9 @@
  */
 #ifndef BAT_CONTOUR_NET_H
 #define BAT_CONTOUR_NET_H
+#include "base/pairs.h"
 #include "base/work.h"
 #include "inspect/contours/field.h"
-
-#include <stdint.h>
 
 /* What is contoured: pieces that are smooth inside and on their edges, each with (u, v) of its
  * own. All pieces are rectangles, or all are triangles with their corners anywhere. */
@@ -34,16 +33,16 @@ typedef struct {
     double uv[3][2];
 } bat_triangle;
 
-/* A map from pairs of numbers to numbers. */
+/* A map from pairs of numbers to numbers; empty as {0}. */
 typedef struct {
-    size_t count, capacity; /* a power of two */
-    uint64_t *keys;         /* 0: free */
-    int *values;
-} bat_pairs;
+    bat_pairs pairs;
+    int room;
+    int *values; /* [room], as many as there are pairs */
+} bat_pair_values;
 
 /* The place of a pair, made with the value `otherwise` when it is new; NULL: no memory. */
-int *bat_pairs_at(bat_pairs *pairs, int a, int b, int otherwise);
-void bat_pairs_free(bat_pairs *pairs);
+int *bat_pair_values_at(bat_pair_values *known, int a, int b, int otherwise);
+void bat_pair_values_free(bat_pair_values *known);
 
 typedef struct {
     const bat_pieces *pieces;

@@ -3,6 +3,7 @@
 #include "base/plural.h"
 #include "inspect/contours/net.h"
 
+#include <limits.h>
 #include <string.h>
 
 /* Of triangles: a net of so many takes about a hundred megabytes. */
@@ -10,62 +11,42 @@ enum { MOST_TRIANGLES = 1048576 };
 
 /* ---- pairs ---- */
 
-static uint64_t scatter(uint64_t key)
+/* The table, for the first pair, and the values grow together. */
+static batten_status make_room_for_value(bat_pair_values *known)
 {
-    key ^= key >> 31;
-    key *= 0x9e3779b97f4a7c15u;
-    return key ^ key >> 29;
-}
-
-static size_t find_slot(const bat_pairs *pairs, uint64_t key)
-{
-    size_t slot = (size_t)scatter(key) & (pairs->capacity - 1);
-    while (pairs->keys[slot] != 0 && pairs->keys[slot] != key)
-        slot = (slot + 1) & (pairs->capacity - 1);
-    return slot;
-}
-
-static batten_status grow_pairs(bat_pairs *pairs)
-{
-    bat_pairs larger = {.capacity = pairs->capacity ? 2 * pairs->capacity : 1024};
-    larger.keys = bat_array(larger.capacity, sizeof *larger.keys);
-    larger.values = bat_array(larger.capacity, sizeof *larger.values);
-    if (!larger.keys || !larger.values) {
-        bat_pairs_free(&larger);
+    enum { FIRST = 512 };
+    batten_status status = BATTEN_OK;
+    if (!known->pairs.table)
+        status = bat_pairs_begin(&known->pairs, FIRST);
+    if (status != BATTEN_OK || known->pairs.count < known->room)
+        return status;
+    const int room = known->room > 0 ? bat_min_int(known->room, INT_MAX / 2) * 2 : FIRST;
+    int *values = bat_resize(known->values, (size_t)room, sizeof *values);
+    if (!values)
         return BATTEN_OUT_OF_MEMORY;
-    }
-    larger.count = pairs->count;
-    for (size_t i = 0; i < pairs->capacity; i++) {
-        if (pairs->keys[i] == 0)
-            continue;
-        const size_t slot = find_slot(&larger, pairs->keys[i]);
-        larger.keys[slot] = pairs->keys[i];
-        larger.values[slot] = pairs->values[i];
-    }
-    bat_pairs_free(pairs);
-    *pairs = larger;
+    known->values = values;
+    known->room = room;
     return BATTEN_OK;
 }
 
-int *bat_pairs_at(bat_pairs *pairs, int a, int b, int otherwise)
+int *bat_pair_values_at(bat_pair_values *known, int a, int b, int otherwise)
 {
-    const uint64_t key = ((uint64_t)(uint32_t)a << 32 | (uint32_t)b) + 1;
-    if (2 * (pairs->count + 1) > pairs->capacity && grow_pairs(pairs) != BATTEN_OK)
+    int index;
+    if (make_room_for_value(known) != BATTEN_OK)
         return NULL;
-    const size_t slot = find_slot(pairs, key);
-    if (pairs->keys[slot] == 0) {
-        pairs->keys[slot] = key;
-        pairs->values[slot] = otherwise;
-        pairs->count++;
-    }
-    return &pairs->values[slot];
+    const int before = known->pairs.count;
+    if (bat_pairs_add(&known->pairs, a, b, &index) != BATTEN_OK)
+        return NULL;
+    if (known->pairs.count > before)
+        known->values[index] = otherwise;
+    return &known->values[index];
 }
 
-void bat_pairs_free(bat_pairs *pairs)
+void bat_pair_values_free(bat_pair_values *known)
 {
-    bat_release(pairs->keys);
-    bat_release(pairs->values);
-    *pairs = (bat_pairs){0};
+    bat_pairs_end(&known->pairs);
+    bat_release(known->values);
+    *known = (bat_pair_values){0};
 }
 
 /* ---- the field ---- */

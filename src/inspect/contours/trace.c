@@ -18,7 +18,7 @@ typedef struct {
 
 typedef struct {
     bat_net *net;
-    bat_pairs edges, known; /* (node, node) to edge; (edge, level) to crossing */
+    bat_pair_values edges, known; /* (node, node) to edge; (edge, level) to crossing */
     int count, capacity;
     crossing *crossings;
 } tracer;
@@ -90,8 +90,8 @@ static batten_status crossing_on(tracer *tr, const bat_triangle *t, int a, int b
                                  int *out)
 {
     const int first = bat_min_int(a, b), second = bat_max_int(a, b);
-    int *edge = bat_pairs_at(&tr->edges, first, second, (int)tr->edges.count);
-    int *known = edge ? bat_pairs_at(&tr->known, *edge, level, -1) : NULL;
+    int *edge = bat_pair_values_at(&tr->edges, first, second, tr->edges.pairs.count);
+    int *known = edge ? bat_pair_values_at(&tr->known, *edge, level, -1) : NULL;
     if (!known)
         return BATTEN_OUT_OF_MEMORY;
     if (*known >= 0 && tr->crossings[*known].link[1] < 0) {
@@ -296,8 +296,8 @@ batten_status bat_lines_trace(bat_net *net, bat_lines *lines)
         status = check_count(&tr, lines);
     if (status == BATTEN_OK)
         status = trace_all(&tr, lines);
-    bat_pairs_free(&tr.edges);
-    bat_pairs_free(&tr.known);
+    bat_pair_values_free(&tr.edges);
+    bat_pair_values_free(&tr.known);
     bat_release(tr.crossings);
     return status;
 }

@@ -94,13 +94,14 @@ static batten_status probe_edge(const batten_triangles *triangles, size_t edge,
 /* Is an edge the same curve as the first edge between its two nodes? */
 static batten_status edge_agrees(const batten_triangles *triangles, size_t edge,
                                  const double *uv, const int *nodes, double near,
-                                 bat_pairs *edges, bool *out)
+                                 bat_pair_values *edges, bool *out)
 {
     const int a = nodes[edge], b = nodes[edge / 3 * 3 + (edge + 1) % 3];
     *out = a != b;
     if (a == b)
         return BATTEN_OK;
-    const int *known = bat_pairs_at(edges, bat_min_int(a, b), bat_max_int(a, b), (int)edge);
+    const int *known =
+        bat_pair_values_at(edges, bat_min_int(a, b), bat_max_int(a, b), (int)edge);
     if (!known)
         return BATTEN_OUT_OF_MEMORY;
     double here[EDGE_PROBES][3], there[EDGE_PROBES][3];
@@ -122,7 +123,7 @@ static batten_status separate_nodes(const batten_triangles *triangles, const dou
                                     double near, int *nodes, int *node_count)
 {
     const size_t count = (size_t)batten_triangles_count(triangles);
-    bat_pairs edges = {0};
+    bat_pair_values edges = {0};
     bool *apart = bat_array(count, sizeof *apart);
     batten_status status = apart ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (size_t i = 0; i < 3 * count && status == BATTEN_OK; i++) {
@@ -134,7 +135,7 @@ static batten_status separate_nodes(const batten_triangles *triangles, const dou
         if (apart[i / 3])
             nodes[i] = (*node_count)++;
     bat_release(apart);
-    bat_pairs_free(&edges);
+    bat_pair_values_free(&edges);
     return status;
 }
 

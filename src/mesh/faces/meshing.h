@@ -3,7 +3,7 @@
 #define BAT_MESHING_H
 #include "base/work.h"
 #include "body/trace/traced_body.h"
-#include "mesh/faces/pairs.h"
+#include "base/pairs.h"
 #include <batten/mesh.h>
 
 /* A surface that is asked beyond its seam too. */

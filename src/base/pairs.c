@@ -1,5 +1,5 @@
 /* A table of pairs of numbers, with open addresses. */
-#include "mesh/faces/pairs.h"
+#include "base/pairs.h"
 
 #include <limits.h>
 #include <stdint.h>

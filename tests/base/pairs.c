@@ -1,5 +1,5 @@
 /* The table of pairs of numbers. */
-#include "mesh/faces/pairs.h"
+#include "base/pairs.h"
 #include "support/test.h"
 
 TEST(pairs_keep_the_order_of_their_coming_and_are_found_by_it)

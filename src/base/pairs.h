@@ -1,6 +1,6 @@
 /* A table of pairs of numbers, such as the ends of edges. */
-#ifndef BAT_MESH_PAIRS_H
-#define BAT_MESH_PAIRS_H
+#ifndef BAT_PAIRS_H
+#define BAT_PAIRS_H
 #include "base/base.h"
 
 typedef struct {
