@@ -17,7 +17,7 @@ static void along(const double *a, double l, const double *unit, double *out)
     out[1] = a[1] + l * unit[1];
 }
 
-void bat_conic_point_between(const double *a, const double *b, double share, double *out)
+static void between(const double *a, const double *b, double share, double *out)
 {
     out[0] = a[0] + share * (b[0] - a[0]);
     out[1] = a[1] + share * (b[1] - a[1]);
@@ -97,7 +97,7 @@ static void make_pair(const bat_conic_span *s, double a, double b, double nu,
     memcpy(out[0].a, s->start, sizeof out[0].a);
     along(s->start, a, s->t0, out[0].b);
     along(s->end, -b, s->t1, out[1].b);
-    bat_conic_point_between(out[0].b, out[1].b, nu, out[0].c);
+    between(out[0].b, out[1].b, nu, out[0].c);
     memcpy(out[1].a, out[0].c, sizeof out[1].a);
     memcpy(out[1].c, s->end, sizeof out[1].c);
 }
@@ -157,7 +157,7 @@ void bat_conic_add_s(bat_conic_fit *t, int i, const bat_conic_span *s)
     const double c = cos(gamma), d = sin(gamma);
     const double T[2] = {c * chord[0] - d * chord[1], c * chord[1] + d * chord[0]};
     double joint[2], leg = 0, other = 0;
-    bat_conic_point_between(s->start, s->end, share, joint);
+    between(s->start, s->end, share, joint);
     const bat_conic_span first = {s->start, joint, s->t0, T, share * s->l,
                                   s->alpha, gamma, 0,     0};
     const bat_conic_span second = {joint, s->end,  T, s->t1, (1 - share) * s->l,
@@ -186,7 +186,7 @@ void bat_conic_add_line(bat_conic_fit *t, const bat_conic_span *s)
 {
     bat_conic_piece p = {.w = 1};
     memcpy(p.a, s->start, sizeof p.a);
-    bat_conic_point_between(s->start, s->end, 0.5, p.b);
+    between(s->start, s->end, 0.5, p.b);
     memcpy(p.c, s->end, sizeof p.c);
     add_conic(t, &p);
 }

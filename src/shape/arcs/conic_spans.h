@@ -40,6 +40,5 @@ void bat_conic_add_c(bat_conic_fit *t, int i, const bat_conic_span *s, double le
 void bat_conic_add_s(bat_conic_fit *t, int i, const bat_conic_span *s);
 void bat_conic_add_line(bat_conic_fit *t, const bat_conic_span *s);
 batten_status bat_conic_add_biarc(bat_conic_fit *t, int i, const bat_conic_span *s);
-void bat_conic_point_between(const double *a, const double *b, double share, double *out);
 
 #endif
