@@ -63,6 +63,7 @@ batten_status bat_run_place_at(const bat_offset *o, double u, batten_side side,
 batten_status bat_run_settle(const bat_offset *o, bat_run_place *at, double towards)
 {
     bat_run_place near;
+    /* Inside by so little that Q' has hardly changed, and by so much that c' is not rounding. */
     const double h = 1e-4 * (towards - at->u);
     if (!at->singular)
         return BATTEN_OK;
