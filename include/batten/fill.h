@@ -95,19 +95,34 @@ BATTEN_API batten_status batten_surface_gregory_between(int count,
                                                         batten_surface **out);
 
 /**
+ * How far the normals of two surfaces differ along each of the four edges: what a surface that
+ * was made to continue its neighbours keeps of their tangent planes when a spline stands for it.
+ *
+ * @param a, b  in space, over the same domain
+ * @param[out] angles [4] radians: by batten_edge: the largest of 32 places in
+ * every span that either has; places where one of them has no normal (poles,
+ * parameter lines that meet at less than 1e-4) do not count
+ * @return BATTEN_OK; BAD_ARGUMENT for surfaces that are not in space, NOT_COMPATIBLE for
+ * domains that differ, OUT_OF_MEMORY
+ *
+ * Cost: 64 normals for each span.
+ */
+BATTEN_API batten_status batten_surface_edge_angles(const batten_surface *a,
+                                                    const batten_surface *b, double *angles);
+
+/**
  * A NURBS surface near another one, whose normals along the edges are near too, so that
- * neighbours that are smooth together stay so. The tolerance is made smaller until they are.
+ * neighbours that are smooth together stay so. Knots are added near the edges until they are.
  *
  * @param surface   of any kind, in space
  * @param tolerance model units, > 0
  * @param angle     radians, > 0
  * @param[out] error  the deviation, model units; may be NULL
- * @param[out] angle_error  radians, the largest angle between the normals at 129 places of each
- *              edge; places without a normal (poles) do not count; may be NULL
+ * @param[out] angle_error  radians, the largest of batten_surface_edge_angles; may be NULL
  * @return as batten_surface_to_nurbs; TOLERANCE_NOT_MET with the angle reached
  *
- * Cost: batten_surface_to_nurbs up to 8 times, at an eighth of the tolerance before, and 1032
- * normals after each.
+ * Cost: batten_surface_to_nurbs, then a spline more for every halving of the spans at the edges;
+ * at most 250000 control points.
  */
 BATTEN_API batten_status batten_surface_to_smooth_nurbs(const batten_surface *surface,
                                                         double tolerance, double angle,
@@ -184,6 +199,9 @@ typedef struct batten_surface_fill_options {
     bool curvature;   /**< along ribbons that give a curvature take it over, too */
     batten_fill_form form; /**< BATTEN_FILL_SPLIT */
     bool may_fold;         /**< a fill that folds over is given, too; false */
+    bool as_splines; /**< forms that are formulas come as NURBS surfaces within the tolerance
+                                of them, whose normals along the edges are within the angle of
+                                those of the formula; what is reported is measured on these; false */
 } batten_surface_fill_options;
 /** The defaults of n-sided fills: those beside the fields of batten_surface_fill_options. */
 BATTEN_API batten_surface_fill_options batten_surface_fill_defaults(void);
@@ -249,7 +267,7 @@ typedef struct batten_surface_fill_report {
  * The other forms are procedural: surface i is the same quarter of one formula over a polygon,
  * smooth inside, with the positions and tangent planes of the ribbons; a side without slope is
  * given one that goes over from the tangent of the side before to that of the side behind.
- * batten_surface_to_nurbs and batten_surface_to_smooth_nurbs approximate them.
+ * batten_surface_to_nurbs and batten_surface_to_smooth_nurbs approximate them, or as_splines.
  *
  * Ribbons that contradict each other in a corner (report: corner_angle) are left there: no
  * surface joins both. The fill has the plane of the two sides in the corner itself; split

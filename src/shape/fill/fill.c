@@ -97,6 +97,26 @@ static batten_status check_quality(const batten_surface_fill_options *options,
     return BATTEN_OK;
 }
 
+/* A surface of the loop that is a formula, and the spline near it. */
+static batten_status make_formula(const bat_fill_loop *loop, int quad,
+                                  const batten_surface_fill_options *options,
+                                  batten_surface **out)
+{
+    batten_surface *formula = NULL;
+    batten_status status = bat_fill_formula(loop, quad, options->form, &formula);
+    if (status != BATTEN_OK || !options->as_splines) {
+        *out = formula;
+        return status;
+    }
+    /* Without a tolerance a millionth of the hole, as judge_gaps asks for. */
+    const double within = options->tolerance > 0
+                              ? bat_max(options->tolerance / loop->size, BAT_MEANT_SAME)
+                              : 1e-6;
+    status = batten_surface_to_smooth_nurbs(formula, within, options->angle, NULL, NULL, out);
+    batten_surface_unref(formula);
+    return status;
+}
+
 static batten_status make_patches(const bat_fill_loop *loop,
                                   const batten_surface_fill_options *options,
                                   batten_surface_fill_report *report, batten_surface **out)
@@ -106,7 +126,7 @@ static batten_status make_patches(const bat_fill_loop *loop,
         status = split_loop(loop, options, out);
     for (int i = 0;
          options->form != BATTEN_FILL_SPLIT && status == BATTEN_OK && i < loop->count; i++)
-        status = bat_fill_formula(loop, i, options->form, &out[i]);
+        status = make_formula(loop, i, options, &out[i]);
     if (status == BATTEN_OK)
         status = bat_fill_measure(loop, out, report);
     if (status == BATTEN_OK)

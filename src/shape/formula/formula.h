@@ -68,6 +68,12 @@ static inline int bat_breaks_span(int count, const double *breaks, double at, ba
  */
 batten_status bat_surface_approximate(const batten_surface *surface, double tolerance, int most,
                                       batten_surface **out, double *error);
+/* The same of a surface in space, whose normals along the four edges are also within `angle` of
+ * those of the surface, in radians: knots are added near the edges until they are, at places
+ * where both have normals. TOLERANCE_NOT_MET names the angle reached. */
+batten_status bat_surface_approximate_smooth(const batten_surface *surface, double tolerance,
+                                             double angle, int most, batten_surface **out,
+                                             double *error);
 #define BAT_APPROXIMATE_MOST 4000000 /* unless someone knows better */
 
 #endif

@@ -18,8 +18,8 @@ enum {
     ROUNDS = 64,
     JUDGED = 16384, /* points from which on it is asked whether more of them will do */
     GROWTH = 16,    /* points so many times as many show how errors fall with them: */
-    SLOW = 4,  /* no more than this is what spans of a quarter of the length do of a kink */
-    PROBES = 7 /* measurements of a span, between the abscissae */
+    SLOW = 4,    /* no more than this is what spans of a quarter of the length do of a kink */
+    PATIENCE = 6 /* rounds without a smaller angle */
 };
 
 static void release_line(bat_formula_line *l)
@@ -142,6 +142,7 @@ static batten_status refine(bat_formula_line *l, double tolerance, bool *changed
         if (i == old || !(l->errors[i] > tolerance))
             continue;
         breaks[k] = 0.5 * l->breaks[i] + 0.5 * l->breaks[i + 1];
+        /* Of spans shorter than 1e-10 of the whole, abscissae run together in rounding. */
         too_short |= !(breaks[k] - l->breaks[i] > 1e-10 * (l->breaks[old] - l->breaks[0]));
         times[k++] = 1;
     }
@@ -264,6 +265,65 @@ static batten_status search(bat_formula_fit *t)
     return status;
 }
 
+/* ---- normals along the edges ---- */
+
+static batten_status fail_angle(const bat_formula_fit *t)
+{
+    return bat_fail(
+        BATTEN_TOLERANCE_NOT_MET,
+        "%d x %d control points leave the normals of the %s surface by %.3g degrees "
+        "along its edges; %.3g were wanted",
+        t->lines[0].count, t->lines[1].count, batten_surface_kind(t->surface),
+        t->turned * 180 / BAT_PI, t->angle * 180 / BAT_PI);
+}
+
+/* A spline on the spans as they are; where its normals are too far off these are halved, so that
+ * knots crowd where slopes change quickly. Points are not measured. */
+static batten_status try_edges(bat_formula_fit *t, bool *changed)
+{
+    batten_status status = prepare(&t->lines[0]);
+    if (status == BATTEN_OK)
+        status = prepare(&t->lines[1]);
+    if (status == BATTEN_OK)
+        status = interpolate(t);
+    if (status == BATTEN_OK)
+        status = bat_formula_fit_angles(t);
+    return status == BATTEN_OK ? refine_both(t, changed) : status;
+}
+
+/* Until normals are near enough; not when they come no nearer. */
+static batten_status search_edges(bat_formula_fit *t, bool *changed)
+{
+    double least = HUGE_VAL;
+    bool more = true;
+    *changed = false;
+    for (int idle = 0; more && idle < PATIENCE; idle++) {
+        const batten_status status = try_edges(t, &more);
+        if (status != BATTEN_OK)
+            return status == BATTEN_TOLERANCE_NOT_MET ? fail_angle(t) : status;
+        *changed = *changed || more;
+        if (t->turned < 0.9 * least) {
+            least = t->turned;
+            idle = -1;
+        }
+    }
+    return more ? fail_angle(t) : BATTEN_OK;
+}
+
+/* Points, then normals; knots for the one seldom spoil the other. */
+static batten_status search_both(bat_formula_fit *t)
+{
+    for (int round = 0; round < PATIENCE; round++) {
+        bool changed = false;
+        batten_status status = search(t);
+        if (status == BATTEN_OK && t->angle > 0)
+            status = search_edges(t, &changed);
+        if (status != BATTEN_OK || !changed)
+            return status;
+    }
+    return fail_angle(t);
+}
+
 static double box_size(const batten_surface *surface)
 {
     const batten_box box = batten_surface_box(surface);
@@ -284,22 +344,30 @@ static batten_status begin_fit(bat_formula_fit *t, double tolerance)
     return status;
 }
 
-batten_status bat_surface_approximate(const batten_surface *surface, double tolerance, int most,
-                                      batten_surface **out, double *error)
+batten_status bat_surface_approximate_smooth(const batten_surface *surface, double tolerance,
+                                             double angle, int most, batten_surface **out,
+                                             double *error)
 {
-    bat_formula_fit t = {.surface = surface, .dimension = surface->dimension, .most = most};
+    bat_formula_fit t = {
+        .surface = surface, .dimension = surface->dimension, .angle = angle, .most = most};
     batten_status status = begin_fit(&t, tolerance);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         status = begin_line(surface, (batten_direction)k,
                             bat_formula_smoothness(surface, (batten_direction)k), &t.lines[k]);
     if (status == BATTEN_OK)
-        status = search(&t);
+        status = search_both(&t);
     if (status == BATTEN_OK)
         status = bat_formula_fit_surface(&t, out);
     if (status == BATTEN_OK && error)
         *error = t.error;
     release(&t);
     return status;
+}
+
+batten_status bat_surface_approximate(const batten_surface *surface, double tolerance, int most,
+                                      batten_surface **out, double *error)
+{
+    return bat_surface_approximate_smooth(surface, tolerance, 0, most, out, error);
 }
 
 batten_status bat_formula_isocurve(const batten_surface *surface, batten_direction direction,

@@ -1,6 +1,7 @@
 /* How far a NURBS surface or isocurve is from the formula it stands for. */
 #include "shape/formula/nurbs_error.h"
 #include "numeric/vector.h"
+#include "shape/formula/edge_angles.h"
 
 enum { PROBES = 7 }; /* measurements of a span, between the abscissae */
 
@@ -119,5 +120,35 @@ batten_status bat_formula_fit_errors(bat_formula_fit *t, bool between)
         status = compare(t, (size_t)u->count, u->greville, false, probes_v, at_v, true);
     bat_release(at_u);
     bat_release(at_v);
+    return status;
+}
+
+/* Refining goes on until so much of the angle is used, for what lies between the places. */
+#define ANGLE_SHARE 0.9
+
+batten_status bat_formula_fit_angles(bat_formula_fit *t)
+{
+    batten_surface *made = NULL;
+    batten_status status = bat_formula_fit_surface(t, &made);
+    for (int k = 0; k < 2 && status == BATTEN_OK; k++)
+        status = clear_errors(&t->lines[k]);
+    t->turned = 0;
+    for (int edge = 0; edge < 4 && status == BATTEN_OK; edge++) {
+        const bool along_u = edge == BATTEN_EDGE_V0 || edge == BATTEN_EDGE_V1;
+        const bool high = edge == BATTEN_EDGE_V1 || edge == BATTEN_EDGE_U1;
+        bat_formula_line *along = &t->lines[along_u ? 0 : 1],
+                         *across = &t->lines[along_u ? 1 : 0];
+        double *first = &across->errors[high ? across->span_count - 1 : 0];
+        for (int i = 0; i < along->span_count && status == BATTEN_OK; i++) {
+            double turned = 0;
+            status = bat_edge_angle(t->surface, made, (batten_edge)edge,
+                                    (batten_interval){along->breaks[i], along->breaks[i + 1]},
+                                    &turned);
+            t->turned = bat_max(t->turned, turned);
+            if (turned > ANGLE_SHARE * t->angle)
+                along->errors[i] = *first = HUGE_VAL;
+        }
+    }
+    batten_surface_unref(made);
     return status;
 }

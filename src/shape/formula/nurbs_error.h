@@ -22,10 +22,12 @@ typedef struct {
     const batten_surface *surface;
     int dimension;
     double tolerance;
-    int most; /* points */
+    double angle; /* between normals along the edges, radians; 0: any */
+    int most;     /* points */
     bat_formula_line lines[2];
     double *points; /* [count u][count v][dimension]: data, then control points */
     double error;   /* of the spline that was checked last */
+    double turned; /* the largest angle between its normals and the surface's along the edges */
 } bat_formula_fit;
 
 batten_status bat_formula_fit_surface(const bat_formula_fit *t, batten_surface **out);
@@ -33,5 +35,8 @@ batten_status bat_formula_fit_curve(const bat_formula_fit *t, const bat_formula_
                                     batten_curve **out);
 /* Along each direction where the other is exact; or, at last, between everything. */
 batten_status bat_formula_fit_errors(bat_formula_fit *t, bool between);
+/* Along the edges: where normals are too far off, errors without bound of the span along the edge
+ * and of the one across that begins there. */
+batten_status bat_formula_fit_angles(bat_formula_fit *t);
 
 #endif

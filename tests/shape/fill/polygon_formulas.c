@@ -40,6 +40,28 @@ TEST(formulas_over_polygons_have_the_positions_and_planes_of_their_ribbons)
         }
 }
 
+TEST(formulas_that_come_as_splines_are_measured_as_splines)
+{
+    for (int form = BATTEN_FILL_KATO; form <= BATTEN_FILL_CHARROT_GREGORY; form++)
+        for (int n = 3; n <= 6; n += 2) {
+            hole h;
+            batten_surface_fill_options options = form_of((batten_fill_form)form);
+            options.as_splines = true;
+            options.tolerance = 1e-4;
+            options.angle = 0.02 / TESTS_DEGREES;
+            hole_on_paraboloid(n, round_corners, 0.8, &h);
+            CHECK_OK(batten_surface_fill(n, h.ribbons, &options, &h.report, h.patches));
+            /* a neighbour on each side may be off by the angle */
+            CHECK(hole_inner(&h).angle <= 0.04);
+            for (int i = 0; i < n; i++) {
+                CHECK_TEXT(batten_surface_kind(h.patches[i]), "nurbs");
+                CHECK(h.report.outer[i].angle * TESTS_DEGREES <= 0.021);
+                CHECK(h.report.outer[i].gap <= 1e-4);
+            }
+            hole_free(&h);
+        }
+}
+
 TEST(a_formula_without_slopes_or_with_twists_keeps_its_sides)
 {
     static const double loop[3][3][3] = {{{0, 0, 0}, {1, -0.3, 0.5}, {2, 0, 0}},

@@ -3,6 +3,7 @@
 #include "shape/formula/formula.h"
 #include "support/test.h"
 
+#include <batten/coons.h>
 #include <batten/fill.h>
 
 static void keep(void *data)
@@ -61,7 +62,7 @@ TEST(normals_along_the_edges_are_as_near_as_the_angle_asks)
                 worst = fmax(worst, hypot(hypot(n.x - m.x, n.y - m.y), n.z - m.z));
                 far = fmax(far, hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]));
             }
-        /* 129 places of an edge, these 401 among and beside them. */
+        /* 32 places of every span, these 401 beside them. */
         CHECK(worst <= 1.5 * reached && worst >= 0.5 * reached);
         CHECK(far <= error && reached <= last);
         last = reached;
@@ -95,4 +96,44 @@ TEST(angles_that_cannot_be_kept_are_refused)
     CHECK(!made);
     batten_surface_unref(flat);
     batten_surface_unref(surface);
+}
+
+/* Over the unit square: z = slope * v * u, flat along u at v = 0 but for the turn of its planes. */
+static batten_surface *make_propeller(double slope)
+{
+    static const double knots[] = {0, 0, 1, 1};
+    const batten_axis axis = {1, 2, knots, false};
+    const double points[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, slope};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
+    return surface;
+}
+
+TEST(angles_along_edges_are_told_edge_by_edge)
+{
+    batten_surface *flat = make_propeller(0), *turned = make_propeller(0.5), *longer = NULL;
+    double angles[4] = {-1, -1, -1, -1};
+    CHECK_OK(batten_surface_edge_angles(flat, turned, angles));
+    /* along v = 0 the slope across grows from 0 to 0.5, along v = 1 that along is 0.5 too */
+    CHECK_NEAR(angles[BATTEN_EDGE_V0], atan(0.5), 1e-3);
+    CHECK_NEAR(angles[BATTEN_EDGE_U0], atan(0.5), 1e-3);
+    CHECK_NEAR(angles[BATTEN_EDGE_V1], atan(hypot(0.5, 0.5)), 1e-3);
+    CHECK_NEAR(angles[BATTEN_EDGE_U1], atan(hypot(0.5, 0.5)), 1e-3);
+    CHECK_OK(batten_surface_edge_angles(turned, turned, angles));
+    for (int e = 0; e < 4; e++)
+        CHECK_NEAR(angles[e], 0, 1e-12);
+    int plane = 2;
+    batten_surface *no_space = make_ripple(&plane);
+    CHECK_STATUS(batten_surface_edge_angles(flat, no_space, angles), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("dimension 2");
+    static const double knots[] = {0, 0, 1, 1}, others[] = {0, 0, 2, 2};
+    const batten_axis axis = {1, 2, knots, false}, long_axis = {1, 2, others, false};
+    const double points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0};
+    CHECK_OK(batten_surface_create(3, &axis, &long_axis, points, NULL, &longer));
+    CHECK_STATUS(batten_surface_edge_angles(flat, longer, angles), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("from 0 to 1 and from 0 to 2 in v");
+    batten_surface_unref(longer);
+    batten_surface_unref(no_space);
+    batten_surface_unref(turned);
+    batten_surface_unref(flat);
 }

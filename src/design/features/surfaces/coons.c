@@ -1,5 +1,6 @@
 /* The feature 'coons': the Coons patch between four sides. */
 #include "design/shared/boundary.h"
+#include "design/shared/smooth.h"
 
 static const batten_parameter parameters[] = {
     {"coons", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
@@ -23,6 +24,9 @@ static const batten_parameter parameters[] = {
      "correct slopes that do not fit the boundary curves at a corner; the remaining angle is reported"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far corners may be open, and curves be from surfaces; the design's tolerance by default"},
+    {"angle", BATTEN_VALUE_ANGLE, false, false, "0.01 deg", NULL,
+     "with 'along': between the tangent planes taken over and those of the spline, where the "
+     "patch is none"},
 };
 
 /* What a run takes and holds. */
@@ -169,8 +173,9 @@ static void report(const work *w, const batten_surface_coons_report *found)
     if (found->twist_gap > tolerance)
         bat_note(run, "the slopes ask for twists that differ by %.3g at corner %d%s",
                  found->twist_gap, found->twist_corner,
-                 w->options.twist == BATTEN_TWIST_GREGORY ? "; all slopes hold, the twist turns"
-                                                          : "");
+                 w->options.twist == BATTEN_TWIST_GREGORY
+                     ? "; the twist turns there, which a spline follows within 'angle'"
+                     : "");
     if (found->higher_gap > tolerance)
         bat_note(run, "curvatures and their rates differ by up to %.3g at a corner",
                  found->higher_gap);
@@ -209,11 +214,15 @@ static batten_status run_coons(bat_run *run)
 {
     batten_surface *surface = NULL;
     work w = {.run = run, .options = batten_surface_coons_defaults()};
-    const batten_status status = make_coons(&w, &surface);
+    batten_status status = make_coons(&w, &surface);
+    bat_smooth_wish wish = {{NULL}, bat_tolerance(run), bat_number(run, "angle")};
+    for (int e = 0; e < 4; e++)
+        wish.names[e] = w.boundary.sides[e].slope ? edge_name(e) : NULL;
     bat_boundary_release(&w.boundary);
     for (int i = 0; i < 6; i++)
         batten_curve_unref(w.functions[i]);
-    return bat_put_surface(run, status, surface);
+    return bat_has(run, "along") ? bat_put_smooth_surface(run, status, surface, &wish)
+                                 : bat_put_surface(run, status, surface);
 }
 
 const bat_feature bat_feature_coons = {
@@ -231,7 +240,8 @@ const bat_feature bat_feature_coons = {
          "surface) and 'blend' between them with continuity G1; 'repair: yes' corrects the slopes\n"
          "instead and reports by how many degrees the patch then leaves the tangent planes. Gaps\n"
          "between slopes are vectors per unit of the parameter. Unless curves are rational, or\n"
-         "twists differ under the policy 'gregory', the result is exact.",
+         "twists differ under the policy 'gregory', the result is exact; otherwise a spline, whose\n"
+         "tangent planes are measured along every side and stay within 'angle'.",
          "features:\n"
          "  keel: {line: [[0, 0, 0], [4, 0, 0]]}\n"
          "  stern: {conic: [[0, 0, 0], [0, 1, 0.2], [0, 1, 1.5]], weight: 1}\n"

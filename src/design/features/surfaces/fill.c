@@ -5,7 +5,6 @@
 #include <batten/fill.h>
 #include <batten/text.h>
 #include <stdio.h>
-#include <string.h>
 
 #define DEGREES (180 / BAT_PI)
 
@@ -20,7 +19,8 @@ static const batten_parameter parameters[] = {
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "of corners, sides from edges, splines from formulas; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
-     "how far the tangent plane may leave surfaces that twist against each other at a corner"},
+     "how far the tangent plane may leave surfaces that twist against each other at a corner, and "
+     "a spline its formula along the edges"},
     {"folds", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "also return a fill that folds over, which is otherwise refused"},
 };
@@ -226,33 +226,13 @@ static double missed(const batten_surface_fill_report *reached)
     return reached->approximation + gap;
 }
 
-/* The spline near a formula, and how far its normals leave those of the formula along the
- * edges: any angle will do. */
-static batten_status approximate(bat_run *run, double within, batten_surface **surface)
-{
-    batten_surface *nurbs = NULL;
-    double error = 0, angle = 0;
-    const batten_status status =
-        batten_surface_to_smooth_nurbs(*surface, within, 180 / DEGREES, &error, &angle, &nurbs);
-    if (status != BATTEN_OK)
-        return status;
-    batten_surface_unref(*surface);
-    *surface = nurbs;
-    bat_report_error(run, error, error);
-    bat_remark(run, "a spline leaves the normals of its formula by %.2g degrees",
-               angle * DEGREES);
-    return BATTEN_OK;
-}
-
-static batten_status put_all(bat_run *run, int count, double within, batten_surface **surfaces)
+static batten_status put_all(bat_run *run, int count, batten_surface **surfaces)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i < count; i++) {
         char name[300];
         snprintf(name, sizeof name, "%.256s.%d", run->name, i + 1);
         const batten_object like = {.name = name, .layer = ""};
-        if (status == BATTEN_OK && strcmp(batten_surface_kind(surfaces[i]), "nurbs") != 0)
-            status = approximate(run, within, &surfaces[i]);
         status = bat_put_surface_like(run, status, surfaces[i], &like);
     }
     return status;
@@ -270,12 +250,13 @@ static batten_status fill(bat_run *run, const bat_objects *curves, const sides *
     options.curvature = bat_word(run, "continuity") == 2;
     options.form = (batten_fill_form)bat_word(run, "form");
     options.may_fold = bat_yes(run, "folds");
+    options.as_splines = true;
     batten_status status =
         batten_surface_fill(all->count, all->ribbons, &options, reached, surfaces);
     if (status == BATTEN_OK) {
         report(run, curves, &options, reached);
         bat_report_error(run, missed(reached), missed(reached));
-        status = put_all(run, reached->count, all->within, surfaces);
+        status = put_all(run, reached->count, surfaces);
     }
     bat_release(reached);
     return status;

@@ -1,5 +1,5 @@
 /* The feature 'gregory': patches over a mesh of cubic curves, each made alone. */
-#include "design/feature.h"
+#include "design/shared/smooth.h"
 
 #include <batten/fill.h>
 
@@ -12,21 +12,6 @@ static const batten_parameter parameters[] = {
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.01 deg", NULL,
      "between normals of spline and patch along the edges"},
 };
-
-/* The spline near the patch, and how near it is. */
-static batten_status put_patch(bat_run *run, const batten_surface *patch, double within)
-{
-    const double degrees = 180 / BAT_PI;
-    batten_surface *nurbs = NULL;
-    double error = 0, angle = 0;
-    const batten_status status = batten_surface_to_smooth_nurbs(
-        patch, within, bat_number(run, "angle"), &error, &angle, &nurbs);
-    if (status == BATTEN_OK) {
-        bat_report_error(run, error, error);
-        bat_remark(run, "normals along the edges to %.2g degrees", angle * degrees);
-    }
-    return bat_put_surface(run, status, nurbs);
-}
 
 static batten_status run_gregory(bat_run *run)
 {
@@ -42,12 +27,11 @@ static batten_status run_gregory(bat_run *run)
         sides[i] = curves.at[i]->curve;
     status = sides ? batten_surface_gregory_between(curves.count, sides, within, NULL, &patch)
                    : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK)
-        status = put_patch(run, patch, within);
-    batten_surface_unref(patch);
     bat_release(sides);
     bat_objects_release(&curves);
-    return status;
+    const bat_smooth_wish wish = {
+        {"v = 0", "u = 1", "v = 1", "u = 0"}, within, bat_number(run, "angle")};
+    return bat_put_smooth_surface(run, status, patch, &wish);
 }
 
 const bat_feature bat_feature_gregory = {

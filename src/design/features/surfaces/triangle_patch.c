@@ -1,5 +1,5 @@
 /* The feature 'triangle-patch': the surface between three curves. */
-#include "design/feature.h"
+#include "design/shared/smooth.h"
 
 #include <batten/coons.h>
 #include <batten/fill.h>
@@ -16,7 +16,8 @@ static const batten_parameter parameters[] = {
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "of corners, and of curves and edges; the tolerance of the design by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.1 deg", NULL,
-     "between a curve and the tangent plane of a surface beside its neighbour, at a corner"},
+     "between a curve and the tangent plane of a surface beside its neighbour, at a corner; and "
+     "between the spline and the tangent planes that it takes over, along the curves"},
 };
 
 /* The curves over [0, 1], or the edges of the surfaces that lie beside them, with slopes. */
@@ -195,6 +196,19 @@ static batten_status take_slopes(bat_run *run, sides *all)
     return status;
 }
 
+/* The first curve is the side opposite the pole at u = 0; the others come to it in v = 0, 1. */
+static bat_smooth_wish smooth_wish(const bat_run *run, const bat_objects *curves,
+                                   const sides *all)
+{
+    bat_smooth_wish wish = {{NULL}, all->within, bat_number(run, "angle")};
+    static const batten_edge edges[3] = {BATTEN_EDGE_U1, BATTEN_EDGE_V1, BATTEN_EDGE_V0};
+    for (int place = 0; place < 3; place++) {
+        const int i = all->places[place].curve;
+        wish.names[edges[place]] = all->ribbons[i].slope ? curves->at[i]->name : NULL;
+    }
+    return wish;
+}
+
 static batten_status run_triangle_patch(bat_run *run)
 {
     bat_objects curves;
@@ -205,15 +219,21 @@ static batten_status run_triangle_patch(bat_run *run)
     if (status != BATTEN_OK)
         return status;
     status = take_curves(&curves, &all);
-    bat_objects_release(&curves);
     if (status == BATTEN_OK && bat_has(run, "along"))
         status = take_slopes(run, &all);
     if (status == BATTEN_OK)
         status =
             batten_triangle_patch(all.ribbons, (batten_triangle_method)bat_word(run, "method"),
                                   all.within, bat_number(run, "angle"), &surface);
+    if (bat_has(run, "along")) {
+        const bat_smooth_wish wish = smooth_wish(run, &curves, &all);
+        status = bat_put_smooth_surface(run, status, surface, &wish);
+    } else {
+        status = bat_put_surface(run, status, surface);
+    }
+    bat_objects_release(&curves);
     sides_release(&all);
-    return bat_put_surface(run, status, surface);
+    return status;
 }
 
 const bat_feature bat_feature_triangle_patch = {

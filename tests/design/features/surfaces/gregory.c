@@ -34,7 +34,8 @@ TEST(gregory_patches_of_three_and_four_curves_become_splines)
         CHECK(batten_design_result(design, "x")->has_error);
         bool said = batten_notes_dropped(notes) > 0; /* for lack of memory */
         for (int k = 0; k < batten_notes_count(notes); k++)
-            said |= strstr(batten_notes_at(notes, k)->text, "normals along the edges") != NULL;
+            said |= strstr(batten_notes_at(notes, k)->text,
+                           "tangent planes along the edges are kept to") != NULL;
         CHECK(said);
         batten_design_free(design);
         batten_notes_free(notes);
