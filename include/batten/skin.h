@@ -62,6 +62,11 @@ typedef struct batten_surface_skin_options {
     const double *marks; /**< [count][mark_count] increasing, inside the domain of each section
                               as given, before it is aligned or turned */
     batten_skin_creases creases;
+    bool untwist; /**< with `align`: closed sections that start more than 45 degrees off begin
+                       nearest to the one before; those that start at a corner keep it */
+    bool smooth_poles; /**< a first or last section that is a point is a smooth pole: all
+                            derivatives there lie in the plane that the next section lies flat
+                            in; a clamped, direction or other end given there is not used */
 } batten_surface_skin_options;
 
 /** Cubic, centripetal, natural ends, all knots kept (tolerance 0). */
@@ -85,6 +90,8 @@ typedef struct batten_surface_skin_report {
     int crossing;       /**< the first section that crosses its successor, or -1 */
     int disorder_count; /**< neighbours nearer in the other order */
     int disorder;       /**< the first section that should rather follow its successor, or -1 */
+    int reversed,
+        turned; /**< the first section that was reversed, or begins elsewhere, or -1 */
 } batten_surface_skin_report;
 
 /**
@@ -94,7 +101,8 @@ typedef struct batten_surface_skin_report {
  * interpolated across, weights included. With an odd degree across the knots stand at the
  * sections and `start`, `end` hold; an even degree has averaged knots. Circle and curvature
  * ends are not possible. A clamped end has the given derivative all along the section. A
- * section may be a point (all control points equal): a pole. Sections that are periodic, all of
+ * section may be a point (all control points equal): a pole; as the first or last one it takes
+ * the knots and weights of its neighbour, and with `smooth_poles` has a tangent plane. Sections that are periodic, all of
  * them, stay so, and so does the surface along u. With `align` the message says which sections
  * were reversed.
  *

@@ -1,4 +1,5 @@
 /* From sections with common knots to the surface through them. */
+#include "numeric/rounding.h"
 #include "shape/linear/linear_solve.h"
 #include "shape/points/grid_parameters.h"
 #include "shape/skin/steps.h"
@@ -93,23 +94,89 @@ static void fill_end(const bat_skin *t, const batten_end *end, int here, int nex
     }
 }
 
+/* Is this end a point that becomes a smooth pole? */
+static bool is_smooth_pole(const bat_skin *t, int tip, int next)
+{
+    return t->options->smooth_poles && !t->options->closed && t->point[tip] && !t->point[next];
+}
+
+/* Derivatives in the plane of the next section, as long as the arc that leaves the pole in that plane for the
+ * control point of the next section. */
+static batten_status fill_pole(const bat_skin *t, int here, int next, double *values)
+{
+    const int d = t->dimension, n = t->points;
+    const double *P = batten_curve_points(t->unified[here]),
+                 *Q = batten_curve_points(t->unified[next]);
+    const double *w = batten_curve_weights(t->unified[here]);
+    const batten_vec3 pole = bat_vec3_of(d, P);
+    batten_vec3 area = {0, 0, 0};
+    double size = 0;
+    for (int i = 0; i < n; i++) {
+        const batten_vec3 a = bat_vec3_subtract(bat_vec3_of(d, Q + i * d), pole);
+        const batten_vec3 b = bat_vec3_subtract(bat_vec3_of(d, Q + (i + 1) % n * d), pole);
+        area = bat_vec3_add(area, bat_vec3_cross(a, b));
+        size = bat_max(size, bat_vec3_norm(a));
+    }
+    const double length = bat_vec3_norm(area);
+    if (!(length > BAT_ROUNDING * size * size))
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "section %d, next to the smooth pole, is straight and has no plane",
+                        next + 1);
+    const batten_vec3 normal = bat_vec3_scale(area, 1 / length);
+    const double step = t->v[next] - t->v[here]; /* negative at the end */
+    for (int i = 0; i < n; i++) {
+        const batten_vec3 r = bat_vec3_subtract(bat_vec3_of(d, Q + i * d), pole);
+        const double height = bat_vec3_dot(r, normal);
+        const batten_vec3 flat = bat_vec3_subtract(r, bat_vec3_scale(normal, height));
+        const double wide = bat_vec3_norm(flat), angle = atan2(fabs(height), wide);
+        const double arc = bat_vec3_norm(r) * (angle > 0 ? angle / sin(angle) : 1);
+        const batten_vec3 slope =
+            bat_vec3_scale(flat, wide > 0 ? (w ? w[i] : 1) * arc / (wide * step) : 0);
+        const double parts[3] = {slope.x, slope.y, slope.z};
+        for (int c = 0; c < d; c++)
+            values[(size_t)i * t->width + (size_t)c] = parts[c];
+    }
+    return BATTEN_OK;
+}
+
+/* What the ends ask: `start` and `end`, and the kinds of both in the request. */
+static batten_status fill_ends(const bat_skin *t, bat_request *request, double *start,
+                               double *end)
+{
+    const int last = t->count - 1;
+    const bool poles[2] = {is_smooth_pole(t, 0, 1), is_smooth_pole(t, last, last - 1)};
+    batten_status status = BATTEN_OK;
+    if ((poles[0] || poles[1]) && t->options->degree % 2 == 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a smooth pole needs an odd degree, and it is %d",
+                        t->options->degree);
+    fill_end(t, &t->options->start, 0, 1, start);
+    fill_end(t, &t->options->end, last, last - 1, end);
+    if (poles[0]) {
+        request->start = BATTEN_END_CLAMPED;
+        status = fill_pole(t, 0, 1, start);
+    }
+    if (poles[1] && status == BATTEN_OK) {
+        request->end = BATTEN_END_CLAMPED;
+        status = fill_pole(t, last, last - 1, end);
+    }
+    return status;
+}
+
 batten_status bat_skin_across(bat_skin *t)
 {
     const batten_surface_skin_options *o = t->options;
-    const bat_request request = bat_skin_request(o, t->count, t->v);
-    batten_status status = bat_operator_make(&request, &t->across);
-    if (status != BATTEN_OK)
-        return status;
+    bat_request request = bat_skin_request(o, t->count, t->v);
     const size_t row = (size_t)t->points * t->width;
     double *ends = bat_array3(2, row, sizeof *ends);
-    t->control = bat_array3((size_t)t->across.count, row, sizeof *t->control);
-    if (!ends || !t->control)
-        status = BATTEN_OUT_OF_MEMORY;
-    else {
-        fill_end(t, &o->start, 0, 1, ends);
-        fill_end(t, &o->end, t->count - 1, t->count - 2, ends + row);
-        status =
-            bat_operator_apply(&t->across, row, t->rows, ends, ends + row, NULL, t->control);
+    batten_status status =
+        ends ? fill_ends(t, &request, ends, ends + row) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = bat_operator_make(&request, &t->across);
+    if (status == BATTEN_OK) {
+        t->control = bat_array3((size_t)t->across.count, row, sizeof *t->control);
+        status = t->control ? bat_operator_apply(&t->across, row, t->rows, ends, ends + row,
+                                                 NULL, t->control)
+                            : BATTEN_OUT_OF_MEMORY;
     }
     bat_release(ends);
     return status;

@@ -317,6 +317,16 @@ static batten_status fill_in(procedural *s, const bat_skin *t)
     return status;
 }
 
+static batten_status check_ends(const batten_surface_skin_options *o)
+{
+    if (o->start.kind == BATTEN_END_DIRECTION || o->end.kind == BATTEN_END_DIRECTION)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the ends of a procedural skin have no directions; clamp them");
+    if (o->smooth_poles)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a procedural skin has no smooth poles");
+    return BATTEN_OK;
+}
+
 batten_status batten_surface_skin_procedural(batten_curve_row sections,
                                              const batten_surface_skin_options *options,
                                              double *v, batten_surface **out)
@@ -329,10 +339,8 @@ batten_status batten_surface_skin_procedural(batten_curve_row sections,
     bat_skin t;
     status = bat_skin_begin(sections.count, sections.at, options, false, &t);
     const batten_surface_skin_options *o = t.options;
-    if (status == BATTEN_OK &&
-        (o->start.kind == BATTEN_END_DIRECTION || o->end.kind == BATTEN_END_DIRECTION))
-        status = bat_fail(BATTEN_BAD_ARGUMENT,
-                          "the ends of a procedural skin have no directions; clamp them");
+    if (status == BATTEN_OK)
+        status = check_ends(o);
     const double size = (double)sections.count * (sections.count + 3.0);
     if (status == BATTEN_OK && size > BAT_MAX_MADE_POINTS)
         status = bat_fail(BATTEN_TOO_LARGE,

@@ -191,9 +191,67 @@ static batten_status reverse(bat_skin *t, int k)
         return status;
     batten_curve_unref(t->placed[k]);
     t->placed[k] = reversed;
+    if (t->found.reversed < 0)
+        t->found.reversed = k;
     bat_fail(BATTEN_OK, "section %d was reversed, and %d before it", k + 1,
              t->found.reversed_count++);
     return BATTEN_OK;
+}
+
+static batten_status start_at(bat_skin *t, int k, double u)
+{
+    const batten_curve *was = t->placed[k];
+    const batten_status status = start_section_at(&t->placed[k], u);
+    if (t->placed[k] != was && t->found.turned_count++ == 0)
+        t->found.turned = k;
+    return status;
+}
+
+/* The cosine of the angle by which the curve turns at u: at the ends of the domain from the end
+ * to the start of a closed curve. */
+static batten_status turning_at(const batten_curve *curve, double u, double *cosine)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    const bool seam = u <= domain.a || u >= domain.b;
+    const int d = batten_curve_dimension(curve);
+    double in[6], out[6];
+    batten_status status =
+        batten_curve_evaluate_side(curve, seam ? domain.b : u, BATTEN_FROM_LEFT, 1, in);
+    if (status == BATTEN_OK)
+        status =
+            batten_curve_evaluate_side(curve, seam ? domain.a : u, BATTEN_FROM_RIGHT, 1, out);
+    if (status == BATTEN_OK)
+        *cosine = bat_dot(d, in + d, out + d) / (bat_norm(d, in + d) * bat_norm(d, out + d));
+    return status;
+}
+
+/* A closed section that starts at a corner starts at a corner: *u becomes that knot within a
+ * hundredth of the domain at which the curve turns most; *good is false when there is none. */
+static batten_status find_corner(const batten_curve *curve, double *u, bool *good)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    const int count = batten_curve_spans(curve, NULL);
+    const double at = *u, smooth = cos(bat_skin_corner);
+    double least, *knots = bat_array((size_t)count, sizeof *knots);
+    if (!knots)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_curve_spans(curve, knots);
+    batten_status status = turning_at(curve, domain.a, &least);
+    *good = !(least < smooth); /* no corner at the start: anywhere will do */
+    least = smooth;
+    for (int i = 0; i < count && status == BATTEN_OK && !*good; i++) {
+        double cosine;
+        if (fabs(knots[i] - at) > 0.01 * (domain.b - domain.a))
+            continue;
+        status = turning_at(curve, knots[i], &cosine);
+        if (status == BATTEN_OK && cosine < least) {
+            least = cosine;
+            *u = knots[i];
+        }
+    }
+    *good = *good || least < smooth;
+    bat_release(knots);
+    return status;
 }
 
 static batten_status turn_to_neighbour(bat_skin *t, int k, const samples *before)
@@ -208,9 +266,55 @@ static batten_status turn_to_neighbour(bat_skin *t, int k, const samples *before
         return status;
     shift -= floor(shift);
     const batten_interval domain = batten_curve_domain(t->placed[k]);
-    const batten_curve *was = t->placed[k];
-    status = start_section_at(&t->placed[k], (1 - shift) * domain.a + shift * domain.b);
-    t->found.turned_count += t->placed[k] != was;
+    double u = (1 - shift) * domain.a + shift * domain.b;
+    bool good = true;
+    if (!t->options->turn)
+        status = find_corner(t->placed[k], &u, &good);
+    return status == BATTEN_OK && good ? start_at(t, k, u) : status;
+}
+
+/* The mean square of the distances from the mean point. */
+static double spread(const samples *s, double mean[3])
+{
+    double sum = 0;
+    memset(mean, 0, 3 * sizeof *mean);
+    for (int i = 0; i < SAMPLES; i++)
+        for (int c = 0; c < s->d; c++)
+            mean[c] += s->points[i][c] / SAMPLES;
+    for (int i = 0; i < SAMPLES; i++)
+        sum += pow(bat_distance(s->d, s->points[i], mean), 2) / SAMPLES;
+    return sum;
+}
+
+/*
+ * A closed section about its own centre is compared with the one before about its own: the mean
+ * of the products of corresponding points is that of the radii for a section that lies the same
+ * way, times the cosine of the angle when it starts that much off. It is reversed when that is
+ * better by more than a tenth, and turned when it starts more than 45 degrees off; where no
+ * start is good, both shapes have too little in common to tell.
+ */
+static batten_status untwist(bat_skin *t, int k, const samples *before)
+{
+    static const double better = 0.1, common = 0.5, off = 0.7;
+    samples here;
+    double here_mean[3], mean[3], along, against;
+    batten_status status = sample(t->placed[k], true, 0, &here);
+    if (status != BATTEN_OK)
+        return status;
+    const double A = spread(before, mean), B = spread(&here, here_mean);
+    const double all = A + B + pow(bat_distance(here.d, mean, here_mean), 2), r = sqrt(A * B);
+    best_start(before, &here, true, false, &along);
+    best_start(before, &here, true, true, &against);
+    if ((all - against) / 2 > (all - along) / 2 + better * r) {
+        status = reverse(t, k);
+        if (status == BATTEN_OK)
+            status = sample(t->placed[k], true, 0, &here);
+        along = against;
+    }
+    const double present = (all - squares_apart(before, &here, 0, false)) / 2;
+    const double best = (all - along) / 2;
+    if (status == BATTEN_OK && best > common * r && present < off * best)
+        status = turn_to_neighbour(t, k, before);
     return status;
 }
 
@@ -218,6 +322,8 @@ static batten_status fit_in(bat_skin *t, int k, const samples *before, bool clos
 {
     const batten_surface_skin_options *o = t->options;
     const bool free_start = closed && o->turn;
+    if (closed && o->align && o->untwist && !o->turn && !o->starts)
+        return untwist(t, k, before);
     samples here;
     batten_status status = sample(t->placed[k], closed, 0, &here);
     if (status == BATTEN_OK && o->align) {
@@ -249,10 +355,7 @@ static batten_status begin_at(bat_skin *t, int k, bool closed)
     if (!closed)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "section %d is open and cannot begin at another place", k + 1);
-    const batten_curve *was = t->placed[k];
-    const batten_status status = start_section_at(&t->placed[k], starts[k]);
-    t->found.turned_count += t->placed[k] != was;
-    return status;
+    return start_at(t, k, starts[k]);
 }
 
 batten_status bat_skin_align(bat_skin *t)

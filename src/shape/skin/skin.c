@@ -59,6 +59,30 @@ static batten_status check_sections(int count, const batten_surface_skin_options
 
 /* ---- the whole ---- */
 
+/* A point as the first or last section gets the knots and weights of its neighbour, so that it
+ * adds no knots of its own and leaves periodic sections periodic. */
+static batten_status shape_tips(bat_skin *t)
+{
+    for (int end = 0; end < 2; end++) {
+        const int tip = end == 0 ? 0 : t->count - 1, next = end == 0 ? 1 : t->count - 2;
+        if (!t->point[tip] || t->point[next])
+            continue;
+        batten_affine all = batten_affine_identity();
+        memset(all.m, 0, sizeof all.m);
+        const double *P = batten_curve_points(t->placed[tip]);
+        double *to[3] = {&all.t[0], &all.t[1], &all.t[2]};
+        for (int c = 0; c < t->dimension; c++)
+            *to[c] = P[c];
+        batten_curve *shaped = NULL;
+        const batten_status status = batten_curve_transform(t->placed[next], &all, &shaped);
+        if (status != BATTEN_OK)
+            return status;
+        batten_curve_unref(t->placed[tip]);
+        t->placed[tip] = shaped;
+    }
+    return BATTEN_OK;
+}
+
 /* The sections that the surface must pass: `placed`. */
 static batten_status place_sections(bat_skin *t)
 {
@@ -77,7 +101,9 @@ static batten_status place_sections(bat_skin *t)
         status = bat_skin_kinds(t);
     if (status == BATTEN_OK)
         status = bat_skin_align(t);
-    return status == BATTEN_OK ? bat_skin_match(t) : status;
+    if (status == BATTEN_OK)
+        status = bat_skin_match(t);
+    return status == BATTEN_OK ? shape_tips(t) : status;
 }
 
 /* Forget the surface that was tried, and what led to it. */
@@ -184,7 +210,8 @@ batten_status bat_skin_begin(int count, const batten_curve *const *sections,
     *t = (bat_skin){.count = count,
                     .options = options ? options : &standard,
                     .given = sections,
-                    .mixed = mixed};
+                    .mixed = mixed,
+                    .found = {.reversed = -1, .turned = -1}};
     const batten_surface_skin_options *o = t->options;
     t->cures = o->creases == BATTEN_CREASES_CURE ||
                (o->creases == BATTEN_CREASES_WITHIN && o->tolerance > 0);

@@ -3,7 +3,8 @@
 #include "design/shared/place.h"
 
 static const batten_parameter parameters[] = {
-    {"skin", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the sections, in order"},
+    {"skin", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "the sections, in order; the first and the last may be a point"},
     {"degree", BATTEN_VALUE_COUNT, false, false, "3", NULL, "across the sections"},
     {"within", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
      "how far a section may move for the sake of few knots; 0 keeps all knots"},
@@ -21,8 +22,10 @@ static const batten_parameter parameters[] = {
      "the derivative or direction there"},
     {"periodic", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "the first section follows the last"},
-    {"align", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
-     "reverse sections that run against the first"},
+    {"align", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
+     "reverse or turn sections that would twist the surface; no keeps them"},
+    {"poles", BATTEN_VALUE_WORD, false, false, "sharp", "sharp smooth",
+     "what the surface is at a section that is a point"},
     {"spine", BATTEN_VALUE_MODEL, false, false, NULL, NULL,
      "a curve along which the sections, drawn in the xy-plane, are placed"},
     {"twist", BATTEN_VALUE_ANGLE, true, false, NULL, NULL, "of each section about the spine"},
@@ -130,7 +133,11 @@ static void read_options(const bat_run *run, batten_surface_skin_options *option
     options->start = bat_end(run, "start", "start-vector");
     options->end = bat_end(run, "end", "end-vector");
     options->closed = bat_yes(run, "periodic");
-    options->align = bat_yes(run, "align");
+    /* Marks belong to sections as they run. */
+    options->align = bat_yes(run, "align") &&
+                     (bat_argument_of(run, "align")->given || !bat_has(run, "marks"));
+    options->untwist = options->align;
+    options->smooth_poles = bat_word(run, "poles") == 1;
     options->frames = (batten_frame_kind)bat_word(run, "frames");
     options->turn = bat_yes(run, "turn");
     options->match = (batten_skin_match)bat_word(run, "match");
@@ -145,9 +152,17 @@ static void report_skin(const bat_run *run, const batten_surface_skin_report *fo
         "", "spans of sections were stretched so that their speed does not jump",
         "weights of sections were rescaled so that they do not jump",
         "rational sections became polynomial, for their weights jump"};
-    if (found->reversed_count > 0 || found->turned_count > 0)
-        bat_remark(run, "%d sections were reversed, %d start elsewhere", found->reversed_count,
-                   found->turned_count);
+    if (found->reversed_count > 0)
+        bat_remark(
+            run, "%d section%s reversed, the first of them section %d", found->reversed_count,
+            bat_one_or_many(found->reversed_count, " was", "s were"), found->reversed + 1);
+    if (found->turned_count > 0)
+        bat_remark(
+            run, "%d section%s elsewhere, the first of them section %d", found->turned_count,
+            bat_one_or_many(found->turned_count, " starts", "s start"), found->turned + 1);
+    if ((found->reversed_count > 0 || found->turned_count > 0) &&
+        !bat_argument_of(run, "align")->given)
+        bat_remark(run, "'align: no' keeps sections as they are");
     if (found->crossing_count > 0)
         bat_note(run, "section %d crosses the next, as do %d in all: the surface folds there",
                  found->crossing + 1, found->crossing_count);
@@ -190,18 +205,52 @@ static batten_status skin(bat_run *run, int count, const batten_curve **sections
     return bat_put_surface(run, status, surface);
 }
 
+/* A point as the first or last section: the curve that stands still there. */
+static batten_status take_tip(const batten_object *object, bool is_end, batten_curve **out)
+{
+    static const double knots[] = {0, 0, 1, 1};
+    double points[6];
+    if (!is_end || object->point_count != 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "'%s' is %d point%s: one point may be the first or the last section; "
+                        "'interpolate' makes a curve through several",
+                        object->name, object->point_count, bat_plural(object->point_count));
+    for (int i = 0; i < 6; i++)
+        points[i] = object->points[i % 3];
+    return batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, out);
+}
+
+/* @param tips  receives the curves made for points at the start and the end, which are owned */
+static batten_status take_sections(const bat_objects *all, batten_curve *tips[2],
+                                   const batten_curve **sections)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < all->count && status == BATTEN_OK; i++) {
+        const batten_object *object = all->at[i];
+        sections[i] = object->curve;
+        if (object->kind == BATTEN_OBJECT_CURVE)
+            continue;
+        status = take_tip(object, i == 0 || i == all->count - 1, &tips[i > 0]);
+        sections[i] = tips[i > 0];
+    }
+    return status;
+}
+
 static batten_status run_skin(bat_run *run)
 {
-    bat_objects curves;
-    batten_status status = bat_gather(run, "skin", BAT_CURVES, &curves);
+    bat_objects all;
+    batten_curve *tips[2] = {NULL, NULL};
+    batten_status status = bat_gather(run, "skin", BAT_CURVES | BAT_POINTS, &all);
     if (status != BATTEN_OK)
         return status;
-    const batten_curve **sections = bat_array((size_t)curves.count, sizeof *sections);
-    for (int i = 0; sections && i < curves.count; i++)
-        sections[i] = curves.at[i]->curve;
-    status = sections ? skin(run, curves.count, sections) : BATTEN_OUT_OF_MEMORY;
+    const batten_curve **sections = bat_array((size_t)all.count, sizeof *sections);
+    status = sections ? take_sections(&all, tips, sections) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = skin(run, all.count, sections);
+    batten_curve_unref(tips[0]);
+    batten_curve_unref(tips[1]);
     bat_release(sections);
-    bat_objects_release(&curves);
+    bat_objects_release(&all);
     if (status != BATTEN_OK)
         return status;
     if (bat_yes(run, "procedural"))
@@ -219,9 +268,12 @@ const bat_feature bat_feature_skin = {
          "all of them makes a heavy surface; with 'within' a few common knots are found such that\n"
          "no section moves farther than that. With 'spine' the sections are drawn in the xy-plane\n"
          "and placed along it.\n\n"
-         "A skin twists when points are joined that do not belong together: 'align' finds the\n"
-         "direction of each section, 'turn' or 'starts' where closed ones start, and 'match' what\n"
-         "lies between. Closed and open sections cannot be mixed; neighbours that cross or are out\n"
+         "The first and the last section may be a point: a tip, or with 'poles: smooth' a pole with\n"
+         "a tangent plane, that of the section next to it.\n\n"
+         "A skin twists when points are joined that do not belong together: 'align' reverses\n"
+         "sections that run against the one before and turns closed ones that start more than 45\n"
+         "degrees off, and a note says which; 'turn' or 'starts' say where closed ones start, and\n"
+         "'match' what lies between. Closed and open sections cannot be mixed; neighbours that cross or are out\n"
          "of order are named in a note.\n\n"
          "Between sections whose speeds or weights jump differently the surface has a crease where\n"
          "no section has a corner; it is found, and cured or kept as 'creases' says.",

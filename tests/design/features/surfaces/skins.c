@@ -1,4 +1,5 @@
 #include "design/evaluate.h"
+#include "design/expect.h"
 
 /* What the skins below are made from: rings that begin anywhere, frames, rows of points. */
 static const char common[] =
@@ -76,4 +77,46 @@ TEST(G7_sections_out_of_order_are_noted)
     const batten_feature_result *found = batten_design_result(design, "a");
     CHECK(found->skin && found->skin->disorder == 1 && found->skin->crossing == -1);
     batten_design_free(design);
+}
+
+static const char tips[] = "  ring: {circle: 1}\n"
+                           "  ring2: {circle: 1, at: [0, 0, 1]}\n"
+                           "  back: {reverse: ring2}\n"
+                           "  turned: {circle: 1, at: [0, 0, 1], from: [-0.6, 0.8, 0]}\n"
+                           "  sail: {bilinear: [[0, 0], [1, 0], [0, 1], [1, 1]]}\n"
+                           "  low: {circle: 2, at: [0, 0, 1]}\n"
+                           "  two: {points: [[0, 0, 2], [1, 0, 2]]}\n"
+                           "  tip: {points: [[0, 0, 3]]}\n";
+
+TEST(a_point_is_the_tip_of_a_skin)
+{
+    static const expect_row rows[] = {
+        /* The cone of slant sqrt(10). */
+        {"{skin: [ring, tip], degree: 1}", BATTEN_OK,
+         "within 1e-9;at 0 1 0 0 3;at 0.3 1 0 0 3;box -1 -1 0 1 1 3;silent"},
+        {"{skin: [tip, ring2, ring]}", BATTEN_OK, "within 1e-9;at 0.7 0 0 0 3;silent"},
+        {"{skin: [ring, ring2, tip], poles: smooth}", BATTEN_OK,
+         "within 1e-7;at 0.2 1 0 0 3;normal 0.1 0.99999999 0 0 1;silent"},
+        {"{skin: [ring, tip, ring2]}", BATTEN_BAD_ARGUMENT, "'tip' is 1 point"},
+        {"{skin: [ring, two]}", BATTEN_BAD_ARGUMENT, "'two' is 2 points"},
+        {"{skin: [ring, sail, ring2]}", BATTEN_BAD_ARGUMENT, "'sail' is a surface"},
+        {"{skin: [ring, ring2, tip], poles: smooth, degree: 2}", BATTEN_BAD_ARGUMENT,
+         "a smooth pole needs an odd degree"},
+    };
+    EXPECT(tips, rows);
+}
+
+TEST(a_skin_does_not_twist_unless_it_is_told_to)
+{
+    static const expect_row rows[] = {
+        {"{skin: [ring, back], degree: 1}", BATTEN_OK,
+         "within 1e-9;along 1 0 0 0 0 0 1;notes 1 section was reversed, the first of them "
+         "section 2"},
+        {"{skin: [ring, turned], degree: 1}", BATTEN_OK,
+         "within 1e-4;along 1 0 0 0 0 0 1;notes 1 section starts elsewhere, the first of them "
+         "section 2"},
+        {"{skin: [ring, ring2], degree: 1}", BATTEN_OK, "along 1 0 0 0 0 0 1;silent"},
+        {"{skin: [ring, low], degree: 1}", BATTEN_OK, "silent"},
+    };
+    EXPECT(tips, rows);
 }
