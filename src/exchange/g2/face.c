@@ -129,7 +129,18 @@ static batten_status read_loop(bat_words *words, const batten_surface *surface, 
         status = bat_words_real(words, "the tolerance of a loop", &tolerance);
     if (status == BATTEN_OK)
         status = bat_words_check(words, "curves of a loop", (size_t)count, 10);
-    tolerance = tolerance > 0 && isfinite(tolerance) ? tolerance : builder->parts.tolerance;
+    /* A twentieth: edges that are off their face are written with their true distance. */
+    const double stated = tolerance;
+    const batten_box box = batten_surface_box(surface);
+    const double size =
+        hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
+    tolerance =
+        stated > 0 ? bat_judged_accuracy(stated, size, 5e-2, stated) : builder->parts.tolerance;
+    if (stated > 0 && tolerance != stated)
+        batten_notes_remark(words->input->notes, words->input->file, words->line,
+                            "bounded surface",
+                            "a loop states a tolerance of %g at a size of %g; %g is used",
+                            stated, size, tolerance);
     builder->parts.tolerance = bat_max(builder->parts.tolerance, tolerance);
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
         trim t = {NULL, NULL};

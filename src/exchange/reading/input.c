@@ -339,3 +339,14 @@ bool bat_next_line(const bat_input *input, size_t *at, bat_span *line)
     *at = (size_t)(p - input->data);
     return true;
 }
+
+double bat_judged_accuracy(double stated, double size, double coarsest, double sizeless)
+{
+    /* 1e-12: what doubles of that size, and sums of a few of them, can hold */
+    if (stated > 0 && stated < 1e-12 * size)
+        return 1e-12 * size;
+    if (stated > 0 && isfinite(stated) && (size == 0 || stated <= coarsest * size))
+        return stated;
+    /* 1e-6: of the size, what most programs keep */
+    return size > 0 ? 1e-6 * size : sizeless;
+}

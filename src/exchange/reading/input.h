@@ -91,4 +91,9 @@ size_t bat_utf8_write(uint32_t code, char bytes[4]);
 /* Does a failure end the reading of the whole file? Others leave out one entity. */
 bool bat_input_ends(batten_status status);
 
+/* The accuracy to work with, where a file states one for what has this size: as stated when that makes sense, raised
+ * to 1e-12 of the size, replaced by a millionth of it when there is none or it is coarser than the part `coarsest` of it.
+ * @param sizeless  what is usual where the size is 0 */
+double bat_judged_accuracy(double stated, double size, double coarsest, double sizeless);
+
 #endif

@@ -396,3 +396,44 @@ TEST(convert_writes_to_the_standard_output_for_a_dash)
     snprintf(full, sizeof full, "\"$BATTEN\" convert '%s' - --format iges > /dev/full", tank);
     CHECK_INT(test_shell(full).exit, 1);
 }
+
+TEST(N6_a_tolerance_of_a_loop_that_is_too_coarse_for_its_surface_is_not_believed)
+{
+    const char *face = test_scratch("coarse.g2");
+    test_write(face, "210 1 0 0 200 3 0 2 2\n"
+                     "0 0 4 4 2 2 0 0 4 4 0 0 0\n"
+                     "4 0 0 0 4 0 4 4 0 2\n"
+                     "4 0.9 1 100 0 2 0 2 2\n"
+                     "0 0 1 1 0 0 4 0 1 100 0\n"
+                     "2 0 2 2 0 0 1 1 4 0\n"
+                     "4 4 1 100 0 2 0 2 2\n"
+                     "0 0 1 1 4 4 0 4 1 100 0\n"
+                     "2 0 2 2 0 0 1 1 0 4\n"
+                     "0 0 1 1e-6 1 100 100 2 0\n"
+                     "9 4 0 0 0 0 1 2 3 4 5 6 6 6 6 1 1 1 2\n"
+                     "1 3 2 3 3 3 3 2\n"
+                     "3 1 2 1 1 1 3 0\n"
+                     "9 4 0 0 0 0 1 2 3 4 5 6 6 6 6 1 1 0 1 2 0\n"
+                     "1 3 0 2 3 0 3 3 0 3 2 0\n"
+                     "3 1 0 2 1 0 1 1 0\n");
+    const test_process run = RUN("batten", "measure", face);
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(
+        run.errors,
+        "a loop states a tolerance of 0.9 at a size of 5.65685; 5.65685e-06 is used");
+}
+
+TEST(P4_curves_on_surfaces_whose_name_stands_in_REPRESENTATION_ITEM_are_read)
+{
+    const char *tank = write_tank();
+    char rewrite[1200];
+    snprintf(
+        rewrite, sizeof rewrite,
+        "sed -E \"s/=(SURFACE|SEAM)_CURVE\\('',(.*)\\);/=(BOUNDED_CURVE()CURVE()"
+        "GEOMETRIC_REPRESENTATION_ITEM()REPRESENTATION_ITEM('')\\1_CURVE(\\2));/\" '%s' > '%s.creo' && "
+        "grep -c REPRESENTATION_ITEM\\(\\'\\' '%s.creo' && \"$BATTEN\" convert '%s.creo' - --format stl --text",
+        tank, tank, tank, tank);
+    const test_process run = test_shell(rewrite);
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "endsolid");
+}

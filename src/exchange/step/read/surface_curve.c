@@ -14,6 +14,12 @@ static bool is_surface_curve(const bat_step_file *file, const bat_step_instance 
     return false;
 }
 
+/* Where its own arguments begin: in complex instances the name stands in REPRESENTATION_ITEM. */
+static int first_argument(const bat_step_file *file, const bat_step_record *surface_curve)
+{
+    return bat_step_argument_count(file, surface_curve) > 3 ? 1 : 0;
+}
+
 batten_status bat_step_resolve(const bat_step_reading *reading,
                                const bat_step_instance **instance)
 {
@@ -24,7 +30,8 @@ batten_status bat_step_resolve(const bat_step_reading *reading,
         status = bat_step_deeper(&inner, *instance, &next);
         inner = next;
         if (status == BATTEN_OK)
-            status = bat_step_get_reference(reading->file, record, 1, instance);
+            status = bat_step_get_reference(reading->file, record,
+                                            first_argument(reading->file, record), instance);
     }
     return status;
 }
@@ -40,7 +47,7 @@ static batten_status find_pcurve(const bat_step_file *file, const bat_step_insta
     batten_status status = BATTEN_OK;
     *out = NULL;
     if (!record && is_surface_curve(file, instance, &of))
-        status = bat_step_get_list(file, of, 2, &count, &at);
+        status = bat_step_get_list(file, of, 1 + first_argument(file, of), &count, &at);
     for (int i = 0; status == BATTEN_OK && i < count && !*out; i++) {
         if (of)
             status = bat_step_item_reference(file, of, &at, &item);

@@ -216,13 +216,9 @@ static double accuracy(const bat_step_file *file, bat_step_units *units,
     if (units->extent < 0)
         units->extent = measure_extent(file);
     const double size = units->extent * metres / units->unit_metres;
-    /* 1e-12: what doubles of that size, and sums of a few of them, can hold */
-    const bool is_fine = stated > 0 && stated < 1e-12 * size;
     /* Where the model has no size: a nanometre. */
-    const double usual = is_fine    ? 1e-12 * size
-                         : size > 0 ? 1e-6 * size
-                                    : 1e-9 / units->unit_metres;
-    if (stated > 0 && !is_fine && (size == 0 || stated <= 1e-2 * size))
+    const double usual = bat_judged_accuracy(stated, size, 1e-2, 1e-9 / units->unit_metres);
+    if (usual == stated)
         return stated;
     if (!units->noted_accuracy && stated > 0)
         batten_notes_remark(file->input->notes, file->input->file, 0, "",
