@@ -31,7 +31,7 @@ import time
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from source import ROOT, TOKENS, blanked, read, tracked, without_directives  # noqa: E402
 
-FAULT_SECONDS, FAULT_LIMIT = '0.02', 120  # for each test, for those of a room
+FAULT_SECONDS, FAULT_LIMIT = '0.02', 30  # for each test, for those of a room
 NOBODY = 65534  # its number on every system that we know
 KERNEL = ['base', 'numeric', 'spline', 'inspect', 'shape', 'body', 'mesh', 'model', 'fair', 'exchange']
 NEGATED = {'<': '>=', '<=': '>', '>': '<=', '>=': '<', '==': '!=', '!=': '=='}
@@ -337,7 +337,7 @@ def one(workshop, texts, weights, spots, seed, room, at):
         target, command = workshop.program(path, made, at)
         noticed = workshop.run(target, command, room, at, 5 * workshop.times[room] + 5)
         if not noticed and stands_faults(workshop, room):
-            noticed = workshop.run(target, command, room, at, 5 * workshop.fault_times[room] + 5, faults=True)
+            noticed = workshop.run(target, command, room, at, 2 * workshop.fault_times[room] + 5, faults=True)
         return mutant, noticed, time.monotonic() - begin
     return None
 
