@@ -25,8 +25,7 @@ static const batten_parameter parameters[] = {
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far corners may be open, and curves be from surfaces; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.01 deg", NULL,
-     "with 'along': between the tangent planes taken over and those of the spline, where the "
-     "patch is none"},
+     "with 'along': how far the spline may leave the tangent planes taken over"},
 };
 
 /* What a run takes and holds. */

@@ -19,8 +19,7 @@ static const batten_parameter parameters[] = {
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "of corners, sides from edges, splines from formulas; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
-     "how far the tangent plane may leave surfaces that twist against each other at a corner, and "
-     "a spline its formula along the edges"},
+     "how far tangent planes may be left, at corners with other twists and by the spline along edges"},
     {"folds", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "also return a fill that folds over, which is otherwise refused"},
 };

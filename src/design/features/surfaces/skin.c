@@ -273,8 +273,8 @@ const bat_feature bat_feature_skin = {
          "A skin twists when points are joined that do not belong together: 'align' reverses\n"
          "sections that run against the one before and turns closed ones that start more than 45\n"
          "degrees off, and a note says which; 'turn' or 'starts' say where closed ones start, and\n"
-         "'match' what lies between. Closed and open sections cannot be mixed; neighbours that cross or are out\n"
-         "of order are named in a note.\n\n"
+         "'match' what lies between. Closed and open sections cannot be mixed; neighbours that\n"
+         "cross or are out of order are named in a note.\n\n"
          "Between sections whose speeds or weights jump differently the surface has a crease where\n"
          "no section has a corner; it is found, and cured or kept as 'creases' says.",
          "features:\n"

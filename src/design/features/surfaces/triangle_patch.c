@@ -16,8 +16,7 @@ static const batten_parameter parameters[] = {
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "of corners, and of curves and edges; the tolerance of the design by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.1 deg", NULL,
-     "between a curve and the tangent plane of a surface beside its neighbour, at a corner; and "
-     "between the spline and the tangent planes that it takes over, along the curves"},
+     "between curves, or the spline, and the tangent planes that are taken over"},
 };
 
 /* The curves over [0, 1], or the edges of the surfaces that lie beside them, with slopes. */
