@@ -143,7 +143,10 @@ static batten_status make_output(batten_design *design, int index, const char *f
     batten_text path = BATTEN_TEXT;
     batten_text_add(&path, "%s%s", folder, batten_design_output_name(design, index));
     if (status == BATTEN_OK) {
-        status = path.failed ? BATTEN_OUT_OF_MEMORY : batten_save_file(path.bytes, data, size);
+        status = path.failed ? BATTEN_OUT_OF_MEMORY
+                             : batten_design_check_path(design, folder, path.bytes);
+        if (status == BATTEN_OK)
+            status = batten_save_file(path.bytes, data, size);
         if (status != BATTEN_OK)
             batten_notes_add(notes, "", 0, "", "%s", batten_message());
     }

@@ -292,6 +292,20 @@ BATTEN_API bool batten_design_output_holds(const batten_design *design, int inde
  */
 BATTEN_API bool batten_design_output_is_whole(const batten_design *design, int index);
 /**
+ * Whether the file of an output stays in the folder it is made in when links are followed. Ask
+ * just before saving; designs opened with allow_outside may go anywhere.
+ *
+ * @param design  any design
+ * @param folder  that of the outputs; "" is the current one
+ * @param path  where the output is to be saved: the folder and the output's name
+ * @return BATTEN_OK, also where the folder is missing, which saving reports; BAD_ARGUMENT for a
+ * path that leads out of the folder; FILE_ERROR for a link that leads nowhere; OUT_OF_MEMORY
+ *
+ * Cost: a few questions to the system.
+ */
+BATTEN_API batten_status batten_design_check_path(const batten_design *design,
+                                                  const char *folder, const char *path);
+/**
  * Make one output: the bytes of its file; what it needs is evaluated first, but for what
  * failed since the last edit: that is said, and batten_design_evaluate tries it again. Nothing
  * is written: save the bytes with batten_save_file, and release them with batten_release.

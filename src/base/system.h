@@ -51,4 +51,7 @@ BATTEN_API double batten_system_seconds(void);
  * API. */
 BATTEN_API char *batten_system_real_path(const char *path, const char **reason);
 
+/* Is this a link, be there something behind it or not? Exported likewise. */
+BATTEN_API bool batten_system_is_link(const char *path);
+
 #endif

@@ -322,6 +322,13 @@ static batten_status evaluate_inputs(bat_design_state *s, const bat_entry *entry
     return status;
 }
 
+batten_status batten_design_check_path(const batten_design *design, const char *folder,
+                                       const char *path)
+{
+    assert(design && folder && path);
+    return bat_path_check_inside(&design->now.document, folder, path);
+}
+
 batten_status batten_design_output(batten_design *design, int index, const batten_job *job,
                                    batten_notes *notes, char **data, size_t *size)
 {

@@ -105,6 +105,10 @@ bool bat_path_leaves(const char *path);
 /* The path of a file beside the design; with symlinks resolved it must stay below the design's
  * folder. Release it. */
 batten_status bat_path_beside(const bat_document *document, const char *path, char **out);
+/* Does the path of an output, with symlinks resolved, stay in the folder it is made in ("" is
+ * the current one)? BAD_ARGUMENT where it leaves it, FILE_ERROR for a link that leads nowhere. */
+batten_status bat_path_check_inside(const bat_document *document, const char *folder,
+                                    const char *path);
 
 /* ---- graph.c ---- */
 

@@ -65,11 +65,12 @@ static batten_status resolve(const char *path, char **out)
                   : BATTEN_OUT_OF_MEMORY;
 }
 
-static bool is_below(const char *folder, const char *path)
+/* The folder itself is in it, too. */
+static bool is_in(const char *folder, const char *path)
 {
     const size_t length = strlen(folder);
-    return strncmp(folder, path, length) == 0 &&
-           (path[length] == '/' || (length > 0 && folder[length - 1] == '/'));
+    return strncmp(folder, path, length) == 0 && (path[length] == '/' || path[length] == 0 ||
+                                                  (length > 0 && folder[length - 1] == '/'));
 }
 
 static batten_status fail_outside(const char *path, const char *how)
@@ -80,13 +81,13 @@ static batten_status fail_outside(const char *path, const char *how)
                     shown(path, text), how);
 }
 
-static batten_status check_below(const char *folder, const char *path)
+static batten_status check_in(const char *folder, const char *path)
 {
     char *real = NULL, *real_path = NULL;
     batten_status status = resolve(folder, &real);
     if (status == BATTEN_OK)
         status = resolve(path, &real_path);
-    if (status == BATTEN_OK && !is_below(real, real_path))
+    if (status == BATTEN_OK && !is_in(real, real_path))
         status = fail_outside(path, " through a link");
     bat_release(real);
     bat_release(real_path);
@@ -106,11 +107,39 @@ batten_status bat_path_beside(const bat_document *document, const char *path, ch
     char *base = joined(folder, length, "");
     batten_status status = whole && base ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && !document->allow_outside)
-        status = check_below(base, whole);
+        status = check_in(base, whole);
     bat_release(base);
     if (status == BATTEN_OK)
         *out = whole;
     else
         bat_release(whole);
+    return status;
+}
+
+batten_status bat_path_check_inside(const bat_document *document, const char *folder,
+                                    const char *path)
+{
+    char text[256];
+    const char *reason = NULL, *base = *folder ? folder : ".";
+    if (document->allow_outside)
+        return BATTEN_OK;
+    if (batten_system_is_link(path)) {
+        char *real = batten_system_real_path(path, &reason);
+        bat_release(real);
+        if (!real && reason)
+            return bat_fail(BATTEN_FILE_ERROR, "%s is a link that leads nowhere",
+                            shown(path, text));
+        return real ? check_in(base, path) : BATTEN_OUT_OF_MEMORY;
+    }
+    char *parent = joined(path, folder_length(path), "");
+    if (!parent)
+        return BATTEN_OUT_OF_MEMORY;
+    char *real = batten_system_real_path(strchr(path, '/') ? parent : ".", &reason);
+    /* Where there is no such folder saving says so. */
+    batten_status status = real     ? check_in(base, strchr(path, '/') ? parent : ".")
+                           : reason ? BATTEN_OK
+                                    : BATTEN_OUT_OF_MEMORY;
+    bat_release(real);
+    bat_release(parent);
     return status;
 }

@@ -57,3 +57,45 @@ TEST(symlinks_that_leave_the_folder_are_refused)
     CHECK_TEXT(path, "/absolute");
     bat_release(path);
 }
+
+TEST(outputs_do_not_leave_their_folder_through_links)
+{
+    char folder[300], path[400];
+    snprintf(folder, sizeof folder, "%s", test_scratch("outputs"));
+    bat_document document = {.file_name = "d.yaml"};
+    mkdir(folder, 0777); /* there from a run before, perhaps */
+    mkdir(test_scratch("elsewhere"), 0777);
+    snprintf(path, sizeof path, "%s/sub", folder);
+    mkdir(path, 0777);
+    static const struct {
+        const char *name, *target; /* a link of this name, relative; NULL: none */
+        const char *output;
+        batten_status status;
+    } cases[] = {
+        {NULL, NULL, "plain.step", BATTEN_OK},
+        {NULL, NULL, "sub/plain.step", BATTEN_OK},
+        {NULL, NULL, "missing/plain.step", BATTEN_OK},
+        {"inner", "sub", "inner/x.step", BATTEN_OK},
+        {"out", "../elsewhere", "out/x.step", BATTEN_BAD_ARGUMENT},
+        {"chain", "out", "chain/x.step", BATTEN_BAD_ARGUMENT},
+        {"nowhere.step", "../elsewhere/new.step", "nowhere.step", BATTEN_FILE_ERROR},
+        {"up", "..", "up/elsewhere/x.step", BATTEN_BAD_ARGUMENT},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        snprintf(path, sizeof path, "%s/%s", folder, cases[i].name ? cases[i].name : "");
+        if (cases[i].name) {
+            unlink(path);
+            CHECK_INT(symlink(cases[i].target, path), 0);
+        }
+        snprintf(path, sizeof path, "%s/%s", folder, cases[i].output);
+        CHECK_STATUS(bat_path_check_inside(&document, folder, path), cases[i].status);
+    }
+    touch(test_scratch("elsewhere/there.step"));
+    snprintf(path, sizeof path, "%s/there.step", folder);
+    unlink(path);
+    CHECK_INT(symlink("../elsewhere/there.step", path), 0);
+    CHECK_STATUS(bat_path_check_inside(&document, folder, path), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("through a link; --allow-outside allows it");
+    document.allow_outside = true;
+    CHECK_OK(bat_path_check_inside(&document, folder, path));
+}

@@ -16,6 +16,12 @@ char *batten_system_real_path(const char *path, const char **reason)
     return copy;
 }
 
+bool batten_system_is_link(const char *path)
+{
+    (void)path;
+    return false;
+}
+
 FILE *bat_plain_open(const char *path, const char *mode)
 {
     return fopen(path, mode);

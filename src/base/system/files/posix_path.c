@@ -8,6 +8,7 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 char *batten_system_real_path(const char *path, const char **reason)
 {
@@ -18,6 +19,12 @@ char *batten_system_real_path(const char *path, const char **reason)
     *reason = errno == ENOENT ? "there is no such file" : strerror(errno);
     bat_release(real);
     return NULL;
+}
+
+bool batten_system_is_link(const char *path)
+{
+    struct stat found;
+    return lstat(path, &found) == 0 && S_ISLNK(found.st_mode);
 }
 
 #endif

@@ -58,6 +58,14 @@ char *batten_system_real_path(const char *path, const char **reason)
     return real;
 }
 
+bool batten_system_is_link(const char *path)
+{
+    wchar_t *wide = widened(path);
+    const DWORD found = wide ? GetFileAttributesW(wide) : INVALID_FILE_ATTRIBUTES;
+    bat_release(wide);
+    return found != INVALID_FILE_ATTRIBUTES && (found & FILE_ATTRIBUTE_REPARSE_POINT);
+}
+
 FILE *bat_plain_open(const char *path, const char *mode)
 {
     wchar_t *wide = widened(path), letters[4] = {0};
