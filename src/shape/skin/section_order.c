@@ -20,7 +20,9 @@ batten_status bat_skin_kinds(bat_skin *t)
         if (t->point[k])
             continue;
         if (first >= 0 && closed != t->closed && !t->mixed)
-            return bat_fail(BATTEN_NOT_COMPATIBLE, "section %d is %s, and section %d is %s",
+            return bat_fail(BATTEN_NOT_COMPATIBLE,
+                            "section %d is %s, and section %d is %s: closed and open sections "
+                            "cannot be mixed",
                             first + 1, t->closed ? "closed" : "open", k + 1,
                             closed ? "closed" : "open");
         if (first < 0) {
