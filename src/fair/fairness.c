@@ -75,6 +75,41 @@ static void add_halt(judged *j, double turn)
     j->found.largest_turn = bat_max(j->found.largest_turn, turn);
 }
 
+/*
+ * With the m-th derivative the first that is not 0 and the j-th the first beside it, curvature
+ * goes like t^(j - 2 m) and its square by arc length like t^(2 j - 3 m - 1).
+ */
+static batten_status note_curvature_at_halt(judged *j, double u, batten_side side)
+{
+    const int d = batten_curve_dimension(j->curve), order = batten_curve_degree(j->curve);
+    const double h = bat_span_width(j->curve, u, side);
+    double c[(BATTEN_MAX_DEGREE + 1) * 3], across[3];
+    const batten_status status = batten_curve_evaluate_side(j->curve, u, side, order, c);
+    if (status != BATTEN_OK)
+        return status;
+    int first = 2, beside;
+    while (first <= order &&
+           bat_norm(d, c + first * d) <= bat_derivative_roundoff(j->curve, first, j->size, h))
+        first++;
+    const double *along = c + first * d;
+    for (beside = first + 1; beside <= order; beside++) {
+        const double *other = c + beside * d;
+        const double part = bat_dot(d, other, along) / bat_dot(d, along, along);
+        for (int k = 0; k < d; k++)
+            across[k] = other[k] - part * along[k];
+        if (bat_norm(d, across) > bat_derivative_roundoff(j->curve, beside, j->size, h) +
+                                      HALF_OF_THE_DIGITS * bat_norm(d, other))
+            break;
+    }
+    if (beside > order || beside >= 2 * first)
+        return BATTEN_OK;
+    j->found.unbounded++;
+    j->found.max_curvature = HUGE_VAL;
+    if (2 * beside <= 3 * first)
+        j->found.energy = HUGE_VAL;
+    return BATTEN_OK;
+}
+
 static batten_status tangent_at(const judged *j, double u, batten_side side, batten_vec3 *out)
 {
     batten_curve_local at;
@@ -93,10 +128,13 @@ static batten_status add_halt_at_knot(judged *j, double left, double right)
     batten_status status = tangent_at(j, left, BATTEN_FROM_LEFT, &before);
     if (status == BATTEN_OK)
         status = tangent_at(j, right, BATTEN_FROM_RIGHT, &after);
-    if (status == BATTEN_OK)
-        add_halt(j, atan2(bat_vec3_norm(bat_vec3_cross(before, after)),
-                          bat_vec3_dot(before, after)));
-    return status;
+    if (status != BATTEN_OK)
+        return status;
+    const double turn =
+        atan2(bat_vec3_norm(bat_vec3_cross(before, after)), bat_vec3_dot(before, after));
+    add_halt(j, turn);
+    return turn > j->options->angle ? BATTEN_OK
+                                    : note_curvature_at_halt(j, right, BATTEN_FROM_RIGHT);
 }
 
 /* Inside a span a curve that stands still either goes on or turns back: its direction is that
@@ -107,9 +145,11 @@ static batten_status add_halt_inside(judged *j, double u, double aside)
     batten_status status = tangent_at(j, u - aside, BATTEN_FROM_RIGHT, &before);
     if (status == BATTEN_OK)
         status = tangent_at(j, u + aside, BATTEN_FROM_RIGHT, &after);
-    if (status == BATTEN_OK)
-        add_halt(j, bat_vec3_dot(before, after) < 0 ? BAT_PI : 0);
-    return status;
+    if (status != BATTEN_OK)
+        return status;
+    const bool turns_back = bat_vec3_dot(before, after) < 0;
+    add_halt(j, turns_back ? BAT_PI : 0);
+    return turns_back ? BATTEN_OK : note_curvature_at_halt(j, u, BATTEN_FROM_RIGHT);
 }
 
 /* Does the curve stand still at u? Halts and places asked for rise. */
@@ -156,7 +196,13 @@ static batten_status add_joints(judged *j)
         const double near = HALF_OF_THE_DIGITS * bat_min(b - a, knots[k + 2] - b);
         status = is_halt(j, &next, b, near) ? add_halt_at_knot(j, b, b) : add_joint(j, b, b);
     }
-    if (status == BATTEN_OK && batten_curve_is_periodic(j->curve))
+    const bool closed = batten_curve_is_periodic(j->curve);
+    if (status == BATTEN_OK && !closed && starts_still)
+        status = note_curvature_at_halt(j, knots[0], BATTEN_FROM_RIGHT);
+    if (status == BATTEN_OK && !closed &&
+        is_halt(j, &next, knots[last], HALF_OF_THE_DIGITS * (knots[last] - knots[last - 1])))
+        status = note_curvature_at_halt(j, knots[last], BATTEN_FROM_LEFT);
+    if (status == BATTEN_OK && closed)
         status = starts_still ? add_halt_at_knot(j, knots[last], knots[0])
                               : add_joint(j, knots[last], knots[0]);
     return status;
@@ -273,6 +319,14 @@ static batten_status find_places(judged *j, double uncertainty)
     return status;
 }
 
+/* A bend far below what rounding leaves of points, whose energy the quadrature cannot tell. */
+static bool is_too_sharp(const judged *j)
+{
+    const batten_fairness *f = &j->found;
+    return f->corners == 0 && f->unbounded == 0 && f->energy_error > 1e-3 * f->energy &&
+           f->max_curvature * j->size > 1e9;
+}
+
 /* Fairness of a curve when `required` inflections are no fault, and neither are those that
  * would go if its points moved by `uncertainty`. */
 static batten_status judge_curve(const batten_curve *curve,
@@ -292,6 +346,7 @@ static batten_status judge_curve(const batten_curve *curve,
     if (status == BATTEN_OK)
         status = count_turns(&j, required, uncertainty);
     if (status == BATTEN_OK) {
+        j.found.unbounded += is_too_sharp(&j);
         bat_conclude_fairness(&j.found);
         *out = j.found;
     }
@@ -338,6 +393,7 @@ void bat_fairness_add(batten_fairness *sum, const batten_fairness *one)
     sum->corners += one->corners;
     sum->cusps += one->cusps;
     sum->halts += one->halts;
+    sum->unbounded += one->unbounded;
     sum->curvature_jumps += one->curvature_jumps;
     sum->largest_turn = bat_max(sum->largest_turn, one->largest_turn);
     sum->largest_jump = bat_max(sum->largest_jump, one->largest_jump);

@@ -68,15 +68,16 @@ void bat_add_joint(int d, const double *before, const double *after,
 
 void bat_conclude_fairness(batten_fairness *out)
 {
-    if (out->corners > 0) {
+    if (out->corners > 0)
         out->energy = HUGE_VAL;
+    if (isinf(out->energy))
         out->energy_error = 0;
-    }
-    if (out->corners > 0 || out->curvature_jumps > 0) {
+    if (out->corners > 0 || out->curvature_jumps > 0 || out->unbounded > 0) {
         out->variation = HUGE_VAL;
         out->variation_error = 0;
     }
-    out->fair = out->excess_inflections == 0 && out->corners == 0 && out->curvature_jumps == 0;
+    out->fair = out->excess_inflections == 0 && out->corners == 0 &&
+                out->curvature_jumps == 0 && out->unbounded == 0;
 }
 
 batten_fairness_options batten_fairness_defaults(void)

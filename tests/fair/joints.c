@@ -75,6 +75,42 @@ TEST(cusps_are_found_wherever_they_stand)
     }
 }
 
+TEST(curvature_without_bound_where_a_curve_stands_still_is_not_fair)
+{
+    /* Of Bezier points: at the start k ~ 1 / (12 t); in the middle, and at the end; one that halts with a bounded
+     * curvature: (t^2, t^4) over [0, 1] is the parabola. */
+    static const struct {
+        int degree;
+        double points[5][2];
+        int unbounded, halts;
+        bool infinite;
+    } cases[] = {
+        {3, {{0, 0}, {0, 0}, {1, 0}, {2, 1}}, 1, 0, true},
+        {3, {{0, 0}, {1, 0}, {2, 1}, {2, 1}}, 1, 0, true},
+        {4, {{-1, 1}, {0.5, -1}, {0, 1}, {-0.5, -1}, {1, 1}}, 1, 1, false},
+        {4, {{0, 0}, {0, 0}, {1.0 / 6, 0}, {0.5, 0}, {1, 1}}, 0, 0, false},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        double knots[10];
+        const int p = cases[i].degree;
+        for (int k = 0; k < 2 * p + 2; k++)
+            knots[k] = k > p;
+        batten_curve *curve = NULL;
+        batten_fairness found;
+        CHECK_OK(batten_curve_create((batten_points){2, p + 1, cases[i].points[0]}, p, NULL,
+                                     knots, &curve));
+        CHECK_OK(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, NULL, &found));
+        CHECK_INT(found.unbounded, cases[i].unbounded);
+        CHECK_INT(found.halts, cases[i].halts);
+        CHECK(!cases[i].infinite || isinf(found.energy));
+        CHECK(found.fair == (cases[i].unbounded == 0));
+        CHECK(isinf(found.max_curvature) == (cases[i].unbounded > 0));
+        if (!cases[i].unbounded) /* of y = x^2 over [0, 1] */
+            CHECK_NEAR(found.energy, 1.311826546800169, 1e-8);
+        batten_curve_unref(curve);
+    }
+}
+
 TEST(a_straight_line_that_slows_down_has_no_energy_and_no_corner)
 {
     /* x = t^3: it stands still at 0 and goes on; far from the origin, where rounding is coarse */

@@ -105,6 +105,7 @@ static void add_unfairness(bat_unfairness *sum, const batten_fairness *f)
 {
     sum->corners += f->corners;
     sum->curvature_jumps += f->curvature_jumps;
+    sum->unbounded += f->unbounded;
     sum->largest_turn = bat_max(sum->largest_turn, f->largest_turn);
 }
 
@@ -112,7 +113,7 @@ bool bat_check_is_fair(const bat_check *check)
 {
     const bat_unfairness *u = &check->unfairness;
     return u->corners == 0 && u->curvature_jumps == 0 && u->inflections == 0 &&
-           u->creases == 0 && u->edge_jumps == 0;
+           u->unbounded == 0 && u->creases == 0 && u->edge_jumps == 0;
 }
 
 /* Whole edges of surfaces that meet. A knuckle that the bound allows has no common curvature. */

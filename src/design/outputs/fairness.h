@@ -71,6 +71,7 @@ typedef struct {
 /* What keeps a result from being fair, over all that was judged. */
 typedef struct {
     int corners, curvature_jumps; /* of curves; cusps are corners */
+    int unbounded;                /* places of curves where curvature is */
     int inflections;              /* in excess: of curves; visible ones of sections */
     double largest_turn;          /* the sharpest corner, radians */
     int creases, edge_jumps;      /* edges of surfaces with a turn or a curvature step */

@@ -78,6 +78,8 @@ static void text_fairness(batten_text *out, const batten_fairness *f)
     if (f->corners) {
         batten_text_add(out, "infinite: ");
         add_plural(out, f->corners, "corner");
+    } else if (isinf(f->energy)) {
+        batten_text_add(out, "infinite");
     } else if (f->energy_error > KNOWN * f->energy) {
         batten_text_add(out, "not known (infinite, or nearly so)");
     } else {
@@ -260,6 +262,8 @@ static void text_reasons(batten_text *out, const bat_check *check)
     }
     if (text_reason(out, &separator, u->curvature_jumps, "jump"))
         batten_text_add(out, " of curvature");
+    if (text_reason(out, &separator, u->unbounded, "place"))
+        batten_text_add(out, " of unbounded curvature");
     if (text_reason(out, &separator, u->edge_jumps, "edge"))
         batten_text_add(out, " with a jump of curvature");
     if (text_reason(out, &separator, u->inflections, "inflection"))

@@ -36,8 +36,9 @@ static void json_fairness(batten_text *out, const batten_fairness *f)
     batten_text_add(out, ", ");
     json_number(out, "max_curvature", f->max_curvature);
     batten_text_add(
-        out, ", \"corners\": %d, \"curvature_jumps\": %d, \"halts\": %d, \"cusps\": %d, ",
-        f->corners, f->curvature_jumps, f->halts, f->cusps);
+        out,
+        ", \"corners\": %d, \"curvature_jumps\": %d, \"halts\": %d, \"cusps\": %d, \"unbounded\": %d, ",
+        f->corners, f->curvature_jumps, f->halts, f->cusps, f->unbounded);
     json_number(out, "energy_error", f->energy_error);
     batten_text_add(out, ", ");
     json_number(out, "variation_error", f->variation_error);
