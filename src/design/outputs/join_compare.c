@@ -42,6 +42,14 @@ batten_status bat_compare_curves(const batten_curve *a, int side_a, const batten
 
 /* ---- surfaces ---- */
 
+/* How far a derivative goes over the whole domain in its direction. */
+static double reach(const batten_surface *surface, batten_direction direction,
+                    batten_vec3 derivative)
+{
+    const batten_interval domain = batten_surface_domain(surface, direction);
+    return bat_join_norm(derivative) * (domain.b - domain.a);
+}
+
 /* The point of an edge at `t`, the direction there into the surface, square to the edge, and
  * the normal curvature in it as a vector; false where the surface is singular. */
 static bool leave_surface(const batten_surface *surface, int side, double t, batten_vec3 *into,
@@ -63,6 +71,10 @@ static bool leave_surface(const batten_surface *surface, int side, double t, bat
     const batten_vec3 across2 = fixed_v ? svv : suu, along2 = fixed_v ? suu : svv;
     const batten_vec3 product = bat_vec3_cross(su, sv);
     const double area = bat_join_norm(product), g = bat_vec3_dot(along, along);
+    /* At a pole one of them is rounding. */
+    const double u_reach = reach(surface, BATTEN_U, su), v_reach = reach(surface, BATTEN_V, sv);
+    if (!(bat_min(u_reach, v_reach) > 1e-9 * bat_max(u_reach, v_reach)))
+        return false;
     /* Derivatives parallel to a few thousand roundings have no normal. */
     if (!(area > 1e-12 * bat_join_norm(su) * bat_join_norm(sv)) || !(g > 0))
         return false;

@@ -73,7 +73,10 @@ static void text_fairness(batten_text *out, const batten_fairness *f)
     add_plural(out, f->inflections, "inflection");
     batten_text_add(out, ", %d in excess; ", f->excess_inflections);
     batten_text_add(out, "curvature extrema %d, largest curvature ", f->curvature_extrema);
-    add_rounded(out, f->max_curvature);
+    if (isinf(f->max_curvature))
+        batten_text_add(out, "without bound");
+    else
+        add_rounded(out, f->max_curvature);
     batten_text_add(out, ", energy ");
     if (f->corners) {
         batten_text_add(out, "infinite: ");

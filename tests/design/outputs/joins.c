@@ -326,3 +326,19 @@ TEST(a_report_says_where_curvature_is_not_known_and_prints_no_nan)
     CHECK(text && !strstr(text, "nan"));
     batten_release(text);
 }
+
+TEST(the_seam_of_a_surface_is_smooth_up_to_its_sharp_tips)
+{
+    /* Heights at which the rows of weights at the tips are rounded differently. */
+    for (int height = 2; height <= 8; height++) {
+        char features[300];
+        snprintf(features, sizeof features,
+                 "  b: {points: [[0, 0, -1]]}\n  c: {circle: 1}\n  t: {points: [[0, 0, %d]]}\n"
+                 "  s: {skin: [b, c, t]}\n",
+                 height);
+        char *json = check(features, "s");
+        CHECK_INT(join_count(json), 1);
+        CHECK_NEAR(value(json, "u low", "u high", "\"g1\": "), 0, 1e-9);
+        batten_release(json);
+    }
+}
