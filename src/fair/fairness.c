@@ -13,17 +13,8 @@
 #include <float.h>
 #include <string.h>
 
-/* A curve that is judged. */
-typedef struct {
-    const batten_curve *curve;
-    const batten_fairness_options *options;
-    double size;
-    batten_parameters knots, halts, extrema;
-    batten_fairness found;
-} judged;
-
 /* Curvature is largest at its extrema, at the ends, and on either side of knots. */
-static batten_status note_curvatures(judged *j, const batten_parameters *at)
+static batten_status note_curvatures(bat_judged_curve *j, const batten_parameters *at)
 {
     for (int k = 0; k < at->count; k++)
         for (int side = 0; side < 2; side++) {
@@ -35,177 +26,6 @@ static batten_status note_curvatures(judged *j, const batten_parameters *at)
             j->found.max_curvature = bat_max(j->found.max_curvature, fabs(bend.curvature));
         }
     return BATTEN_OK;
-}
-
-/* ---- joints ---- */
-
-/* Double roots, as of the squared speed, are known to half of the digits. */
-#define HALF_OF_THE_DIGITS 1e-7
-
-/* `left` and `right` are the parameters that stand for the two sides: the same, but for the
- * seam of a closed curve. */
-static batten_status add_joint(judged *j, double left, double right)
-{
-    const batten_curve *curve = j->curve;
-    const int d = batten_curve_dimension(curve);
-    double before[4 * 3], after[4 * 3];
-    batten_status status = batten_curve_evaluate_side(curve, left, BATTEN_FROM_LEFT, 3, before);
-    if (status == BATTEN_OK)
-        status = batten_curve_evaluate_side(curve, right, BATTEN_FROM_RIGHT, 3, after);
-    if (status != BATTEN_OK)
-        return status;
-    const double h = bat_min(bat_span_width(curve, left, BATTEN_FROM_LEFT),
-                             bat_span_width(curve, right, BATTEN_FROM_RIGHT));
-    const double v = d == 1 ? 1 : bat_min(bat_norm(d, before + d), bat_norm(d, after + d));
-    const bat_joint_scale scale = {j->options->angle, j->options->curvature,
-                                   j->found.max_curvature,
-                                   2 * bat_derivative_roundoff(curve, 1, j->size, h) / v,
-                                   2 * bat_derivative_roundoff(curve, 2, j->size, h) / (v * v)};
-    bat_add_joint(d, before, after, &scale, &j->found);
-    return BATTEN_OK;
-}
-
-/* Count a place where the curve stands still and its direction turns by `turn`. */
-static void add_halt(judged *j, double turn)
-{
-    j->found.halts++;
-    j->found.corners += turn > j->options->angle;
-    /* Directions of rounded control points turn back to some digits less. */
-    j->found.cusps += turn > BAT_PI - HALF_OF_THE_DIGITS;
-    j->found.largest_turn = bat_max(j->found.largest_turn, turn);
-}
-
-/*
- * With the m-th derivative the first that is not 0 and the j-th the first beside it, curvature
- * goes like t^(j - 2 m) and its square by arc length like t^(2 j - 3 m - 1).
- */
-static batten_status note_curvature_at_halt(judged *j, double u, batten_side side)
-{
-    const int d = batten_curve_dimension(j->curve), order = batten_curve_degree(j->curve);
-    const double h = bat_span_width(j->curve, u, side);
-    double c[(BATTEN_MAX_DEGREE + 1) * 3], across[3];
-    const batten_status status = batten_curve_evaluate_side(j->curve, u, side, order, c);
-    if (status != BATTEN_OK)
-        return status;
-    int first = 2, beside;
-    while (first <= order &&
-           bat_norm(d, c + first * d) <= bat_derivative_roundoff(j->curve, first, j->size, h))
-        first++;
-    const double *along = c + first * d;
-    for (beside = first + 1; beside <= order; beside++) {
-        const double *other = c + beside * d;
-        const double part = bat_dot(d, other, along) / bat_dot(d, along, along);
-        for (int k = 0; k < d; k++)
-            across[k] = other[k] - part * along[k];
-        if (bat_norm(d, across) > bat_derivative_roundoff(j->curve, beside, j->size, h) +
-                                      HALF_OF_THE_DIGITS * bat_norm(d, other))
-            break;
-    }
-    if (beside > order || beside >= 2 * first)
-        return BATTEN_OK;
-    j->found.unbounded++;
-    j->found.max_curvature = HUGE_VAL;
-    if (2 * beside <= 3 * first)
-        j->found.energy = HUGE_VAL;
-    return BATTEN_OK;
-}
-
-static batten_status tangent_at(const judged *j, double u, batten_side side, batten_vec3 *out)
-{
-    batten_curve_local at;
-    const batten_status status = bat_curve_local_at(j->curve, j->size, u, side, &at);
-    if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
-        return status;
-    *out = at.tangent;
-    return BATTEN_OK;
-}
-
-/* At a knot, or at the seam where `left` and `right` are the ends: the first derivative that is
- * not 0 has the direction. */
-static batten_status add_halt_at_knot(judged *j, double left, double right)
-{
-    batten_vec3 before, after;
-    batten_status status = tangent_at(j, left, BATTEN_FROM_LEFT, &before);
-    if (status == BATTEN_OK)
-        status = tangent_at(j, right, BATTEN_FROM_RIGHT, &after);
-    if (status != BATTEN_OK)
-        return status;
-    const double turn =
-        atan2(bat_vec3_norm(bat_vec3_cross(before, after)), bat_vec3_dot(before, after));
-    add_halt(j, turn);
-    return turn > j->options->angle ? BATTEN_OK
-                                    : note_curvature_at_halt(j, right, BATTEN_FROM_RIGHT);
-}
-
-/* Inside a span a curve that stands still either goes on or turns back: its direction is that
- * of a polynomial. */
-static batten_status add_halt_inside(judged *j, double u, double aside)
-{
-    batten_vec3 before, after;
-    batten_status status = tangent_at(j, u - aside, BATTEN_FROM_RIGHT, &before);
-    if (status == BATTEN_OK)
-        status = tangent_at(j, u + aside, BATTEN_FROM_RIGHT, &after);
-    if (status != BATTEN_OK)
-        return status;
-    const bool turns_back = bat_vec3_dot(before, after) < 0;
-    add_halt(j, turns_back ? BAT_PI : 0);
-    return turns_back ? BATTEN_OK : note_curvature_at_halt(j, u, BATTEN_FROM_RIGHT);
-}
-
-/* Does the curve stand still at u? Halts and places asked for rise. */
-static bool is_halt(const judged *j, int *next, double u, double near)
-{
-    while (*next < j->halts.count && j->halts.at[*next] < u - near)
-        ++*next;
-    return *next < j->halts.count && j->halts.at[*next] <= u + near;
-}
-
-/* The halts between two knots, none of them at one. */
-static batten_status add_halts_between(judged *j, int *next, double a, double b)
-{
-    const double near = HALF_OF_THE_DIGITS * (b - a);
-    batten_status status = BATTEN_OK;
-    while (*next < j->halts.count && j->halts.at[*next] <= a + near)
-        ++*next;
-    for (double last = a; status == BATTEN_OK && *next < j->halts.count; ++*next) {
-        const double u = j->halts.at[*next];
-        if (u >= b - near)
-            break;
-        const double then = *next + 1 < j->halts.count ? bat_min(b, j->halts.at[*next + 1]) : b;
-        /* Far enough for a speed above rounding, and no farther than to another halt. */
-        status =
-            add_halt_inside(j, u, bat_min(1e-3 * (b - a), bat_min(u - last, then - u) / 2));
-        last = u;
-    }
-    return status;
-}
-
-static batten_status add_joints(judged *j)
-{
-    const int last = j->knots.count - 1;
-    const double *knots = j->knots.at;
-    batten_status status = BATTEN_OK;
-    int next = 0;
-    const bool starts_still =
-        is_halt(j, &next, knots[0], HALF_OF_THE_DIGITS * (knots[1] - knots[0]));
-    for (int k = 0; status == BATTEN_OK && k < last; k++) {
-        const double a = knots[k], b = knots[k + 1];
-        status = add_halts_between(j, &next, a, b);
-        if (status != BATTEN_OK || k + 1 == last)
-            break;
-        const double near = HALF_OF_THE_DIGITS * bat_min(b - a, knots[k + 2] - b);
-        status = is_halt(j, &next, b, near) ? add_halt_at_knot(j, b, b) : add_joint(j, b, b);
-    }
-    const bool closed = batten_curve_is_periodic(j->curve);
-    if (status == BATTEN_OK && !closed && starts_still)
-        status = note_curvature_at_halt(j, knots[0], BATTEN_FROM_RIGHT);
-    if (status == BATTEN_OK && !closed &&
-        is_halt(j, &next, knots[last], HALF_OF_THE_DIGITS * (knots[last] - knots[last - 1])))
-        status = note_curvature_at_halt(j, knots[last], BATTEN_FROM_LEFT);
-    if (status == BATTEN_OK && closed)
-        status = starts_still ? add_halt_at_knot(j, knots[last], knots[0])
-                              : add_joint(j, knots[last], knots[0]);
-    return status;
 }
 
 /* ---- counting ---- */
@@ -234,7 +54,7 @@ void bat_scan_walk(int count, const double *curvature, double zero, double flat,
 #define FLAT 1e-6
 
 /* Of the extrema found, those between which curvature changes by more than `flat`. */
-static batten_status count_waves(const judged *j, double flat, int *out)
+static batten_status count_waves(const bat_judged_curve *j, double flat, int *out)
 {
     const batten_interval domain = batten_curve_domain(j->curve);
     const int n = j->extrema.count;
@@ -261,7 +81,7 @@ static batten_status count_waves(const judged *j, double flat, int *out)
     return status;
 }
 
-static batten_status count_turns(judged *j, int required, double uncertainty)
+static batten_status count_turns(bat_judged_curve *j, int required, double uncertainty)
 {
     batten_fairness *found = &j->found;
     batten_parameters inflections = {0};
@@ -281,7 +101,7 @@ static batten_status count_turns(judged *j, int required, double uncertainty)
 /* ---- integrals ---- */
 
 /* Between knots, halts and extrema no curvature is larger than at one of the ends. */
-static batten_status add_energies(judged *j)
+static batten_status add_energies(bat_judged_curve *j)
 {
     const batten_interval domain = batten_curve_domain(j->curve);
     batten_parameters knots_and_halts = {0}, breaks = {0};
@@ -305,7 +125,7 @@ static batten_status add_energies(judged *j)
 
 /* ---- the verdict ---- */
 
-static batten_status find_places(judged *j, double uncertainty)
+static batten_status find_places(bat_judged_curve *j, double uncertainty)
 {
     const int count = batten_curve_spans(j->curve, NULL);
     j->knots = (batten_parameters){count, bat_array((size_t)count, sizeof(double))};
@@ -319,12 +139,15 @@ static batten_status find_places(judged *j, double uncertainty)
     return status;
 }
 
+/* Radii below a part in 1e9 of the largest coordinate are those of corners that were rounded. */
+#define SHARPEST 1e9
+
 /* A bend far below what rounding leaves of points, whose energy the quadrature cannot tell. */
-static bool is_too_sharp(const judged *j)
+static bool is_too_sharp(const bat_judged_curve *j)
 {
     const batten_fairness *f = &j->found;
     return f->corners == 0 && f->unbounded == 0 && f->energy_error > 1e-3 * f->energy &&
-           f->max_curvature * j->size > 1e9;
+           f->max_curvature * j->size > SHARPEST;
 }
 
 /* Fairness of a curve when `required` inflections are no fault, and neither are those that
@@ -333,7 +156,7 @@ static batten_status judge_curve(const batten_curve *curve,
                                  const batten_fairness_options *options, int required,
                                  double uncertainty, batten_fairness *out)
 {
-    judged j = {.curve = curve, .options = options, .size = bat_curve_size(curve)};
+    bat_judged_curve j = {.curve = curve, .options = options, .size = bat_curve_size(curve)};
     batten_status status = find_places(&j, uncertainty);
     if (status == BATTEN_OK)
         status = note_curvatures(&j, &j.knots);
@@ -342,7 +165,7 @@ static batten_status judge_curve(const batten_curve *curve,
     if (status == BATTEN_OK)
         status = add_energies(&j);
     if (status == BATTEN_OK)
-        status = add_joints(&j);
+        status = bat_judge_joints(&j);
     if (status == BATTEN_OK)
         status = count_turns(&j, required, uncertainty);
     if (status == BATTEN_OK) {

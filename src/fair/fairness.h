@@ -29,6 +29,18 @@ void bat_conclude_fairness(batten_fairness *out);
 /* The same with one bound of all points; 0: roundoff. */
 batten_status bat_required_within(int width, int count, const double *t, const double *points,
                                   double within, int *required);
+/* A curve that is judged. */
+typedef struct {
+    const batten_curve *curve;
+    const batten_fairness_options *options;
+    double size;
+    batten_parameters knots, halts, extrema;
+    batten_fairness found;
+} bat_judged_curve;
+
+/* Count the joints between the spans of a curve, and the places at which it stands still. */
+batten_status bat_judge_joints(bat_judged_curve *j);
+
 batten_status bat_fairness_take_options(const batten_fairness_options *options,
                                         batten_fairness_options *chosen);
 
