@@ -1,8 +1,9 @@
 /* Files are loaded, and what loading and saving share, on POSIX systems. */
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE /* madvise */
-#include "base/base.h"
 #include "base/system.h"
+#if BAT_SYSTEM == BAT_SYSTEM_POSIX
+#include "base/base.h"
 #include "base/system/files/posix_file.h"
 #include "base/system/files/posix_strays.h"
 
@@ -152,3 +153,5 @@ batten_status batten_load_file(const char *path, size_t limit, char **data, size
     *size = load.length;
     return BATTEN_OK;
 }
+
+#endif
