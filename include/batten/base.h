@@ -179,7 +179,7 @@ BATTEN_API void batten_notes_free(batten_notes *notes);
  * Add one; NULL notes and lack of memory are borne silently (the latter is counted).
  * @param notes  NULL is welcome
  * @param file, entity  copied; NULL counts as ""
- * @param line  from 1; 0 when there is none
+ * @param line  from 1; 0 when unknown
  * @param format  as printf
  */
 BATTEN_API void batten_notes_add(batten_notes *notes, const char *file, int line,
@@ -191,7 +191,7 @@ BATTEN_API void batten_notes_add(batten_notes *notes, const char *file, int line
  *
  * @param notes  NULL is welcome
  * @param file, entity  copied; NULL counts as ""
- * @param line  from 1; 0 when there is none
+ * @param line  from 1; 0 when unknown
  * @param format  as printf
  */
 BATTEN_API void batten_notes_remark(batten_notes *notes, const char *file, int line,

@@ -53,28 +53,21 @@ batten_status bat_curve_bend_at(const batten_curve *curve, double size, double u
 
 /* ---- integrals ---- */
 
+/* What is integrated along a curve: the square of its curvature, or of the rate of that. */
 typedef struct {
     const batten_curve *curve;
     double size;
+    bool rate;
 } bent;
 
-static batten_status energy_density(void *context, double u, double *value)
+static batten_status square_density(void *context, double u, double *value)
 {
     const bent *b = context;
     bat_curve_bend at = {0};
     const batten_status status =
         bat_curve_bend_at(b->curve, b->size, u, BATTEN_FROM_RIGHT, &at);
-    *value = at.curvature * at.curvature * at.speed;
-    return status;
-}
-
-static batten_status variation_density(void *context, double u, double *value)
-{
-    const bent *b = context;
-    bat_curve_bend at = {0};
-    const batten_status status =
-        bat_curve_bend_at(b->curve, b->size, u, BATTEN_FROM_RIGHT, &at);
-    *value = at.rate * at.rate * at.speed;
+    const double bend = b->rate ? at.rate : at.curvature;
+    *value = bend * bend * at.speed;
     return status;
 }
 
@@ -84,10 +77,11 @@ static batten_status variation_density(void *context, double u, double *value)
 enum { LIMIT = 4000 };
 
 /* What is not finite anywhere is infinite as a whole. */
-static batten_status integrate(bat_integrand density, bent *b, const batten_parameters *breaks,
-                               double *value, double *error, bat_integral_breaks *fine)
+static batten_status integrate(bent *b, const batten_parameters *breaks, double *value,
+                               double *error, bat_integral_breaks *fine)
 {
-    const bat_peaked_integral integral = {density, b, breaks->count, breaks->at, PART, LIMIT};
+    const bat_peaked_integral integral = {square_density, b,    breaks->count,
+                                          breaks->at,     PART, LIMIT};
     const batten_status status = bat_integrate_peaked(&integral, value, error, fine);
     if (status == BATTEN_NOT_FINITE)
         *value = *error = HUGE_VAL;
@@ -100,16 +94,15 @@ static batten_status integrate(bat_integrand density, bent *b, const batten_para
 batten_status bat_curve_energies(const batten_curve *curve, const batten_parameters *breaks,
                                  bat_energies *out)
 {
-    bent b = {curve, bat_curve_size(curve)};
+    bent b = {curve, bat_curve_size(curve), false};
     bat_energies found = {0};
     bat_integral_breaks fine = {0};
-    batten_status status =
-        integrate(energy_density, &b, breaks, &found.energy, &found.energy_error, &fine);
+    batten_status status = integrate(&b, breaks, &found.energy, &found.energy_error, &fine);
     const batten_parameters then =
         fine.count > 0 ? (batten_parameters){fine.count, fine.at} : *breaks;
+    b.rate = true;
     if (status == BATTEN_OK)
-        status = integrate(variation_density, &b, &then, &found.variation,
-                           &found.variation_error, NULL);
+        status = integrate(&b, &then, &found.variation, &found.variation_error, NULL);
     bat_release(fine.at);
     if (status == BATTEN_OK)
         *out = found;

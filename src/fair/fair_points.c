@@ -160,17 +160,6 @@ static int worst_duck(const bat_batten *batten, const bat_ducks *ducks, const do
     return found;
 }
 
-static batten_status is_fair(const springback *s, const bat_batten *batten, int first,
-                             const double *z, bool *fair)
-{
-    batten_fairness found;
-    batten_status status = bat_batten_fairness(batten, s->width, s->points + first * s->width,
-                                               s->within + first, z, &found);
-    if (status == BATTEN_OK)
-        *fair = found.fair;
-    return status;
-}
-
 static batten_status worst_first(const springback *s, const bat_batten *batten, int first,
                                  double *z)
 {
@@ -191,7 +180,9 @@ static batten_status worst_first(const springback *s, const bat_batten *batten, 
         if (!done)
             memcpy(z + i * w, to, (size_t)w * sizeof *z);
         if (!done && s->options->stop_when_fair)
-            status = is_fair(s, batten, first, z, &done);
+            status = bat_batten_is_fair(
+                batten, &(bat_batten_points){w, s->points + first * w, s->within + first, z},
+                &done);
         if (status == BATTEN_OK)
             status = bat_work_step(&work, (uint64_t)n, k / (double)most, "fairing");
     }

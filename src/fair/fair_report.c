@@ -95,13 +95,15 @@ static batten_status find_suspects(bat_fair_tally *tally, const bat_batten *batt
 
 /* ---- pieces ---- */
 
-static batten_status judge_batten(bat_fair_tally *tally, const bat_batten *batten, int width,
-                                  const double *points, const double *within, const double *z)
+static batten_status judge_batten(bat_fair_tally *tally, const bat_batten *batten,
+                                  const bat_batten_points *faired)
 {
+    bat_batten_points given = *faired;
+    given.z = given.points;
     batten_fairness before, after;
-    batten_status status = bat_batten_fairness(batten, width, points, within, points, &before);
+    batten_status status = bat_batten_fairness(batten, &given, &before);
     if (status == BATTEN_OK)
-        status = bat_batten_fairness(batten, width, points, within, z, &after);
+        status = bat_batten_fairness(batten, faired, &after);
     if (status != BATTEN_OK)
         return status;
     if (tally->piece_count++ == 0)
@@ -123,7 +125,8 @@ static batten_status judge_functions(bat_fair_tally *tally, const bat_batten *ba
             columns[i] = ducks->centre[i * width + k];
             columns[n + i] = z[i * width + k];
         }
-        status = judge_batten(tally, batten, 1, columns, ducks->within, columns + n);
+        status = judge_batten(tally, batten,
+                              &(bat_batten_points){1, columns, ducks->within, columns + n});
     }
     bat_release(columns);
     return status;
@@ -134,9 +137,9 @@ batten_status bat_tally_piece(bat_fair_tally *tally, const bat_batten *batten,
                               const double *z)
 {
     const int width = ducks->width;
-    batten_status status =
-        functions ? judge_functions(tally, batten, ducks, z)
-                  : judge_batten(tally, batten, width, ducks->centre, ducks->within, z);
+    const bat_batten_points all = {width, ducks->centre, ducks->within, z};
+    batten_status status = functions ? judge_functions(tally, batten, ducks, z)
+                                     : judge_batten(tally, batten, &all);
     if (status != BATTEN_OK || batten->count < 5) /* too few for a median to mean something */
         return status;
     double *work = bat_array3((size_t)batten->count, 2 * (size_t)width + 2, sizeof *work);

@@ -91,8 +91,9 @@ static batten_status count_turns(bat_judged_curve *j, int required, double uncer
     found->curvature_extrema = j->extrema.count;
     found->inflections = inflections.count;
     found->excess_inflections = bat_max_int(0, inflections.count - required);
-    /* Where curvature jumps, it may come back to the same value without a turn. */
-    if (status == BATTEN_OK && found->corners + found->curvature_jumps == 0)
+    /* Where curvature jumps, it may come back to the same value without a turn; where it has no
+     * bound no change is flat. */
+    if (status == BATTEN_OK && found->corners + found->curvature_jumps + found->unbounded == 0)
         status = count_waves(j, FLAT * found->max_curvature, &found->curvature_extrema);
     batten_release(inflections.at);
     return status;
@@ -109,11 +110,8 @@ static batten_status add_energies(bat_judged_curve *j)
     batten_status status = bat_parameters_merge(&j->knots, &j->halts, domain, &knots_and_halts);
     if (status == BATTEN_OK)
         status = bat_parameters_merge(&knots_and_halts, &j->extrema, domain, &breaks);
-    if (status == BATTEN_OK) {
-        /* One that all but meets the last knot was taken for it. */
-        breaks.at[breaks.count - 1] = domain.b;
+    if (status == BATTEN_OK)
         status = bat_curve_energies(j->curve, &breaks, &energies);
-    }
     j->found.energy = energies.energy;
     j->found.energy_error = energies.energy_error;
     j->found.variation = energies.variation;
@@ -150,25 +148,39 @@ static bool is_too_sharp(const bat_judged_curve *j)
            f->max_curvature * j->size > SHARPEST;
 }
 
-/* Fairness of a curve when `required` inflections are no fault, and neither are those that
- * would go if its points moved by `uncertainty`. */
+/* Inflections that are no fault: a number, and those that would go if the points moved by
+ * `uncertainty`. Energies are the dear part: those who ask for the verdict alone get them where
+ * it rests on them. */
+typedef struct {
+    int inflections;
+    double uncertainty;
+    bool verdict_alone;
+} allowance;
+
+static bool needs_energies(const bat_judged_curve *j, const allowance *allowed)
+{
+    return !allowed->verdict_alone || j->found.max_curvature * j->size > SHARPEST;
+}
+
 static batten_status judge_curve(const batten_curve *curve,
-                                 const batten_fairness_options *options, int required,
-                                 double uncertainty, batten_fairness *out)
+                                 const batten_fairness_options *options,
+                                 const allowance *allowed, batten_fairness *out)
 {
     bat_judged_curve j = {.curve = curve, .options = options, .size = bat_curve_size(curve)};
-    batten_status status = find_places(&j, uncertainty);
+    batten_status status = find_places(&j, allowed->uncertainty);
     if (status == BATTEN_OK)
         status = note_curvatures(&j, &j.knots);
     if (status == BATTEN_OK)
         status = note_curvatures(&j, &j.extrema);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK && needs_energies(&j, allowed))
         status = add_energies(&j);
     if (status == BATTEN_OK)
         status = bat_judge_joints(&j);
     if (status == BATTEN_OK)
-        status = count_turns(&j, required, uncertainty);
+        status = count_turns(&j, allowed->inflections, allowed->uncertainty);
     if (status == BATTEN_OK) {
+        if (j.found.unbounded > 0)
+            j.found.max_curvature = HUGE_VAL;
         j.found.unbounded += is_too_sharp(&j);
         bat_conclude_fairness(&j.found);
         *out = j.found;
@@ -183,22 +195,40 @@ static batten_status judge_curve(const batten_curve *curve,
  */
 #define SETTLED 1e-6
 
-batten_status bat_batten_fairness(const bat_batten *batten, int width, const double *points,
-                                  const double *within, const double *z, batten_fairness *out)
+static batten_status judge_batten(const bat_batten *batten, const bat_batten_points *ducks,
+                                  bool verdict_alone, batten_fairness *out)
 {
     const batten_fairness_options options = batten_fairness_defaults();
     batten_curve *curve = NULL;
-    int required = 0;
+    allowance allowed = {.verdict_alone = verdict_alone};
     double largest = 0;
     for (int i = 0; i < batten->count; i++)
-        largest = bat_max(largest, within[i]);
+        largest = bat_max(largest, ducks->within[i]);
+    allowed.uncertainty = SETTLED * largest;
     batten_status status =
-        bat_required_inflections(width, batten->count, batten->t, points, within, &required);
+        bat_required_inflections(ducks->width, batten->count, batten->t, ducks->points,
+                                 ducks->within, &allowed.inflections);
     if (status == BATTEN_OK)
-        status = bat_batten_curve(batten, width, z, &curve);
+        status = bat_batten_curve(batten, ducks->width, ducks->z, &curve);
     if (status == BATTEN_OK)
-        status = judge_curve(curve, &options, required, SETTLED * largest, out);
+        status = judge_curve(curve, &options, &allowed, out);
     batten_curve_unref(curve);
+    return status;
+}
+
+batten_status bat_batten_fairness(const bat_batten *batten, const bat_batten_points *ducks,
+                                  batten_fairness *out)
+{
+    return judge_batten(batten, ducks, false, out);
+}
+
+batten_status bat_batten_is_fair(const bat_batten *batten, const bat_batten_points *ducks,
+                                 bool *out)
+{
+    batten_fairness found;
+    const batten_status status = judge_batten(batten, ducks, true, &found);
+    if (status == BATTEN_OK)
+        *out = found.fair;
     return status;
 }
 
@@ -254,7 +284,7 @@ batten_status batten_curve_fairness(const batten_curve *curve, batten_points poi
     if (points.dimension != batten_curve_dimension(curve))
         return bat_wrong_dimension(points, batten_curve_dimension(curve));
     const int d = batten_curve_dimension(curve);
-    int required = 0;
+    allowance allowed = {0};
     if (points.at)
         status = check_points(curve, points.count, points.at);
     if (status == BATTEN_OK && points.at && d < 3) {
@@ -262,9 +292,9 @@ batten_status batten_curve_fairness(const batten_curve *curve, batten_points poi
         if (!knots)
             return BATTEN_OUT_OF_MEMORY;
         batten_curve_spans(curve, knots);
-        status =
-            bat_required_within(d, points.count, knots, points.at, chosen.within, &required);
+        status = bat_required_within(d, points.count, knots, points.at, chosen.within,
+                                     &allowed.inflections);
         bat_release(knots);
     }
-    return status == BATTEN_OK ? judge_curve(curve, &chosen, required, 0, out) : status;
+    return status == BATTEN_OK ? judge_curve(curve, &chosen, &allowed, out) : status;
 }

@@ -54,9 +54,18 @@ typedef struct {
 void bat_scan_walk(int count, const double *curvature, double zero, double flat,
                    bat_scan *scan);
 
+/* Points [count][width] with a bound each, and where a batten passes them. */
+typedef struct {
+    int width;
+    const double *points, *within, *z;
+} bat_batten_points;
+
 /* Of a batten through z; required is what the points within their bounds require. */
-batten_status bat_batten_fairness(const bat_batten *batten, int width, const double *points,
-                                  const double *within, const double *z, batten_fairness *out);
+batten_status bat_batten_fairness(const bat_batten *batten, const bat_batten_points *ducks,
+                                  batten_fairness *out);
+/* Its verdict alone, without integrals. */
+batten_status bat_batten_is_fair(const bat_batten *batten, const bat_batten_points *ducks,
+                                 bool *out);
 
 /* The fairness of a family: sums, maxima, all fair. Begins with {.fair = true}. */
 void bat_fairness_add(batten_fairness *sum, const batten_fairness *one);

@@ -43,11 +43,17 @@ static void add_halt(bat_judged_curve *j, double turn)
     j->found.largest_turn = bat_max(j->found.largest_turn, turn);
 }
 
+/* Beside a halt: curvature with and without a bound, and without one and of infinite energy. */
+typedef enum { CURVATURE_BOUNDED, CURVATURE_UNBOUNDED, ENERGY_UNBOUNDED } halt_curvature;
+
 /*
  * With the m-th derivative the first that is not 0 and the j-th the first beside it, curvature
- * goes like t^(j - 2 m) and its square by arc length like t^(2 j - 3 m - 1).
+ * goes like t^(j - 2 m) and its square by arc length like t^(2 j - 3 m - 1). A rational curve
+ * less its point at u is a polynomial of the same degree over its weight: m and j do not exceed
+ * the degree.
  */
-static batten_status note_curvature_at_halt(bat_judged_curve *j, double u, batten_side side)
+static batten_status curvature_beside_halt(const bat_judged_curve *j, double u,
+                                           batten_side side, halt_curvature *out)
 {
     const int d = batten_curve_dimension(j->curve), order = batten_curve_degree(j->curve);
     const double h = bat_span_width(j->curve, u, side);
@@ -55,6 +61,7 @@ static batten_status note_curvature_at_halt(bat_judged_curve *j, double u, batte
     const batten_status status = batten_curve_evaluate_side(j->curve, u, side, order, c);
     if (status != BATTEN_OK)
         return status;
+    *out = CURVATURE_BOUNDED;
     int first = 2, beside;
     while (first <= order &&
            bat_norm(d, c + first * d) <= bat_derivative_roundoff(j->curve, first, j->size, h))
@@ -69,13 +76,56 @@ static batten_status note_curvature_at_halt(bat_judged_curve *j, double u, batte
                                       HALF_OF_THE_DIGITS * bat_norm(d, other))
             break;
     }
-    if (beside > order || beside >= 2 * first)
-        return BATTEN_OK;
-    j->found.unbounded++;
-    j->found.max_curvature = HUGE_VAL;
-    if (2 * beside <= 3 * first)
-        j->found.energy = HUGE_VAL;
+    if (beside <= order && beside < 2 * first)
+        *out = 2 * beside <= 3 * first ? ENERGY_UNBOUNDED : CURVATURE_UNBOUNDED;
     return BATTEN_OK;
+}
+
+static void add_halt_curvature(bat_judged_curve *j, halt_curvature worst)
+{
+    j->found.unbounded += worst != CURVATURE_BOUNDED;
+    if (worst == ENERGY_UNBOUNDED)
+        j->found.energy = HUGE_VAL;
+}
+
+static batten_status note_curvature_at_halt(bat_judged_curve *j, double u, batten_side side)
+{
+    halt_curvature found;
+    const batten_status status = curvature_beside_halt(j, u, side, &found);
+    if (status == BATTEN_OK)
+        add_halt_curvature(j, found);
+    return status;
+}
+
+/* One of two pieces may stand still where they meet, and the other not: of that one curvature
+ * has a bound. */
+static batten_status curvature_beside_knot(const bat_judged_curve *j, double u,
+                                           batten_side side, halt_curvature *out)
+{
+    const int d = batten_curve_dimension(j->curve);
+    const double h = bat_span_width(j->curve, u, side);
+    double c[3 * 3];
+    const batten_status status = batten_curve_evaluate_side(j->curve, u, side, 2, c);
+    *out = CURVATURE_BOUNDED;
+    if (status != BATTEN_OK)
+        return status;
+    const double still = HALF_OF_THE_DIGITS * h * bat_norm(d, c + 2 * d) +
+                         bat_derivative_roundoff(j->curve, 1, j->size, h);
+    if (bat_norm(d, c + d) > still)
+        return BATTEN_OK;
+    return curvature_beside_halt(j, u, side, out);
+}
+
+/* The worse of both sides, counted once. */
+static batten_status note_curvature_at_knot(bat_judged_curve *j, double left, double right)
+{
+    halt_curvature before, after;
+    batten_status status = curvature_beside_knot(j, left, BATTEN_FROM_LEFT, &before);
+    if (status == BATTEN_OK)
+        status = curvature_beside_knot(j, right, BATTEN_FROM_RIGHT, &after);
+    if (status == BATTEN_OK)
+        add_halt_curvature(j, before > after ? before : after);
+    return status;
 }
 
 static batten_status tangent_at(const bat_judged_curve *j, double u, batten_side side,
@@ -102,8 +152,7 @@ static batten_status add_halt_at_knot(bat_judged_curve *j, double left, double r
     const double turn =
         atan2(bat_vec3_norm(bat_vec3_cross(before, after)), bat_vec3_dot(before, after));
     add_halt(j, turn);
-    return turn > j->options->angle ? BATTEN_OK
-                                    : note_curvature_at_halt(j, right, BATTEN_FROM_RIGHT);
+    return turn > j->options->angle ? BATTEN_OK : note_curvature_at_knot(j, left, right);
 }
 
 /* Inside a span a curve that stands still either goes on or turns back: its direction is that

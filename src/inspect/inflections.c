@@ -254,6 +254,8 @@ batten_status bat_parameters_merge(const batten_parameters *a, const batten_para
         const double next = first ? a->at[i++] : b->at[j++];
         if (count == 0 || next - at[count - 1] > apart)
             at[count++] = next;
+        else if (next == domain.b) /* what all but meets the end is the end */
+            at[count - 1] = next;
     }
     *out = (batten_parameters){count, at};
     return BATTEN_OK;

@@ -10,7 +10,8 @@ batten_status bat_curve_inflections(const batten_curve *curve, double uncertaint
 batten_status bat_curve_curvature_extrema(const batten_curve *curve, double uncertainty,
                                           batten_parameters *out);
 
-/* Two rising lists as one, what rounding does not tell apart once. */
+/* Two rising lists as one, what rounding does not tell apart once; the end of the domain is kept
+ * as it is. */
 batten_status bat_parameters_merge(const batten_parameters *a, const batten_parameters *b,
                                    batten_interval domain, batten_parameters *out);
 

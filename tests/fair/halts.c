@@ -111,6 +111,49 @@ TEST(curvature_without_bound_where_a_curve_stands_still_is_not_fair)
     }
 }
 
+/* Two Bezier pieces of a degree, over [0, 2], and what is found of them. */
+static batten_fairness of_two_pieces(int p, const double *points)
+{
+    batten_curve *curve = NULL;
+    batten_fairness found = {0};
+    double knots[16];
+    for (int k = 0; k < 3 * p + 2; k++)
+        knots[k] = (k > p) + (k > 2 * p);
+    CHECK_OK(
+        batten_curve_create((batten_points){2, 2 * p + 1, points}, p, NULL, knots, &curve));
+    CHECK_OK(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, NULL, &found));
+    batten_curve_unref(curve);
+    return found;
+}
+
+TEST(what_follows_a_halt_without_bound_is_counted_as_if_it_were_not_there)
+{
+    /* It halts at 1/2; at 1 the curvature jumps. */
+    static const double points[9][2] = {{-1, 1},  {0.5, -1}, {0, 1}, {-0.5, -1}, {1, 1},
+                                        {2.5, 3}, {3, 4},    {4, 4}, {5, 4}};
+    const batten_fairness found = of_two_pieces(4, points[0]);
+    CHECK_INT(found.unbounded, 1);
+    CHECK_INT(found.curvature_jumps, 1);
+    CHECK(found.curvature_extrema > 0);
+}
+
+TEST(both_sides_of_a_halt_at_a_knot_are_examined_and_it_is_counted_once)
+{
+    /* The left piece ends with a curvature without bound; the right one begins straight, bent
+     * without bound as well, and without a halt. */
+    static const double points[3][7][2] = {
+        {{0, 0}, {1, 0}, {2, 1}, {2, 1}, {2, 1}, {3, 2}, {4, 3}},
+        {{0, 0}, {1, 0}, {2, 1}, {2, 1}, {2, 1}, {3, 2}, {4, 4}},
+        {{0, 0}, {1, 0}, {2, 1}, {2, 1}, {2.5, 1.5}, {3, 2}, {4, 3}},
+    };
+    for (int i = 0; i < COUNT(points); i++) {
+        const batten_fairness found = of_two_pieces(3, points[i][0]);
+        CHECK_INT(found.unbounded, 1);
+        CHECK_INT(found.corners, 0);
+        CHECK(isinf(found.energy) && isinf(found.max_curvature));
+    }
+}
+
 TEST(a_straight_line_that_slows_down_has_no_energy_and_no_corner)
 {
     /* x = t^3: it stands still at 0 and goes on; far from the origin, where rounding is coarse */

@@ -1,3 +1,5 @@
+#include "inspect/inflections.h"
+
 #include "inspect/shapes.h"
 
 #include <batten/nearest.h>
@@ -308,4 +310,17 @@ TEST(turns_are_where_a_curve_is_farthest_along_a_direction_that_is_one)
         at = (batten_parameters){0, NULL};
     }
     batten_curve_unref(ellipse);
+}
+
+TEST(two_lists_of_parameters_become_one_that_ends_exactly_at_the_end_of_the_domain)
+{
+    const double end = 3 - 4 * DBL_EPSILON;
+    const batten_parameters a = {3, (double[3]){0, 1, end}}, b = {2, (double[2]){0.5, 3}};
+    batten_parameters out = {0, NULL};
+    CHECK_OK(bat_parameters_merge(&a, &b, (batten_interval){0, 3}, &out));
+    CHECK_INT(out.count, 4);
+    CHECK_NEAR(out.at[1], 0.5, 0);
+    CHECK_NEAR(out.at[2], 1, 0);
+    CHECK_NEAR(out.at[3], 3, 0);
+    batten_release(out.at);
 }

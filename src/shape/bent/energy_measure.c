@@ -44,13 +44,10 @@ static batten_status find_breaks(const measured *m, batten_parameters *out)
         *out = knots;
         return BATTEN_OK;
     }
-    const double end = batten_curve_domain(m->curve).b;
     batten_curve_spans(m->curve, knots.at);
     batten_status status = batten_curve_curvature_extrema(m->curve, &extrema);
     if (status == BATTEN_OK)
         status = bat_parameters_merge(&knots, &extrema, batten_curve_domain(m->curve), out);
-    if (status == BATTEN_OK)
-        out->at[out->count - 1] = end;
     bat_release(knots.at);
     batten_release(extrema.at);
     return status;
