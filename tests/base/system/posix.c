@@ -1,13 +1,11 @@
-/* The door to the operating system: threads, paths and the clock. */
+/* The door to the operating system: threads and the clock. */
 #define _XOPEN_SOURCE 700
 #include "base/base.h"
 #include "base/system.h"
 
 #include "support/test.h"
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -39,29 +37,4 @@ TEST(the_clock_counts_seconds_and_never_runs_backwards)
     nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
     const double elapsed = batten_system_seconds() - begin;
     CHECK(elapsed >= 0.02 && elapsed < 60);
-}
-
-TEST(a_real_path_is_absolute_and_has_no_links)
-{
-    const char *folder = test_scratch("real"), *link = test_scratch("link"), *reason = "none";
-    /* Run again with failing allocations, it finds them there. */
-    CHECK(mkdir(folder, 0700) == 0 || errno == EEXIST);
-    CHECK(symlink(folder, link) == 0 || errno == EEXIST);
-    char *real = batten_system_real_path(folder, &reason);
-    CHECK(real || !reason);
-    char *followed = batten_system_real_path(link, &reason);
-    if (real && followed) {
-        CHECK_TEXT(followed, real);
-        CHECK(real[0] == '/');
-    }
-    bat_release(real);
-    bat_release(followed);
-}
-
-TEST(a_path_to_nothing_has_no_real_path_and_a_reason)
-{
-    const char *reason = NULL;
-    CHECK(!batten_system_real_path(test_scratch("nothing"), &reason));
-    if (reason)
-        CHECK_TEXT(reason, "there is no such file");
 }

@@ -1,10 +1,7 @@
 #define _XOPEN_SOURCE 700
 #include "base/system/files/posix_file.h"
-#include "base/system/files/posix_strays.h"
 
-#include "support/test.h"
-#include <dirent.h>
-#include <errno.h>
+#include "base/system/files/scratch.h"
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
@@ -111,67 +108,6 @@ static void uninstall(void)
     bat_system = real_system;
 }
 
-/* ---- a folder of its own for each test ---- */
-
-static const char *folder(const char *name)
-{
-    const char *path = test_scratch(name);
-    CHECK(mkdir(path, 0700) == 0 || errno == EEXIST);
-    return path;
-}
-
-static const char *in(const char *where, const char *name)
-{
-    const size_t size = strlen(where) + strlen(name) + 2;
-    char *path = test_array(size, 1);
-    snprintf(path, size, "%s/%s", where, name);
-    return path;
-}
-
-static int entry_count(const char *where)
-{
-    DIR *directory = opendir(where);
-    CHECK(directory != NULL);
-    int count = 0;
-    while (directory && readdir(directory))
-        count++;
-    closedir(directory);
-    return count - 2;
-}
-
-static void put(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "wb");
-    CHECK(file != NULL);
-    CHECK(fwrite(text, 1, strlen(text), file) == strlen(text));
-    CHECK(fclose(file) == 0);
-}
-
-static bool holds(const char *path, const char *text)
-{
-    char bytes[100] = "";
-    FILE *file = fopen(path, "rb");
-    const size_t length = file ? fread(bytes, 1, sizeof bytes - 1, file) : 0;
-    if (file)
-        fclose(file);
-    return file && length == strlen(text) && memcmp(bytes, text, length) == 0;
-}
-
-static batten_status save(const char *path, const char *text)
-{
-    return batten_save_file(path, text, strlen(text));
-}
-
-static void check_loads(const char *path, const char *text)
-{
-    char *data = NULL;
-    size_t size = 0;
-    CHECK_OK(batten_load_file(path, 1000, &data, &size));
-    CHECK_INT(size, strlen(text));
-    CHECK_TEXT(data, text);
-    batten_release(data);
-}
-
 /* ---- loading ---- */
 
 TEST(a_saved_file_loads)
@@ -188,91 +124,6 @@ TEST(a_saved_file_loads)
     CHECK_OK(batten_load_file(path, SIZE_MAX, &data, &size));
     CHECK(size == 5000000 && memcmp(data, large, size) == 0 && data[size] == 0);
     batten_release(data);
-}
-
-TEST(S1_a_file_above_the_limit_is_refused)
-{
-    const char *path = in(folder("limit"), "a");
-    put(path, "12345");
-    char *data = NULL;
-    size_t size = 77;
-    CHECK_STATUS(batten_load_file(path, 4, &data, &size), BATTEN_TOO_LARGE);
-    CHECK_MESSAGE("more than the 4 bytes");
-    CHECK_STATUS(batten_load_file("/dev/zero", 100000, &data, &size), BATTEN_TOO_LARGE);
-    CHECK(data == NULL && size == 77);
-    CHECK_OK(batten_load_file(path, 5, &data, &size));
-    batten_release(data);
-}
-
-static void check_load_refused(const char *path, const char *reason)
-{
-    char *data = NULL;
-    size_t size = 77;
-    CHECK_STATUS(batten_load_file(path, 100, &data, &size), BATTEN_FILE_ERROR);
-    CHECK_MESSAGE(path);
-    CHECK_MESSAGE(reason);
-    CHECK(data == NULL && size == 77);
-}
-
-TEST(F1_what_is_no_file_is_refused_with_the_reason_in_words)
-{
-    const char *where = folder("nofile");
-    check_load_refused(where, "Is a directory");
-    check_load_refused(in(where, "absent"), "No such file or directory");
-    check_load_refused("", "No such file or directory");
-    const char *closed = in(where, "closed");
-    put(closed, "secret");
-    CHECK(chmod(closed, 0) == 0);
-    if (geteuid() != 0)
-        check_load_refused(closed, "Permission denied");
-    check_loads("/dev/null", "");
-}
-
-TEST(F1_a_pipe_that_nobody_writes_into_is_not_waited_for)
-{
-    const char *pipe = in(folder("fifo"), "pipe");
-    CHECK(mkfifo(pipe, 0600) == 0 || errno == EEXIST);
-    check_load_refused(pipe, "nobody writes");
-    CHECK_STATUS(save(pipe, "text"), BATTEN_FILE_ERROR);
-    CHECK_MESSAGE("No such device");
-}
-
-static void pause_briefly(void)
-{
-    nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
-}
-
-static void *write_slowly(void *user)
-{
-    const int file = *(const int *)user;
-    pause_briefly();
-    if (write(file, "slow", 4) == 4)
-        pause_briefly();
-    if (write(file, "ly", 2) == 2)
-        close(file);
-    return NULL;
-}
-
-TEST(a_pipe_is_read_at_the_pace_of_its_writer)
-{
-    int ends[2];
-    CHECK(pipe(ends) == 0);
-    char path[40];
-    snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
-    if (access(path, R_OK) != 0)
-        SKIP("there is no /dev/fd");
-    pthread_t thread;
-    CHECK(pthread_create(&thread, NULL, write_slowly, &ends[1]) == 0);
-    char *data = NULL;
-    size_t size = 0;
-    const batten_status status = batten_load_file(path, 100, &data, &size);
-    pthread_join(thread, NULL);
-    close(ends[0]);
-    if (status == BATTEN_OK) {
-        CHECK_TEXT(data, "slowly");
-        batten_release(data);
-    }
-    CHECK(status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY);
 }
 
 TEST(F1_a_file_whose_reading_fails_is_refused)
@@ -381,61 +232,6 @@ TEST(W2_a_process_killed_at_any_call_of_a_save_leaves_a_whole_file)
     CHECK(call > 10);
     CHECK_INT(strays, 2); /* each save takes away what the one before left */
     CHECK_INT(entry_count(where), 1);
-}
-
-TEST(W2_a_save_removes_strays_of_its_own_file_that_nobody_holds)
-{
-    const char *where = folder("strays"), *path = in(where, "hull.step");
-    const char *const kept[] = {".hull.step.abcde.batten-tmp",  ".hull.step.abcdef.batten-tm",
-                                ".hull.step.ABCDEF.batten-tmp", ".bull.step.abcdef.batten-tmp",
-                                ".hull.step.a12345.batten-tmp", "hull.step.abcdef.batten-tmp"};
-    put(in(where, ".hull.step.abcdef.batten-tmp"), "half");
-    put(in(where, ".hull.step.012345.batten-tmp"), "");
-    for (int i = 0; i < COUNT(kept); i++)
-        put(in(where, kept[i]), "other");
-    /* The last but one is being written by another process. */
-    const int held = open(in(where, kept[4]), O_WRONLY);
-    CHECK(held >= 0 && bat_hold_temporary(held));
-    const batten_status status = save(path, "new hull");
-    close(held);
-    if (status == BATTEN_OUT_OF_MEMORY)
-        return;
-    CHECK_INT(status, BATTEN_OK);
-    for (int i = 0; i < COUNT(kept); i++)
-        CHECK(holds(in(where, kept[i]), "other"));
-    CHECK_INT(entry_count(where), COUNT(kept) + 1);
-}
-
-TEST(W2_what_looks_like_a_stray_and_is_no_file_of_ours_stays)
-{
-    const char *where = folder("no_strays"), *path = in(where, "hull.step");
-    const char *sub = in(where, ".hull.step.aaaaaa.batten-tmp"),
-               *link = in(where, ".hull.step.bbbbbb.batten-tmp"),
-               *pipe = in(where, ".hull.step.cccccc.batten-tmp");
-    put(in(where, "target"), "other");
-    CHECK(mkdir(sub, 0700) == 0 && symlink("target", link) == 0 && mkfifo(pipe, 0600) == 0);
-    const batten_status status = save(path, "new hull");
-    const bool kept = holds(link, "other");
-    CHECK(rmdir(sub) == 0 && unlink(link) == 0 && unlink(pipe) == 0);
-    if (status == BATTEN_OUT_OF_MEMORY)
-        return;
-    CHECK_INT(status, BATTEN_OK);
-    CHECK(kept);
-    CHECK(holds(path, "new hull") && holds(in(where, "target"), "other"));
-}
-
-TEST(W2_a_temporary_file_that_was_taken_away_is_not_held)
-{
-    const char *path = in(folder("taken_away"), "a");
-    put(path, "");
-    const int file = open(path, O_WRONLY), other = open(path, O_WRONLY);
-    CHECK(file >= 0 && other >= 0);
-    CHECK(bat_hold_temporary(file) && !bat_hold_temporary(other));
-    close(file);
-    CHECK(bat_hold_temporary(other));
-    CHECK(unlink(path) == 0);
-    CHECK(!bat_hold_temporary(other));
-    close(other);
 }
 
 /* What is not on the disk when it takes the new name is lost with the power. */

@@ -1,0 +1,94 @@
+/* Loading a file whole. */
+#define _XOPEN_SOURCE 700
+#include "base/system/files/posix_file.h"
+
+#include "base/system/files/scratch.h"
+#include <pthread.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+TEST(S1_a_file_above_the_limit_is_refused)
+{
+    const char *path = in(folder("limit"), "a");
+    put(path, "12345");
+    char *data = NULL;
+    size_t size = 77;
+    CHECK_STATUS(batten_load_file(path, 4, &data, &size), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("more than the 4 bytes");
+    CHECK_STATUS(batten_load_file("/dev/zero", 100000, &data, &size), BATTEN_TOO_LARGE);
+    CHECK(data == NULL && size == 77);
+    CHECK_OK(batten_load_file(path, 5, &data, &size));
+    batten_release(data);
+}
+
+static void check_load_refused(const char *path, const char *reason)
+{
+    char *data = NULL;
+    size_t size = 77;
+    CHECK_STATUS(batten_load_file(path, 100, &data, &size), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE(path);
+    CHECK_MESSAGE(reason);
+    CHECK(data == NULL && size == 77);
+}
+
+TEST(F1_what_is_no_file_is_refused_with_the_reason_in_words)
+{
+    const char *where = folder("nofile");
+    check_load_refused(where, "Is a directory");
+    check_load_refused(in(where, "absent"), "No such file or directory");
+    check_load_refused("", "No such file or directory");
+    const char *closed = in(where, "closed");
+    put(closed, "secret");
+    CHECK(chmod(closed, 0) == 0);
+    if (geteuid() != 0)
+        check_load_refused(closed, "Permission denied");
+    check_loads("/dev/null", "");
+}
+
+TEST(F1_a_pipe_that_nobody_writes_into_is_not_waited_for)
+{
+    const char *pipe = in(folder("fifo"), "pipe");
+    CHECK(mkfifo(pipe, 0600) == 0 || errno == EEXIST);
+    check_load_refused(pipe, "nobody writes");
+    CHECK_STATUS(save(pipe, "text"), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("No such device");
+}
+
+static void pause_briefly(void)
+{
+    nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
+}
+
+static void *write_slowly(void *user)
+{
+    const int file = *(const int *)user;
+    pause_briefly();
+    if (write(file, "slow", 4) == 4)
+        pause_briefly();
+    if (write(file, "ly", 2) == 2)
+        close(file);
+    return NULL;
+}
+
+TEST(a_pipe_is_read_at_the_pace_of_its_writer)
+{
+    int ends[2];
+    CHECK(pipe(ends) == 0);
+    char path[40];
+    snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
+    if (access(path, R_OK) != 0)
+        SKIP("there is no /dev/fd");
+    pthread_t thread;
+    CHECK(pthread_create(&thread, NULL, write_slowly, &ends[1]) == 0);
+    char *data = NULL;
+    size_t size = 0;
+    const batten_status status = batten_load_file(path, 100, &data, &size);
+    pthread_join(thread, NULL);
+    close(ends[0]);
+    if (status == BATTEN_OK) {
+        CHECK_TEXT(data, "slowly");
+        batten_release(data);
+    }
+    CHECK(status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY);
+}
