@@ -44,8 +44,10 @@ typedef struct batten_surface_skin_options {
     const double *given;               /**< [count] across, with BATTEN_GIVEN */
     batten_end start, end; /**< natural, clamped (vector: the common tangent), ... */
     bool closed;           /**< the last section is followed by the first */
-    bool align;       /**< reverse sections that run against the first; a message says which */
-    double tolerance; /**< 0: exact union of all knots. Else few common knots are found
+    bool
+        align; /**< reverse sections that run against the first, closed ones by how they run and not by
+                           where they start; a message says which */
+    double tolerance;          /**< 0: exact union of all knots. Else few common knots are found
                            so that no section moves farther than this */
     const batten_curve *spine; /**< NULL: sections stand where they are. Else they are drawn in
                                   the xy-plane and are placed along the spine */
@@ -64,9 +66,10 @@ typedef struct batten_surface_skin_options {
     batten_skin_creases creases;
     bool untwist; /**< with `align`: closed sections that start more than 45 degrees off begin
                        nearest to the one before; those that start at a corner keep it */
-    bool smooth_poles; /**< a first or last section that is a point is a smooth pole: all
-                            derivatives there lie in the plane that the next section lies flat
-                            in; a clamped, direction or other end given there is not used */
+    bool smooth_poles; /**< a first or last section that is a point is a smooth pole: the
+                            derivatives there are the next section, flat about the pole, times
+                            one factor; a clamped, direction or other end given there is not
+                            used */
 } batten_surface_skin_options;
 
 /** Cubic, centripetal, natural ends, all knots kept (tolerance 0). */
@@ -82,7 +85,8 @@ typedef struct batten_surface_skin_report {
     double normal_jump;   /**< largest jump of the normal over inner knot lines, radians */
     double speed_jump;    /**< largest jump of |Su| there, as a share of the larger */
     double crease; /**< largest jump of the normal beyond that of the sections, where none of
-                        them has a corner (0.01 radians), radians */
+                        them has a corner (0.01 radians), radians; at the seam of closed
+                        sections too, and close to poles */
     batten_skin_cure cure;
     int reversed_count; /**< sections that were reversed */
     int turned_count;   /**< closed sections that begin elsewhere */

@@ -100,15 +100,17 @@ static bool is_smooth_pole(const bat_skin *t, int tip, int next)
     return t->options->smooth_poles && !t->options->closed && t->point[tip] && !t->point[next];
 }
 
-/* Derivatives in the plane of the next section, as long as the arc that leaves the pole in that plane for the
- * control point of the next section. */
-static batten_status fill_pole(const bat_skin *t, int here, int next, double *values)
+/* A pole and the plane in which the surface leaves it: that of the section next to it. */
+typedef struct {
+    int dimension;
+    batten_vec3 pole, normal;
+} pole_plane;
+
+static batten_status find_pole_plane(const bat_skin *t, int here, int next, pole_plane *plane)
 {
     const int d = t->dimension, n = t->points;
-    const double *P = batten_curve_points(t->unified[here]),
-                 *Q = batten_curve_points(t->unified[next]);
-    const double *w = batten_curve_weights(t->unified[here]);
-    const batten_vec3 pole = bat_vec3_of(d, P);
+    const double *Q = batten_curve_points(t->unified[next]);
+    const batten_vec3 pole = bat_vec3_of(d, batten_curve_points(t->unified[here]));
     batten_vec3 area = {0, 0, 0};
     double size = 0;
     for (int i = 0; i < n; i++) {
@@ -122,21 +124,72 @@ static batten_status fill_pole(const bat_skin *t, int here, int next, double *va
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "section %d, next to the smooth pole, is straight and has no plane",
                         next + 1);
-    const batten_vec3 normal = bat_vec3_scale(area, 1 / length);
-    const double step = t->v[next] - t->v[here]; /* negative at the end */
-    for (int i = 0; i < n; i++) {
-        const batten_vec3 r = bat_vec3_subtract(bat_vec3_of(d, Q + i * d), pole);
-        const double height = bat_vec3_dot(r, normal);
-        const batten_vec3 flat = bat_vec3_subtract(r, bat_vec3_scale(normal, height));
-        const double wide = bat_vec3_norm(flat), angle = atan2(fabs(height), wide);
-        const double arc = bat_vec3_norm(r) * (angle > 0 ? angle / sin(angle) : 1);
-        const batten_vec3 slope =
-            bat_vec3_scale(flat, wide > 0 ? (w ? w[i] : 1) * arc / (wide * step) : 0);
-        const double parts[3] = {slope.x, slope.y, slope.z};
-        for (int c = 0; c < d; c++)
-            values[(size_t)i * t->width + (size_t)c] = parts[c];
-    }
+    *plane = (pole_plane){d, pole, bat_vec3_scale(area, 1 / length)};
     return BATTEN_OK;
+}
+
+/* From the pole to a point, without its height above the plane. */
+static batten_vec3 flat_from_pole(const pole_plane *plane, const double *point, double *height)
+{
+    const batten_vec3 r = bat_vec3_subtract(bat_vec3_of(plane->dimension, point), plane->pole);
+    *height = bat_vec3_dot(r, plane->normal);
+    return bat_vec3_subtract(r, bat_vec3_scale(plane->normal, *height));
+}
+
+/*
+ * How much longer the arcs are that leave the pole in the plane for the points of the section than those points are
+ * wide of it, by least squares. One factor serves the whole section: the surface about the pole is then the section
+ * itself, drawn smaller, and has no crease that the section has not. A factor for each control point gives creases
+ * where knots are double, as on circles.
+ */
+static batten_status measure_arcs(const pole_plane *plane, const batten_curve *section,
+                                  double *factor)
+{
+    const int spans = batten_curve_spans(section, NULL) - 1,
+              each = batten_curve_degree(section);
+    double arcs = 0, squares = 0, *knots = bat_array((size_t)spans + 1, sizeof *knots);
+    if (!knots)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_curve_spans(section, knots);
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < spans * each && status == BATTEN_OK; i++) {
+        const double s = (i % each + 0.5) / each;
+        double point[3], height;
+        status = batten_curve_evaluate(
+            section, (1 - s) * knots[i / each] + s * knots[i / each + 1], 0, point);
+        if (status != BATTEN_OK)
+            break;
+        const double wide = bat_vec3_norm(flat_from_pole(plane, point, &height));
+        const double angle = atan2(fabs(height), wide);
+        arcs += wide * hypot(wide, height) * (angle > 0 ? angle / sin(angle) : 1);
+        squares += wide * wide;
+    }
+    bat_release(knots);
+    if (status == BATTEN_OK)
+        *factor = arcs / squares;
+    return status;
+}
+
+/* Derivatives at a pole, of homogeneous rows. */
+static batten_status fill_pole(const bat_skin *t, int here, int next, double *values)
+{
+    const size_t d = (size_t)t->dimension;
+    const double *Q = batten_curve_points(t->unified[next]);
+    const double *w = batten_curve_weights(t->unified[here]);
+    const double step = t->v[next] - t->v[here]; /* negative at the end */
+    pole_plane plane;
+    double factor = 1;
+    batten_status status = find_pole_plane(t, here, next, &plane);
+    if (status == BATTEN_OK)
+        status = measure_arcs(&plane, t->unified[next], &factor);
+    for (size_t i = 0; i < (size_t)t->points && status == BATTEN_OK; i++) {
+        double height;
+        const batten_vec3 flat = flat_from_pole(&plane, Q + i * d, &height);
+        const double parts[3] = {flat.x, flat.y, flat.z};
+        for (size_t c = 0; c < d; c++)
+            values[i * t->width + c] = (w ? w[i] : 1) * factor / step * parts[c];
+    }
+    return status;
 }
 
 /* What the ends ask: `start` and `end`, and the kinds of both in the request. */

@@ -135,17 +135,22 @@ static double span_ratio(double *knots, int knot_count)
     return knots[0] / knots[spans / 2];
 }
 
+/* A line of equal u: its parameter to the left and to the right, which differ at the seam of closed sections. */
+typedef struct {
+    double sides[2];
+} seam_line;
+
 /* What jumps across a knot line at one place: the angle between the normals of both sides, 0
  * where one of them vanishes, and the share by which |Su| does. */
-static batten_status jumps(const batten_surface *surface, double u, double v, double *normal,
-                           double *speed)
+static batten_status jumps(const batten_surface *surface, const seam_line *line, double v,
+                           double *normal, double *speed)
 {
     batten_vec3 normals[2];
     double speeds[2];
     for (int side = 0; side < 2; side++) {
         double out[9];
         const batten_status status = batten_surface_evaluate_side(
-            surface, u, v,
+            surface, line->sides[side], v,
             (batten_sides){side == 0 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT},
             1, out);
         if (status != BATTEN_OK)
@@ -161,15 +166,18 @@ static batten_status jumps(const batten_surface *surface, double u, double v, do
 }
 
 /* The largest corner of the sections with common knots at one of them; points have none. */
-static batten_status section_corner(const bat_skin *t, double u, double *corner)
+static batten_status section_corner(const bat_skin *t, const seam_line *line, double *corner)
 {
     const int d = t->dimension;
     for (int k = 0; k < t->count; k++) {
         double left[6], right[6];
-        batten_status status =
-            batten_curve_evaluate_side(t->unified[k], u, BATTEN_FROM_LEFT, 1, left);
+        if (t->point[k])
+            continue;
+        batten_status status = batten_curve_evaluate_side(t->unified[k], line->sides[0],
+                                                          BATTEN_FROM_LEFT, 1, left);
         if (status == BATTEN_OK)
-            status = batten_curve_evaluate_side(t->unified[k], u, BATTEN_FROM_RIGHT, 1, right);
+            status = batten_curve_evaluate_side(t->unified[k], line->sides[1],
+                                                BATTEN_FROM_RIGHT, 1, right);
         if (status != BATTEN_OK)
             return status;
         const batten_vec3 a = bat_vec3_of(d, left + d), b = bat_vec3_of(d, right + d);
@@ -179,27 +187,67 @@ static batten_status section_corner(const bat_skin *t, double u, double *corner)
     return BATTEN_OK;
 }
 
-/* Only knots that stand p times or more can have a jump; it is looked for at 33 places of each.
- */
+/* Where jumps are looked for: at 33 places of the whole, and on the way from a pole to the section next to it, whose
+ * normal at the pole itself is rounding. */
+enum { EVEN_PLACES = 33, POLE_PLACES = 4 };
+
+static int list_places(const bat_skin *t, double places[EVEN_PLACES + 2 * POLE_PLACES])
+{
+    const int last = t->count - 1;
+    const bool poles[2] = {t->point[0], t->point[last] && !t->options->closed};
+    const double a = t->v[0], b = t->v[last + t->options->closed];
+    int count = 0;
+    for (int j = poles[0]; j < EVEN_PLACES - poles[1]; j++)
+        places[count++] = a + (b - a) * j / (EVEN_PLACES - 1);
+    for (int end = 0; end < 2; end++) {
+        const int tip = end ? last : 0, next = end ? last - 1 : 1;
+        double share = 1;
+        for (int j = 0; j < POLE_PLACES && poles[end]; j++)
+            places[count++] = t->v[tip] + (share /= 4) * (t->v[next] - t->v[tip]);
+    }
+    return count;
+}
+
+/* The largest jumps over one line; the crease is 0 where a section has a corner. */
+typedef struct {
+    double normal, speed, crease;
+} line_jumps;
+
+static batten_status find_line_jumps(const bat_skin *t, const batten_surface *surface,
+                                     const seam_line *line, line_jumps *found)
+{
+    double corner = 0, places[EVEN_PLACES + 2 * POLE_PLACES];
+    const int count = list_places(t, places);
+    batten_status status = section_corner(t, line, &corner);
+    *found = (line_jumps){0};
+    for (int j = 0; status == BATTEN_OK && j < count; j++)
+        status = jumps(surface, line, places[j], &found->normal, &found->speed);
+    if (corner < bat_skin_corner)
+        found->crease = found->normal - corner;
+    return status;
+}
+
+/* Only knots that stand p times or more can have a jump, and the seam of closed sections. */
 static batten_status find_jumps(bat_skin *t, const batten_surface *surface, const double *knots,
                                 int knot_count)
 {
     const batten_curve *first = t->unified[0];
     const int p = batten_curve_degree(first), n = batten_curve_point_count(first);
-    const batten_interval v = batten_surface_domain(surface, BATTEN_V);
     batten_status status = BATTEN_OK;
+    line_jumps here;
     for (int i = 1; status == BATTEN_OK && i + 1 < knot_count && t->dimension == 3; i++) {
-        double jump = 0, corner = 0;
+        const seam_line line = {{knots[i], knots[i]}};
         if (bat_knots_multiplicity(p, n, batten_curve_knots(first), knots[i]) < p)
             continue;
-        for (int j = 0; status == BATTEN_OK && j <= 32; j++)
-            status = jumps(surface, knots[i], v.a + (v.b - v.a) * (j / 32.0), &jump,
-                           &t->found.speed_jump);
-        if (status == BATTEN_OK)
-            status = section_corner(t, knots[i], &corner);
-        t->found.normal_jump = bat_max(t->found.normal_jump, jump);
-        if (corner < bat_skin_corner)
-            t->found.crease = bat_max(t->found.crease, jump - corner);
+        status = find_line_jumps(t, surface, &line, &here);
+        t->found.normal_jump = bat_max(t->found.normal_jump, here.normal);
+        t->found.speed_jump = bat_max(t->found.speed_jump, here.speed);
+        t->found.crease = bat_max(t->found.crease, here.crease);
+    }
+    if (status == BATTEN_OK && t->closed && !t->periodic_u && t->dimension == 3) {
+        const seam_line seam = {{knots[knot_count - 1], knots[0]}};
+        status = find_line_jumps(t, surface, &seam, &here);
+        t->seam_crease = here.crease;
     }
     return status;
 }
@@ -248,7 +296,7 @@ batten_status bat_skin_inspect(bat_skin *t, const batten_surface *surface)
         return BATTEN_OUT_OF_MEMORY;
     batten_surface_spans(surface, BATTEN_U, knots);
     t->found.knot_count = knot_count - 2;
-    t->found.normal_jump = t->found.speed_jump = t->found.crease = 0;
+    t->found.normal_jump = t->found.speed_jump = t->found.crease = t->seam_crease = 0;
     find_deviation(t);
     batten_status status = check_sections(t, surface);
     if (status == BATTEN_OK && (t->cures || t->reports))

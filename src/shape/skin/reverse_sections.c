@@ -287,15 +287,18 @@ static double spread(const samples *s, double mean[3])
 }
 
 /*
- * A closed section about its own centre is compared with the one before about its own: the mean
- * of the products of corresponding points is that of the radii for a section that lies the same
- * way, times the cosine of the angle when it starts that much off. It is reversed when that is
- * better by more than a tenth, and turned when it starts more than 45 degrees off; where no
- * start is good, both shapes have too little in common to tell.
+ * A closed section about its own centre and the one before about its own: the mean of the products of corresponding
+ * points is that of the radii for a section that lies the same way, times the cosine of the angle when it starts that
+ * much off. Of all starts `best` is the largest such mean; `present` is that of the start it has.
  */
-static batten_status untwist(bat_skin *t, int k, const samples *before)
+typedef struct {
+    double radii, best, present;
+} closed_fit;
+
+/* It is reversed when that is better by more than a tenth, from whatever start. */
+static batten_status orient_closed(bat_skin *t, int k, const samples *before, closed_fit *fit)
 {
-    static const double better = 0.1, common = 0.5, off = 0.7;
+    static const double better = 0.1;
     samples here;
     double here_mean[3], mean[3], along, against;
     batten_status status = sample(t->placed[k], true, 0, &here);
@@ -311,34 +314,40 @@ static batten_status untwist(bat_skin *t, int k, const samples *before)
             status = sample(t->placed[k], true, 0, &here);
         along = against;
     }
-    const double present = (all - squares_apart(before, &here, 0, false)) / 2;
-    const double best = (all - along) / 2;
-    if (status == BATTEN_OK && best > common * r && present < off * best)
-        status = turn_to_neighbour(t, k, before);
+    *fit =
+        (closed_fit){r, (all - along) / 2, (all - squares_apart(before, &here, 0, false)) / 2};
+    return status;
+}
+
+/* It is turned too when it starts more than 45 degrees off; where no start is good, both shapes have too little in
+ * common to tell. */
+static batten_status untwist(bat_skin *t, int k, const samples *before)
+{
+    static const double common = 0.5, off = 0.7;
+    closed_fit fit;
+    const batten_status status = orient_closed(t, k, before, &fit);
+    if (status == BATTEN_OK && fit.best > common * fit.radii && fit.present < off * fit.best)
+        return turn_to_neighbour(t, k, before);
     return status;
 }
 
 static batten_status fit_in(bat_skin *t, int k, const samples *before, bool closed)
 {
     const batten_surface_skin_options *o = t->options;
-    const bool free_start = closed && o->turn;
-    if (closed && o->align && o->untwist && !o->turn && !o->starts)
-        return untwist(t, k, before);
+    closed_fit fit;
     samples here;
+    if (closed && o->align && !o->turn)
+        return o->untwist && !o->starts ? untwist(t, k, before)
+                                        : orient_closed(t, k, before, &fit);
     batten_status status = sample(t->placed[k], closed, 0, &here);
     if (status == BATTEN_OK && o->align) {
         double along, against;
-        best_start(before, &here, free_start, false, &along);
-        if (closed && !o->turn) /* a closed section run backwards begins where it began */
-            against = squares_apart(before, &here, 0, true);
-        else
-            best_start(before, &here, free_start, true, &against);
+        best_start(before, &here, closed, false, &along);
+        best_start(before, &here, closed, true, &against);
         if (against < along)
             status = reverse(t, k);
     }
-    if (status == BATTEN_OK && free_start)
-        status = turn_to_neighbour(t, k, before);
-    return status;
+    return status == BATTEN_OK && closed && o->turn ? turn_to_neighbour(t, k, before) : status;
 }
 
 /* Starts that are given come first: they are parameters of the sections as they were. */

@@ -194,6 +194,7 @@ static batten_status skin(bat_skin *t, batten_surface **out)
             status = cured == BATTEN_OK ? status : cured;
         }
     }
+    t->found.crease = bat_max(t->found.crease, t->seam_crease);
     if (status == BATTEN_OK && t->reports)
         status = bat_skin_order(t);
     if (status == BATTEN_OK)

@@ -23,6 +23,8 @@ typedef struct {
     bool cures;             /* creases are to be cured */
     bool reports;           /* somebody wants to know */
     batten_surface_skin_report found;
+    double
+        seam_crease; /* as found.crease, at the seam of closed sections, where nothing cures it */
     int dimension, points; /* of a section; one period of a periodic one */
     size_t width;          /* dimension, one more when rational */
     bool rational, periodic_u;

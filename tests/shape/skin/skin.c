@@ -482,29 +482,3 @@ TEST(sections_with_rounded_parameters_are_skinned)
     batten_surface_unref(surface);
     unref_all(3, sections);
 }
-
-TEST(a_smooth_pole_has_one_tangent_plane_and_no_knots_of_its_own)
-{
-    static const double knots[] = {0, 0, 1, 1}, still[6] = {0.1, 0, 2, 0.1, 0, 2};
-    batten_surface_skin_options options = batten_surface_skin_defaults();
-    batten_curve *low = circle_at(1, 0), *high = circle_at(0.8, 1), *tip = NULL;
-    batten_surface *surface = NULL;
-    CHECK_OK(batten_curve_create((batten_points){3, 2, still}, 1, NULL, knots, &tip));
-    const batten_curve *sections[] = {low, high, tip};
-    options.smooth_poles = true;
-    CHECK_OK(batten_surface_skin((batten_curve_row){3, sections}, &options, NULL, NULL, NULL,
-                                 &surface));
-    CHECK_INT(batten_surface_spans(surface, BATTEN_U, NULL), batten_curve_spans(low, NULL));
-    for (int i = 0; i <= 20; i++) {
-        double d[9];
-        CHECK_OK(batten_surface_evaluate_side(
-            surface, i / 20.0, 1, (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT}, 1, d));
-        CHECK_NEAR(d[2], 2, 1e-14);
-        CHECK(hypot(d[6], d[7]) > 0.1); /* it leaves the pole, */
-        CHECK_NEAR(d[8], 0, 1e-12);     /* level with it */
-    }
-    batten_surface_unref(surface);
-    batten_curve_unref(tip);
-    batten_curve_unref(high);
-    batten_curve_unref(low);
-}
