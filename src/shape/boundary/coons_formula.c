@@ -110,15 +110,15 @@ static void turn_twists(const bat_coons *coons, double u, double v, const sectio
     }
 }
 
-static batten_status evaluate(const void *data, double u, double v, batten_side side_u,
-                              batten_side side_v, int order, double *out)
+static batten_status evaluate(const void *data, const bat_surface_place *at, int order,
+                              double *out)
 {
     const bat_coons *coons = data;
     const int needed = coons->gregory ? 3 : order;
     section along_u, along_v;
-    batten_status status = evaluate_section(coons, 0, u, side_u, needed, &along_u);
+    batten_status status = evaluate_section(coons, 0, at->u, at->sides.u, needed, &along_u);
     if (status == BATTEN_OK)
-        status = evaluate_section(coons, 1, v, side_v, needed, &along_v);
+        status = evaluate_section(coons, 1, at->v, at->sides.v, needed, &along_v);
     if (status != BATTEN_OK)
         return status;
     for (int n = 0; n <= order; n++)
@@ -126,11 +126,12 @@ static batten_status evaluate(const void *data, double u, double v, batten_side 
             combine_terms(coons, &along_u, &along_v, n - l, l,
                           out + BATTEN_SURFACE_DERIVATIVE(n - l, l) * coons->dimension);
     if (coons->gregory)
-        turn_twists(coons, u, v, &along_u, &along_v, order, out);
+        turn_twists(coons, at->u, at->v, &along_u, &along_v, order, out);
     if (bat_first_not_finite(out,
                              (size_t)(BATTEN_SURFACE_DERIVATIVES(order) * coons->dimension)) <
         (size_t)(BATTEN_SURFACE_DERIVATIVES(order) * coons->dimension))
-        return bat_fail(BATTEN_OVERFLOW, "the patch is beyond all numbers at (%g, %g)", u, v);
+        return bat_fail(BATTEN_OVERFLOW, "the patch is beyond all numbers at (%g, %g)", at->u,
+                        at->v);
     return BATTEN_OK;
 }
 

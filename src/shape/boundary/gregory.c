@@ -73,17 +73,14 @@ static void bernstein(int n, bat_jet t, bat_jet *out)
 }
 
 /* data [4][4][3], [2][2][2][3] */
-static batten_status evaluate_square(const void *data, double at_u, double at_v,
-                                     batten_side side_u, batten_side side_v, int order,
+static batten_status evaluate_square(const void *data, const bat_surface_place *at, int order,
                                      double *out)
 {
     const double *points = data, *inner = points + 48;
-    const bat_jet one = bat_jet_constant(1), u = bat_jet_u(at_u), v = bat_jet_v(at_v);
+    const bat_jet one = bat_jet_constant(1), u = bat_jet_u(at->u), v = bat_jet_v(at->v);
     const bat_jet from_u[2] = {u, bat_jet_subtract(one, u)};
     const bat_jet from_v[2] = {v, bat_jet_subtract(one, v)};
     bat_jet Bu[4], Bv[4], sum[3] = {{{0}}, {{0}}, {{0}}};
-    (void)side_u;
-    (void)side_v;
     bernstein(3, u, Bu);
     bernstein(3, v, Bv);
     for (int i = 0; i < 4; i++)
@@ -130,17 +127,14 @@ static bat_jet power(bat_jet a, int n)
 
 /* data [3][5][3], [3][2][3]. Point k of edge e has 4 - k times corner e and k times the next.
  */
-static batten_status evaluate_triangle(const void *data, double at_u, double at_v,
-                                       batten_side side_u, batten_side side_v, int order,
+static batten_status evaluate_triangle(const void *data, const bat_surface_place *at, int order,
                                        double *out)
 {
     const double *edges = data, *inner = edges + 45;
-    const bat_jet one = bat_jet_constant(1), u = bat_jet_u(at_u), v = bat_jet_v(at_v);
+    const bat_jet one = bat_jet_constant(1), u = bat_jet_u(at->u), v = bat_jet_v(at->v);
     const bat_jet uv = bat_jet_multiply(u, v);
     const bat_jet b[3] = {bat_jet_subtract(one, u), bat_jet_subtract(u, uv), uv};
     bat_jet sum[3] = {{{0}}, {{0}}, {{0}}};
-    (void)side_u;
-    (void)side_v;
     for (int e = 0; e < 3; e++) {
         const int next = (e + 1) % 3, last = (e + 2) % 3;
         for (int k = 0; k < 4; k++) {

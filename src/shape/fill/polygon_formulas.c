@@ -268,19 +268,17 @@ __attribute__((noinline)) static batten_status blend(const blended *b, const bat
     return status;
 }
 
-static batten_status evaluate(const void *data, double at_u, double at_v, batten_side side_u,
-                              batten_side side_v, int order, double *out)
+static batten_status evaluate(const void *data, const bat_surface_place *at, int order,
+                              double *out)
 {
     const blended *b = data;
     /* In the corner of the polygon weights and distances vanish: there the point is known, and
      * derivatives are those next to it. */
     const double near = 1e-7;
-    const bool apex = at_u < near && at_v < near;
-    const bat_jet u = bat_jet_u(apex ? near : at_u), v = bat_jet_v(apex ? near : at_v);
+    const bool apex = at->u < near && at->v < near;
+    const bat_jet u = bat_jet_u(apex ? near : at->u), v = bat_jet_v(apex ? near : at->v);
     const bat_jet uv = bat_jet_multiply(u, v);
     bat_jet place[2], mean[3], distances[BATTEN_FILL_SIDES];
-    (void)side_u;
-    (void)side_v;
     for (int c = 0; c < 2; c++) {
         const double p = b->corners[0][c], q = b->corners[1][c], r = b->corners[2][c];
         place[c] = bat_jet_add(bat_jet_scale(q - p, u), bat_jet_scale(r - p, v));

@@ -46,12 +46,11 @@ static void jets_at(const bat_triangle_patch *patch, double u, double v, bat_jet
     }
 }
 
-static batten_status evaluate(const void *data, double u, double v, batten_side side_u,
-                              batten_side side_v, int order, double *out)
+static batten_status evaluate(const void *data, const bat_surface_place *at, int order,
+                              double *out)
 {
     const bat_triangle_patch *patch = data;
-    (void)side_u;
-    (void)side_v;
+    const double u = at->u, v = at->v;
     bat_jets value;
     const bool at_1 = 1 - u < NEAR && v < NEAR, at_2 = 1 - u < NEAR && 1 - v < NEAR;
     if (order > 0 && (at_1 || at_2)) {

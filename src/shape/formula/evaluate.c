@@ -24,14 +24,25 @@ static batten_status place_parameter(const bat_formula_surface *made,
 }
 
 /* From a place of the surface, when that is turned, to the formula's own: breaks to breaks. */
-static void turn_place(const bat_formula_surface *made, double *u, batten_side *side)
+static void turn_place(const bat_formula_surface *made, bat_surface_place *at)
 {
-    const double *spans = made->spans[BATTEN_U];
-    const int s = bat_breaks_span(made->count[BATTEN_U], spans, *u, *side);
+    const double u = at->u, *spans = made->spans[BATTEN_U];
+    const int s = bat_breaks_span(made->count[BATTEN_U], spans, u, at->sides.u);
     const double *own = &made->formula_u[made->count[BATTEN_U] - 2 - s];
-    *u = *u == spans[s + 1] ? own[0]
-                            : bat_max(own[0], bat_min(own[1] - (*u - spans[s]), own[1]));
-    *side = *side == BATTEN_FROM_LEFT ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT;
+    at->u =
+        u == spans[s + 1] ? own[0] : bat_max(own[0], bat_min(own[1] - (u - spans[s]), own[1]));
+    at->sides.u = at->sides.u == BATTEN_FROM_LEFT ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT;
+}
+
+/* The place in the formula's own parameters. */
+static batten_status find_place(const bat_formula_surface *made, bat_surface_place *at)
+{
+    batten_status status = place_parameter(made, BATTEN_U, &at->u, &at->sides.u);
+    if (status == BATTEN_OK)
+        status = place_parameter(made, BATTEN_V, &at->v, &at->sides.v);
+    if (status == BATTEN_OK && made->turned)
+        turn_place(made, at);
+    return status;
 }
 
 /* Derivatives by -u, an odd number of times. */
@@ -57,9 +68,8 @@ static void apply_map(const bat_formula_surface *made, int order, double *out)
     }
 }
 
-batten_status bat_formula_evaluate(const batten_surface *surface, double u, double v,
-                                   batten_side side_u, batten_side side_v, int order,
-                                   double *out)
+batten_status bat_formula_evaluate(const batten_surface *surface, const bat_surface_place *at,
+                                   int order, double *out)
 {
     const bat_formula_surface *made = bat_formula_of(surface);
     const bat_formula_shared *shared = made->shared;
@@ -67,16 +77,12 @@ batten_status bat_formula_evaluate(const batten_surface *surface, double u, doub
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "derivatives of order %d are wanted; a %s surface has them up to %d",
                         order, shared->formula.kind, BAT_FORMULA_HIGHEST_ORDER);
-    batten_status status = place_parameter(made, BATTEN_U, &u, &side_u);
-    if (status == BATTEN_OK)
-        status = place_parameter(made, BATTEN_V, &v, &side_v);
-    if (status != BATTEN_OK)
-        return status;
-    if (made->turned)
-        turn_place(made, &u, &side_u);
+    bat_surface_place place = *at;
+    batten_status status = find_place(made, &place);
     double values[BATTEN_SURFACE_DERIVATIVES(BAT_FORMULA_HIGHEST_ORDER) * 3];
     const size_t size = (size_t)BATTEN_SURFACE_DERIVATIVES(order) * (size_t)surface->dimension;
-    status = shared->formula.evaluate(shared->data, u, v, side_u, side_v, order, values);
+    if (status == BATTEN_OK)
+        status = shared->formula.evaluate(shared->data, &place, order, values);
     if (status != BATTEN_OK)
         return status;
     if (made->turned)
@@ -84,7 +90,8 @@ batten_status bat_formula_evaluate(const batten_surface *surface, double u, doub
     if (made->mapped)
         apply_map(made, order, values);
     if (!bat_all_finite(values, size))
-        return bat_fail(BATTEN_OVERFLOW, "the numbers at (%.17g, %.17g) are too large", u, v);
+        return bat_fail(BATTEN_OVERFLOW, "the numbers at (%.17g, %.17g) are too large", place.u,
+                        place.v);
     memcpy(out, values, size * sizeof *out);
     return BATTEN_OK;
 }
@@ -92,8 +99,7 @@ batten_status bat_formula_evaluate(const batten_surface *surface, double u, doub
 /* A batch: points one by one, or a grid, of values or of points and normals. */
 typedef struct {
     const batten_surface *surface;
-    const double *u, *v; /* many points: u holds the pairs, v is NULL */
-    size_t count_v;
+    batten_uv_grid at; /* many points: u holds the pairs, v is NULL */
     int order;
     double *out;              /* or: */
     double *points, *normals; /* either may be NULL */
@@ -101,8 +107,9 @@ typedef struct {
 
 static void parameters_at(const batch *work, size_t i, double at[2])
 {
-    at[0] = work->v ? work->u[i / work->count_v] : work->u[2 * i];
-    at[1] = work->v ? work->v[i % work->count_v] : work->u[2 * i + 1];
+    const double *u = work->at.u, *v = work->at.v;
+    at[0] = v ? u[i / work->at.count_v] : u[2 * i];
+    at[1] = v ? v[i % work->at.count_v] : u[2 * i + 1];
 }
 
 static batten_status evaluate_chunk(void *context, size_t begin, size_t end)
@@ -114,8 +121,8 @@ static batten_status evaluate_chunk(void *context, size_t begin, size_t end)
     for (size_t i = begin; i < end && status == BATTEN_OK; i++) {
         double at[2];
         parameters_at(work, i, at);
-        status = bat_formula_evaluate(work->surface, at[0], at[1], BATTEN_FROM_RIGHT,
-                                      BATTEN_FROM_RIGHT, work->order, work->out + i * size);
+        const bat_surface_place place = bat_surface_place_at(at[0], at[1]);
+        status = bat_formula_evaluate(work->surface, &place, work->order, work->out + i * size);
     }
     return status;
 }
@@ -135,38 +142,41 @@ static batten_status check_parameters(const batten_surface *surface, batten_dire
     return BATTEN_OK;
 }
 
-batten_status bat_formula_evaluate_many(const batten_surface *surface, size_t count,
-                                        const double *uv, int order, const batten_job *job,
-                                        double *out)
+batten_status bat_formula_evaluate_many(const batten_surface *surface, batten_batch uv,
+                                        int order, const batten_job *job, double *out)
 {
-    batch work = {.surface = surface, .u = uv, .order = order, .out = out};
-    batten_status status = check_parameters(surface, BATTEN_U, count, uv, 2);
+    batch work = {.surface = surface, .at.u = uv.at, .order = order, .out = out};
+    batten_status status = check_parameters(surface, BATTEN_U, uv.count, uv.at, 2);
     if (status == BATTEN_OK)
-        status = check_parameters(surface, BATTEN_V, count, uv + 1, 2);
-    return status == BATTEN_OK ? bat_parallel(job, count, CHUNK, evaluate_chunk, &work)
+        status = check_parameters(surface, BATTEN_V, uv.count, uv.at + 1, 2);
+    return status == BATTEN_OK ? bat_parallel(job, uv.count, CHUNK, evaluate_chunk, &work)
                                : status;
 }
 
-static batten_status check_grid(const batch *work, size_t count_u, size_t count_v)
+static batten_status check_grid(const batten_surface *surface, const batten_uv_grid *at)
 {
-    batten_status status = check_parameters(work->surface, BATTEN_U, count_u, work->u, 1);
+    batten_status status = check_parameters(surface, BATTEN_U, at->count_u, at->u, 1);
     if (status == BATTEN_OK)
-        status = check_parameters(work->surface, BATTEN_V, count_v, work->v, 1);
-    if (status == BATTEN_OK && count_v > 0 && count_u > SIZE_MAX / 32 / count_v)
-        status = bat_fail(BATTEN_TOO_LARGE, "a grid of %zu x %zu points", count_u, count_v);
+        status = check_parameters(surface, BATTEN_V, at->count_v, at->v, 1);
+    if (status == BATTEN_OK && at->count_v > 0 && at->count_u > SIZE_MAX / 32 / at->count_v)
+        status =
+            bat_fail(BATTEN_TOO_LARGE, "a grid of %zu x %zu points", at->count_u, at->count_v);
     return status;
 }
 
-batten_status bat_formula_evaluate_grid(const batten_surface *surface, size_t count_u,
-                                        const double *u, size_t count_v, const double *v,
+static batten_status work_through_grid(batch *work, const batten_job *job, bat_chunk chunk)
+{
+    const batten_status status = check_grid(work->surface, &work->at);
+    if (status != BATTEN_OK)
+        return status;
+    return bat_parallel(job, work->at.count_u * work->at.count_v, CHUNK, chunk, work);
+}
+
+batten_status bat_formula_evaluate_grid(const batten_surface *surface, batten_uv_grid places,
                                         int order, const batten_job *job, double *out)
 {
-    batch work = {
-        .surface = surface, .u = u, .v = v, .count_v = count_v, .order = order, .out = out};
-    const batten_status status = check_grid(&work, count_u, count_v);
-    return status == BATTEN_OK
-               ? bat_parallel(job, count_u * count_v, CHUNK, evaluate_chunk, &work)
-               : status;
+    batch work = {.surface = surface, .at = places, .order = order, .out = out};
+    return work_through_grid(&work, job, evaluate_chunk);
 }
 
 static batten_status normal_chunk(void *context, size_t begin, size_t end)
@@ -189,28 +199,19 @@ static batten_status normal_chunk(void *context, size_t begin, size_t end)
     return BATTEN_OK;
 }
 
-batten_status bat_formula_normal_grid(const batten_surface *surface, size_t count_u,
-                                      const double *u, size_t count_v, const double *v,
+batten_status bat_formula_normal_grid(const batten_surface *surface, batten_uv_grid places,
                                       const batten_job *job, double *points, double *normals)
 {
-    batch work = {.surface = surface,
-                  .u = u,
-                  .v = v,
-                  .count_v = count_v,
-                  .points = points,
-                  .normals = normals};
-    const batten_status status = check_grid(&work, count_u, count_v);
-    return status == BATTEN_OK
-               ? bat_parallel(job, count_u * count_v, CHUNK, normal_chunk, &work)
-               : status;
+    batch work = {.surface = surface, .at = places, .points = points, .normals = normals};
+    return work_through_grid(&work, job, normal_chunk);
 }
 
-void bat_formula_local(const batten_surface *surface, double u, double v, batten_side side_u,
-                       batten_side side_v, bat_surface_local *out)
+void bat_formula_local(const batten_surface *surface, const bat_surface_place *place,
+                       bat_surface_local *out)
 {
     const bat_formula_surface *made = bat_formula_of(surface);
-    const double at[2] = {u, v};
-    const batten_side sides[2] = {side_u, side_v};
+    const double at[2] = {place->u, place->v};
+    const batten_side sides[2] = {place->sides.u, place->sides.v};
     out->largest = made->size;
     for (int k = 0; k < 2; k++) {
         const int s = bat_breaks_span(made->count[k], made->spans[k], at[k], sides[k]);

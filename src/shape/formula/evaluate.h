@@ -44,20 +44,16 @@ static inline batten_interval bat_formula_domain(const batten_surface *surface,
 }
 
 /* What the table of a formula's kind names (bat_surface_kind). */
-batten_status bat_formula_evaluate(const batten_surface *surface, double u, double v,
-                                   batten_side side_u, batten_side side_v, int order,
-                                   double *out);
-batten_status bat_formula_evaluate_many(const batten_surface *surface, size_t count,
-                                        const double *uv, int order, const batten_job *job,
-                                        double *out);
-batten_status bat_formula_evaluate_grid(const batten_surface *surface, size_t count_u,
-                                        const double *u, size_t count_v, const double *v,
+batten_status bat_formula_evaluate(const batten_surface *surface, const bat_surface_place *at,
+                                   int order, double *out);
+batten_status bat_formula_evaluate_many(const batten_surface *surface, batten_batch uv,
                                         int order, const batten_job *job, double *out);
-batten_status bat_formula_normal_grid(const batten_surface *surface, size_t count_u,
-                                      const double *u, size_t count_v, const double *v,
+batten_status bat_formula_evaluate_grid(const batten_surface *surface, batten_uv_grid places,
+                                        int order, const batten_job *job, double *out);
+batten_status bat_formula_normal_grid(const batten_surface *surface, batten_uv_grid places,
                                       const batten_job *job, double *points, double *normals);
-void bat_formula_local(const batten_surface *surface, double u, double v, batten_side side_u,
-                       batten_side side_v, bat_surface_local *out);
+void bat_formula_local(const batten_surface *surface, const bat_surface_place *at,
+                       bat_surface_local *out);
 /* How smooth a surface is known to be across its inner spans; 0 for one that is not a formula. */
 int bat_formula_smoothness(const batten_surface *surface, batten_direction direction);
 

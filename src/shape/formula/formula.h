@@ -18,8 +18,8 @@ typedef struct {
      * domain; the sides matter on inner spans only. `out`
      * [BATTEN_SURFACE_DERIVATIVES(order)][dimension]. Must be finite on the whole domain, its
      * corners and edges too. */
-    batten_status (*evaluate)(const void *data, double u, double v, batten_side side_u,
-                              batten_side side_v, int order, double *out);
+    batten_status (*evaluate)(const void *data, const bat_surface_place *at, int order,
+                              double *out);
     /* The equal NURBS surface where there is one; NULL: it is approximated. Its `error` is as
      * that of batten_surface_to_nurbs. */
     batten_status (*to_nurbs)(const void *data, double tolerance, batten_surface **out,

@@ -70,12 +70,13 @@ static strip_place place_on(const strips *s, double at, batten_side side)
     return p;
 }
 
-static batten_status evaluate(const void *data, double u, double v, batten_side side_u,
-                              batten_side side_v, int order, double *out)
+static batten_status evaluate(const void *data, const bat_surface_place *at, int order,
+                              double *out)
 {
     const tension_surface *s = data;
     const int d = s->dimension;
-    const strip_place pu = place_on(&s->u, u, side_u), pv = place_on(&s->v, v, side_v);
+    const strip_place pu = place_on(&s->u, at->u, at->sides.u),
+                      pv = place_on(&s->v, at->v, at->sides.v);
     memset(out, 0, (size_t)BATTEN_SURFACE_DERIVATIVES(order) * (size_t)d * sizeof *out);
     for (int corner = 0; corner < 4; corner++)
         for (int which = 0; which < VECTORS; which++) {

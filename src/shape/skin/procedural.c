@@ -67,20 +67,20 @@ static bool column_at(const procedural *s, int order, int span, const double *ba
     return any;
 }
 
-static batten_status evaluate(const void *data, double u, double v, batten_side side_u,
-                              batten_side side_v, int order, double *out)
+static batten_status evaluate(const void *data, const bat_surface_place *at, int order,
+                              double *out)
 {
     const procedural *s = data;
     const size_t d = (size_t)s->dimension;
     double basis[4 * (BATTEN_MAX_DEGREE + 1)], across[4], along[12];
     memset(out, 0, (size_t)BATTEN_SURFACE_DERIVATIVES(order) * d * sizeof *out);
-    const int span = bat_knots_span(s->degree, s->rows, s->knots, v, side_v);
-    bat_basis(s->degree, s->knots, span, v, order, basis);
+    const int span = bat_knots_span(s->degree, s->rows, s->knots, at->v, at->sides.v);
+    bat_basis(s->degree, s->knots, span, at->v, order, basis);
     for (int k = 0; k < s->count; k++) {
         if (!column_at(s, order, span, basis, (size_t)k, across))
             continue;
         const batten_status status =
-            batten_curve_evaluate_side(s->sections[k], u, side_u, order, along);
+            batten_curve_evaluate_side(s->sections[k], at->u, at->sides.u, order, along);
         if (status != BATTEN_OK)
             return status;
         add_section(s, order, along, across, out);

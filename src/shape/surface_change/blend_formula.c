@@ -34,21 +34,20 @@ static void bezier(int q, const double *rows, double v, int order, double *out)
     }
 }
 
-static batten_status evaluate(const void *data, double u, double v, batten_side side_u,
-                              batten_side side_v, int order, double *out)
+static batten_status evaluate(const void *data, const bat_surface_place *at, int order,
+                              double *out)
 {
     const bat_blend *b = data;
-    (void)side_v;
     memset(out, 0, (size_t)BATTEN_SURFACE_DERIVATIVES(order) * 3 * sizeof *out);
     for (int k = 0; k < BAT_BLEND_CURVES; k++) {
         double along[12], across[4];
         if (!b->curves[k])
             continue;
         const batten_status status =
-            batten_curve_evaluate_side(b->curves[k], u, side_u, order, along);
+            batten_curve_evaluate_side(b->curves[k], at->u, at->sides.u, order, along);
         if (status != BATTEN_OK)
             return status;
-        bezier(bat_blend_rows(b) - 1, b->part[k], v, order, across);
+        bezier(bat_blend_rows(b) - 1, b->part[k], at->v, order, across);
         for (int total = 0; total <= order; total++)
             for (int l = 0; l <= total; l++)
                 for (int c = 0; c < 3; c++)

@@ -56,27 +56,27 @@ static bat_jet dot_jets(const bat_jet a[3], const bat_jet b[3])
                        bat_jet_multiply(a[2], b[2]));
 }
 
-static batten_status evaluate(const void *data, double u, double v, batten_side side_u,
-                              batten_side side_v, int order, double *out)
+static batten_status evaluate(const void *data, const bat_surface_place *at, int order,
+                              double *out)
 {
     const arcs *a = data;
     double values[MOST_VALUES], f[4], g[4];
     bat_jet edge[3], slope[3], bend[3];
-    (void)side_v;
     const batten_status status = batten_surface_evaluate_side(
-        a->surface, u, a->end, (batten_sides){side_u, BATTEN_FROM_LEFT}, order + 2, values);
+        a->surface, at->u, a->end, (batten_sides){at->sides.u, BATTEN_FROM_LEFT}, order + 2,
+        values);
     if (status != BATTEN_OK)
         return status;
     const double scale = bat_norm(3, values + 3 * BATTEN_SURFACE_DERIVATIVE(0, 1));
     if (!(scale > 0))
-        return bat_fail(BATTEN_SINGULAR_HERE, "at u = %.9g the surface stands still", u);
+        return bat_fail(BATTEN_SINGULAR_HERE, "at u = %.9g the surface stands still", at->u);
     along_edge(values, 0, order, 1, edge);
     along_edge(values, 1, order, scale, slope);
     along_edge(values, 2, order, scale, bend);
     /* Lengths and k s^2 in units of `scale`: k s^2 = (bend - (bend . T) T) t^2. */
     const bat_jet speed2 = dot_jets(slope, slope);
     const bat_jet part = bat_jet_divide(dot_jets(bend, slope), speed2);
-    const bat_jet t = bat_jet_subtract(bat_jet_v(v), bat_jet_constant(a->end));
+    const bat_jet t = bat_jet_subtract(bat_jet_v(at->v), bat_jet_constant(a->end));
     const bat_jet t2 = bat_jet_multiply(t, t);
     for (int c = 0; c < 3; c++)
         bend[c] = bat_jet_subtract(bend[c], bat_jet_multiply(part, slope[c]));

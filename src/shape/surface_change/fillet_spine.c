@@ -18,9 +18,9 @@ static batten_status look_at_offsets(const bat_rolling *r, const double x[4], sp
 {
     for (int k = 0; k < 2; k++) {
         double point[3];
+        const bat_surface_place at = bat_surface_place_at(x[2 * k], x[2 * k + 1]);
         batten_status status =
-            bat_offset_point(r->surfaces[k], r->radii[k], x[2 * k], x[2 * k + 1],
-                             BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT, 1, p->offset[k]);
+            bat_offset_point(r->surfaces[k], r->radii[k], &at, 1, p->offset[k]);
         if (status == BATTEN_OK)
             status = batten_surface_evaluate(r->surfaces[k], x[2 * k], x[2 * k + 1], 0, point);
         if (status != BATTEN_OK)
@@ -127,8 +127,8 @@ static batten_status sample(const bat_rolling *r, int k, double *points)
     for (int i = 0; i < SEEDS * SEEDS && status == BATTEN_OK; i++) {
         double x[2];
         grid_place(r->surfaces[k], i, x);
-        status = bat_offset_point(r->surfaces[k], r->radii[k], x[0], x[1], BATTEN_FROM_RIGHT,
-                                  BATTEN_FROM_RIGHT, 0, points + 3 * i);
+        const bat_surface_place at = bat_surface_place_at(x[0], x[1]);
+        status = bat_offset_point(r->surfaces[k], r->radii[k], &at, 0, points + 3 * i);
     }
     return status;
 }

@@ -22,11 +22,11 @@ batten_surface_offset_options batten_surface_offset_defaults(void)
 
 /* ---- the kind "offset" ---- */
 
-static batten_status evaluate(const void *data, double u, double v, batten_side side_u,
-                              batten_side side_v, int order, double *out)
+static batten_status evaluate(const void *data, const bat_surface_place *at, int order,
+                              double *out)
 {
     const offset *o = data;
-    return bat_offset_point(o->surface, o->distance, u, v, side_u, side_v, order, out);
+    return bat_offset_point(o->surface, o->distance, at, order, out);
 }
 
 static void free_offset(void *data)
@@ -84,17 +84,15 @@ static batten_status check_crease(const batten_surface *surface, batten_directio
         const double t = b[0] + (0.125 + 0.25 * (i % 4)) * (b[1] - b[0]);
         batten_vec3 n[2];
         for (int k = 0; k < 2; k++) {
-            const bool u = across == BATTEN_U;
+            const bat_surface_place place =
+                across == BATTEN_U ? (bat_surface_place){at, t, {sides[k], BATTEN_FROM_RIGHT}}
+                                   : (bat_surface_place){t, at, {BATTEN_FROM_RIGHT, sides[k]}};
             double zero[3], one[3];
-            batten_status status = bat_offset_point(surface, 0, u ? at : t, u ? t : at,
-                                                    u ? sides[k] : BATTEN_FROM_RIGHT,
-                                                    u ? BATTEN_FROM_RIGHT : sides[k], 0, zero);
+            batten_status status = bat_offset_point(surface, 0, &place, 0, zero);
             /* As far away as the surface is large, so that no digits are lost. */
             const double far = bat_surface_nurbs(surface)->largest;
             if (status == BATTEN_OK)
-                status = bat_offset_point(surface, far, u ? at : t, u ? t : at,
-                                          u ? sides[k] : BATTEN_FROM_RIGHT,
-                                          u ? BATTEN_FROM_RIGHT : sides[k], 0, one);
+                status = bat_offset_point(surface, far, &place, 0, one);
             if (status != BATTEN_OK)
                 return status;
             n[k] = bat_vec3_scale(bat_vec3_subtract(bat_vec3_of(3, one), bat_vec3_of(3, zero)),

@@ -7,9 +7,8 @@
 /* The jets of the unit normal of a NURBS surface from its derivatives up to order 4, at
  * collapsed edges 5 (offset_normal.c). `out` [BATTEN_SURFACE_DERIVATIVES(order)][3]:
  * S + distance n and its derivatives, order <= 3. SINGULAR_HERE without a normal. */
-batten_status bat_offset_point(const batten_surface *surface, double distance, double u,
-                               double v, batten_side side_u, batten_side side_v, int order,
-                               double *out);
+batten_status bat_offset_point(const batten_surface *surface, double distance,
+                               const bat_surface_place *at, int order, double *out);
 
 /* The curvatures and the factor of the report (offset_curvature.c). */
 batten_status bat_offset_curvatures(const batten_surface *surface, double distance,

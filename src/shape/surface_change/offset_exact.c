@@ -83,8 +83,8 @@ static batten_status sample(exact_offset *t)
         for (int j = 0; j < n && status == BATTEN_OK; j++) {
             const double u = t->greville[0][i], v = t->greville[1][j];
             double *row = t->rows + ((size_t)i * (size_t)n + (size_t)j) * 3;
-            status = bat_offset_point(t->surface, t->distance, u, v, BATTEN_FROM_RIGHT,
-                                      BATTEN_FROM_RIGHT, 0, row);
+            const bat_surface_place at = bat_surface_place_at(u, v);
+            status = bat_offset_point(t->surface, t->distance, &at, 0, row);
             const double w = weight_at(t->nurbs, u, v);
             for (int c = 0; c < 3; c++)
                 row[c] *= w;
@@ -151,8 +151,8 @@ static batten_status verify_offset(const exact_offset *t, const batten_surface *
                 const double *b = axes[k].breaks + index[k] / PROBES;
                 at[k] = b[0] + probes[index[k] % PROBES] * (b[1] - b[0]);
             }
-            status = bat_offset_point(t->surface, t->distance, at[0], at[1], BATTEN_FROM_RIGHT,
-                                      BATTEN_FROM_RIGHT, 0, truth);
+            const bat_surface_place place = bat_surface_place_at(at[0], at[1]);
+            status = bat_offset_point(t->surface, t->distance, &place, 0, truth);
             if (status == BATTEN_OK)
                 status = batten_surface_evaluate(made, at[0], at[1], 0, point);
             if (status != BATTEN_OK)

@@ -79,11 +79,11 @@ static bool spans(const bat_jet a[3], const bat_jet b[3])
 }
 
 /* At a collapsed edge; `noise` of Su and Sv. */
-static batten_status limit_normal(const batten_surface *surface, double u, double v,
+static batten_status limit_normal(const batten_surface *surface, const bat_surface_place *place,
                                   const double *values, const double noise[2], int order,
                                   bat_jet n[3])
 {
-    const double at[2] = {u, v};
+    const double at[2] = {place->u, place->v};
     for (int k = 0; k < 2; k++) { /* the tangent that vanishes */
         const batten_direction across = bat_other((batten_direction)k);
         const batten_interval domain = batten_surface_domain(surface, across);
@@ -104,8 +104,8 @@ static batten_status limit_normal(const batten_surface *surface, double u, doubl
         return BATTEN_OK;
     }
     return bat_fail(BATTEN_SINGULAR_HERE,
-                    "the surface has no normal at (%.9g, %.9g): its tangents span no plane", u,
-                    v);
+                    "the surface has no normal at (%.9g, %.9g): its tangents span no plane",
+                    place->u, place->v);
 }
 
 /* Large and small numbers are brought near 1, for the squares in bat_regular_normal. */
@@ -143,18 +143,16 @@ static void unit_normal(const double *su, const double *sv, bat_jet n[3])
         n[c].d[0] = m[c] / norm;
 }
 
-batten_status bat_offset_point(const batten_surface *surface, double distance, double u,
-                               double v, batten_side side_u, batten_side side_v, int order,
-                               double *out)
+batten_status bat_offset_point(const batten_surface *surface, double distance,
+                               const bat_surface_place *at, int order, double *out)
 {
     double values[MOST_VALUES], noise[2];
     bat_jet n[3], a[3], b[3];
     bat_surface_local local;
-    batten_status status = batten_surface_evaluate_side(
-        surface, u, v, (batten_sides){side_u, side_v}, order + 1, values);
+    batten_status status = surface->kind->evaluate(surface, at, order + 1, values);
     if (status != BATTEN_OK)
         return status;
-    surface->kind->local(surface, u, v, side_u, side_v, &local);
+    surface->kind->local(surface, at, &local);
     for (int k = 0; k < 2; k++)
         noise[k] = bat_derivative_noise(local.degree[k], local.span[k], local.largest);
     const bool regular = is_regular(values + 3, values + 6, noise[0], noise[1]);
@@ -165,10 +163,9 @@ batten_status bat_offset_point(const batten_surface *surface, double distance, d
         take_jets(values, 0, 1, order, b);
         unit_cross(a, b, 1, n);
     } else {
-        status = batten_surface_evaluate_side(surface, u, v, (batten_sides){side_u, side_v},
-                                              order + 2, values);
+        status = surface->kind->evaluate(surface, at, order + 2, values);
         if (status == BATTEN_OK)
-            status = limit_normal(surface, u, v, values, noise, order, n);
+            status = limit_normal(surface, at, values, noise, order, n);
         if (status != BATTEN_OK)
             return status;
     }

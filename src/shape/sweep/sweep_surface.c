@@ -6,10 +6,10 @@
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
 
-static batten_status formula_evaluate(const void *data, double u, double v, batten_side side_u,
-                                      batten_side side_v, int order, double *out)
+static batten_status formula_evaluate(const void *data, const bat_surface_place *at, int order,
+                                      double *out)
 {
-    return bat_sweep_evaluate(data, u, v, side_u, side_v, order, out);
+    return bat_sweep_evaluate(data, at, order, out);
 }
 
 static batten_status formula_to_nurbs(const void *data, double tolerance, batten_surface **out,

@@ -87,13 +87,13 @@ static batten_status look_at_section(const bat_sweep *s, double u, batten_side s
 }
 
 /* The same of a row of sections at the share sigma(v): the chain rule. */
-static batten_status look_at_row(const bat_sweep *s, double u, batten_side side,
+static batten_status look_at_row(const bat_sweep *s, const bat_surface_place *at,
                                  const double *sigma, int order, local_section *out)
 {
     double values[30];
-    const double at = bat_max(0, bat_min(1, sigma[0]));
+    const double share = bat_max(0, bat_min(1, sigma[0]));
     const batten_status status = batten_surface_evaluate_side(
-        s->row, u, at, (batten_sides){side, BATTEN_FROM_RIGHT}, order, values);
+        s->row, at->u, share, (batten_sides){at->sides.u, BATTEN_FROM_RIGHT}, order, values);
     *out = (local_section){{{{0}}}};
     for (int k = 0; status == BATTEN_OK && k <= order; k++)
         for (int c = 0; c < 3; c++) {
@@ -122,16 +122,16 @@ static void combine_section(const local_section *section, const bat_pose *pose, 
                     bat_binomials[l][j] * section->c[k][j][axis] * pose->d[l - j][axis][c];
 }
 
-batten_status bat_sweep_evaluate(const bat_sweep *s, double u, double v, batten_side side_u,
-                                 batten_side side_v, int order, double *out)
+batten_status bat_sweep_evaluate(const bat_sweep *s, const bat_surface_place *at, int order,
+                                 double *out)
 {
     bat_pose pose;
     local_section section;
-    batten_status status = s->motion->pose(s->motion, v, side_v, &pose);
+    batten_status status = s->motion->pose(s->motion, at->v, at->sides.v, &pose);
     if (status == BATTEN_OK && s->row)
-        status = look_at_row(s, u, side_u, pose.share, order, &section);
+        status = look_at_row(s, at, pose.share, order, &section);
     else if (status == BATTEN_OK)
-        status = look_at_section(s, u, side_u, order, &section);
+        status = look_at_section(s, at->u, at->sides.u, order, &section);
     if (status != BATTEN_OK)
         return status;
     for (int total = 0; total <= order; total++)

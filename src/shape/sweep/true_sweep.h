@@ -6,6 +6,7 @@
 #define BAT_SWEEP_TRUTH_H
 #include "base/work.h"
 #include "shape/sweep/motion.h"
+#include "spline/surface/surface.h"
 
 typedef struct {
     bat_motion *motion;    /* owned */
@@ -26,8 +27,8 @@ size_t bat_sweep_width(const bat_sweep *sweep);
 batten_status bat_sweep_rows(const bat_sweep *sweep, double v, batten_side side, double *rows);
 
 /* As batten_surface_evaluate_side, order <= 3. */
-batten_status bat_sweep_evaluate(const bat_sweep *sweep, double u, double v, batten_side side_u,
-                                 batten_side side_v, int order, double *out);
+batten_status bat_sweep_evaluate(const bat_sweep *sweep, const bat_surface_place *at, int order,
+                                 double *out);
 
 /* The surface of kind "sweep"; on success `sweep` belongs to it. */
 batten_status bat_sweep_surface(bat_sweep *sweep, batten_surface **out);

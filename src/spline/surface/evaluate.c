@@ -46,14 +46,23 @@ static double *make_room(int order)
 
 /* ---- one point ---- */
 
-/* The homogeneous derivatives; `corner` is the first control point that bears on the spans. */
-BAT_INLINE void contract(const int p, const int q, const size_t width, const double *corner,
-                         size_t stride, const int order, const workspace *room, double *rows)
+/* The control points that bear on a pair of spans. */
+typedef struct {
+    int p, q;
+    size_t width, stride; /* of a row: (q + 1) width are needed; from row to row */
+    const double *corner; /* the first of them */
+} bearing_points;
+
+/* The homogeneous derivatives. Called with constants for p, q and width where it pays. */
+BAT_INLINE void contract(const bearing_points *on, const int order, const workspace *room,
+                         double *rows)
 {
+    const int p = on->p, q = on->q;
+    const size_t width = on->width;
     for (int k = 0; k <= order; k++) {
         if (k <= p)
             bat_combine_rows(p + 1, ((size_t)q + 1) * width, room->basis[0] + k * (p + 1),
-                             corner, stride, room->line);
+                             on->corner, on->stride, room->line);
         for (int l = 0; k + l <= order; l++) {
             double *row = rows + (size_t)BATTEN_SURFACE_DERIVATIVE(k, l) * width;
             if (k <= p && l <= q)
@@ -66,17 +75,18 @@ BAT_INLINE void contract(const int p, const int q, const size_t width, const dou
 }
 
 /* The same for a bicubic patch without weights, and order 0 or 1. */
-BAT_INLINE void contract_cubic(const double *corner, const size_t stride, const int order,
-                               const double *u, const double *v, double *rows)
+BAT_INLINE void contract_cubic(const bearing_points *on, const int order, const workspace *room,
+                               double *rows)
 {
+    const double *u = room->basis[0], *v = room->basis[1];
     bat_triple point, along_u, along_v;
     for (int j = 0; j < 4; j++) {
-        const bat_triple at = bat_combine_triples(u, corner + 3 * j, stride);
+        const bat_triple at = bat_combine_triples(u, on->corner + 3 * j, on->stride);
         const bat_triple term = bat_scale_triple(v[j], at);
         point = j == 0 ? term : bat_add_triples(point, term);
         if (order == 0)
             continue;
-        const bat_triple rate = bat_combine_triples(u + 4, corner + 3 * j, stride);
+        const bat_triple rate = bat_combine_triples(u + 4, on->corner + 3 * j, on->stride);
         const bat_triple term_u = bat_scale_triple(v[j], rate),
                          term_v = bat_scale_triple(v[4 + j], at);
         along_u = j == 0 ? term_u : bat_add_triples(along_u, term_u);
@@ -89,27 +99,46 @@ BAT_INLINE void contract_cubic(const double *corner, const size_t stride, const 
     bat_store_triple(rows + 6, along_v);
 }
 
-static void evaluate_on(const bat_nurbs *nurbs, const int span[2], const double at[2],
-                        int order, const workspace *room, double *out)
+/* A pair of parameters, each in its domain and with the span that holds it. */
+typedef struct {
+    int span[2];
+    double at[2];
+} placed;
+
+BAT_INLINE bearing_points bearing_on(const bat_nurbs *nurbs, const int span[2])
 {
     const bat_axis *u = &nurbs->axes[BATTEN_U], *v = &nurbs->axes[BATTEN_V];
-    const int p = u->degree, q = v->degree;
     const size_t width = nurbs->width, stride = (size_t)v->count * width;
     const double *corner = nurbs->net + (size_t)bat_axis_first_point(u, span[0]) * stride +
                            (size_t)bat_axis_first_point(v, span[1]) * width;
-    double *rows = nurbs->weights ? room->rows : out;
-    bat_axis_basis(u, span[0], at[0], order, room->basis[0]);
-    bat_axis_basis(v, span[1], at[1], order, room->basis[1]);
-    if (p == 3 && q == 3 && width == 3 && order == 0)
-        contract_cubic(corner, stride, 0, room->basis[0], room->basis[1], rows);
-    else if (p == 3 && q == 3 && width == 3 && order == 1)
-        contract_cubic(corner, stride, 1, room->basis[0], room->basis[1], rows);
-    else if (p == 3 && q == 3 && width == 3)
-        contract(3, 3, 3, corner, stride, order, room, rows);
-    else if (p == 3 && q == 3 && width == 4)
-        contract(3, 3, 4, corner, stride, order, room, rows);
+    return (bearing_points){u->degree, v->degree, width, stride, corner};
+}
+
+/* contract(), in the form that is made for the degrees, the width and the order. */
+BAT_INLINE void contract_fast(const bearing_points *on, int order, const workspace *room,
+                              double *rows)
+{
+    const bool is_cubic = on->p == 3 && on->q == 3;
+    if (is_cubic && on->width == 3 && order == 0)
+        contract_cubic(on, 0, room, rows);
+    else if (is_cubic && on->width == 3 && order == 1)
+        contract_cubic(on, 1, room, rows);
+    else if (is_cubic && on->width == 3)
+        contract(&(bearing_points){3, 3, 3, on->stride, on->corner}, order, room, rows);
+    else if (is_cubic && on->width == 4)
+        contract(&(bearing_points){3, 3, 4, on->stride, on->corner}, order, room, rows);
     else
-        contract(p, q, width, corner, stride, order, room, rows);
+        contract(on, order, room, rows);
+}
+
+static void evaluate_on(const bat_nurbs *nurbs, const placed *place, int order,
+                        const workspace *room, double *out)
+{
+    const bearing_points on = bearing_on(nurbs, place->span);
+    double *rows = nurbs->weights ? room->rows : out;
+    bat_axis_basis(&nurbs->axes[0], place->span[0], place->at[0], order, room->basis[0]);
+    bat_axis_basis(&nurbs->axes[1], place->span[1], place->at[1], order, room->basis[1]);
+    contract_fast(&on, order, room, rows);
     if (nurbs->weights)
         bat_surface_divide(nurbs->base.dimension, order, rows, out);
 }
@@ -169,67 +198,82 @@ static batten_status overflow(double u, double v)
                     v);
 }
 
-/* Through a buffer, so that an overflow leaves `out` alone. */
-static batten_status evaluate_checked(const bat_nurbs *nurbs, const int span[2],
-                                      const double at[2], int order, const workspace *room,
-                                      double *buffer, double *out)
+static size_t value_count(const bat_nurbs *nurbs, int order)
 {
-    const size_t n = (size_t)order,
-                 count = (n + 1) * (n + 2) / 2 * (size_t)nurbs->base.dimension;
-    evaluate_on(nurbs, span, at, order, room, buffer);
-    if (!bat_all_finite(buffer, count))
-        return overflow(at[0], at[1]);
-    memcpy(out, buffer, count * sizeof *out);
+    const size_t n = (size_t)order;
+    return (n + 1) * (n + 2) / 2 * (size_t)nurbs->base.dimension;
+}
+
+/* Hand `count` numbers over unless one has overflowed, which leaves `out` alone. */
+static batten_status hand_over_finite(const placed *place, size_t count, const double *values,
+                                      double *out)
+{
+    if (!bat_all_finite(values, count))
+        return overflow(place->at[0], place->at[1]);
+    memcpy(out, values, count * sizeof *out);
     return BATTEN_OK;
 }
 
-static batten_status evaluate_large(const bat_nurbs *nurbs, const int span[2],
-                                    const double at[2], int order, double *out)
+static batten_status evaluate_large(const bat_nurbs *nurbs, const placed *place, int order,
+                                    double *out)
 {
-    const size_t n = (size_t)order;
-    double *memory = make_room(order),
-           *buffer = bat_array((n + 1) * (n + 2) / 2 * 3, sizeof *buffer);
+    const size_t count = value_count(nurbs, order);
+    double *memory = make_room(order), *values = bat_array(count, sizeof *values);
     batten_status status = BATTEN_OUT_OF_MEMORY;
-    if (memory && buffer) {
+    if (memory && values) {
         const workspace room = divide_room(memory, order);
-        status = evaluate_checked(nurbs, span, at, order, &room, buffer, out);
+        evaluate_on(nurbs, place, order, &room, values);
+        status = hand_over_finite(place, count, values, out);
     }
     bat_release(memory);
-    bat_release(buffer);
+    bat_release(values);
     return status;
 }
 
-batten_status bat_nurbs_evaluate(const batten_surface *surface, double u, double v,
-                                 batten_side side_u, batten_side side_v, int order, double *out)
+static batten_status find_place(const bat_nurbs *nurbs, const bat_surface_place *at,
+                                placed *out)
+{
+    *out = (placed){.at = {at->u, at->v}};
+    const batten_side sides[2] = {at->sides.u, at->sides.v};
+    for (int k = 0; k < 2; k++) {
+        const batten_status status = bat_axis_place(&nurbs->axes[k], sides[k], &out->at[k]);
+        if (status != BATTEN_OK)
+            return status;
+        out->span[k] = bat_axis_span(&nurbs->axes[k], out->at[k], sides[k]);
+    }
+    return BATTEN_OK;
+}
+
+batten_status bat_nurbs_evaluate(const batten_surface *surface, const bat_surface_place *at,
+                                 int order, double *out)
 {
     const bat_nurbs *nurbs = bat_nurbs_of(surface);
-    batten_status status = bat_axis_place(&nurbs->axes[0], side_u, &u);
-    if (status == BATTEN_OK)
-        status = bat_axis_place(&nurbs->axes[1], side_v, &v);
+    placed place;
+    const batten_status status = find_place(nurbs, at, &place);
     if (status != BATTEN_OK)
         return status;
-    const double at[2] = {u, v};
-    const int span[2] = {bat_axis_span(&nurbs->axes[0], u, side_u),
-                         bat_axis_span(&nurbs->axes[1], v, side_v)};
     if (order > SMALL_ORDER)
-        return evaluate_large(nurbs, span, at, order, out);
-    double memory[SMALL_ROOM], buffer[3 * SMALL_DERIVATIVES];
+        return evaluate_large(nurbs, &place, order, out);
+    double memory[SMALL_ROOM], values[3 * SMALL_DERIVATIVES];
     const workspace room = divide_room(memory, order);
-    return evaluate_checked(nurbs, span, at, order, &room, buffer, out);
+    evaluate_on(nurbs, &place, order, &room, values);
+    return hand_over_finite(&place, value_count(nurbs, order), values, out);
 }
 
 batten_status batten_surface_evaluate(const batten_surface *surface, double u, double v,
                                       int order, double *out)
 {
-    return batten_surface_evaluate_side(
-        surface, u, v, (batten_sides){BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT}, order, out);
+    assert(surface && out && order >= 0);
+    const bat_surface_place at = bat_surface_place_at(u, v);
+    return surface->kind->evaluate(surface, &at, order, out);
 }
 
 batten_status batten_surface_evaluate_side(const batten_surface *surface, double u, double v,
                                            batten_sides sides, int order, double *out)
 {
     assert(surface && out && order >= 0);
-    return surface->kind->evaluate(surface, u, v, sides.u, sides.v, order, out);
+    const bat_surface_place at = {u, v, sides};
+    return surface->kind->evaluate(surface, &at, order, out);
 }
 
 /* ---- many points ---- */
@@ -265,23 +309,26 @@ static batten_status check_parameters(const bat_nurbs *nurbs, size_t count, cons
     return BATTEN_OK;
 }
 
+/* Parameters that were checked. */
+static inline void place_checked(const bat_axis *axes, const double *uv, placed *out)
+{
+    for (int k = 0; k < 2; k++) {
+        out->at[k] = uv[k];
+        if (!is_inside(&axes[k], out->at[k]))
+            bat_axis_place(&axes[k], BATTEN_FROM_RIGHT,
+                           &out->at[k]); /* has been tried: succeeds */
+        out->span[k] = bat_axis_span(&axes[k], out->at[k], BATTEN_FROM_RIGHT);
+    }
+}
+
 static batten_status evaluate_points(const batch *work, const workspace *room, size_t begin,
                                      size_t end)
 {
-    const bat_nurbs *nurbs = work->nurbs;
-    const bat_axis *axes = nurbs->axes;
-    const size_t n = (size_t)work->order, d = (size_t)nurbs->base.dimension;
-    const size_t size = (n + 1) * (n + 2) / 2 * d;
+    const size_t size = value_count(work->nurbs, work->order);
     for (size_t i = begin; i < end; i++) {
-        double at[2] = {work->uv[2 * i], work->uv[2 * i + 1]};
-        int span[2];
-        for (int k = 0; k < 2; k++) {
-            if (!is_inside(&axes[k], at[k]))
-                bat_axis_place(&axes[k], BATTEN_FROM_RIGHT,
-                               &at[k]); /* has been tried: succeeds */
-            span[k] = bat_axis_span(&axes[k], at[k], BATTEN_FROM_RIGHT);
-        }
-        evaluate_on(nurbs, span, at, work->order, room, work->out + i * size);
+        placed place;
+        place_checked(work->nurbs->axes, work->uv + 2 * i, &place);
+        evaluate_on(work->nurbs, &place, work->order, room, work->out + i * size);
     }
     if (bat_all_finite(work->out + begin * size, (end - begin) * size))
         return BATTEN_OK;
@@ -308,14 +355,13 @@ static batten_status evaluate_chunk(void *context, size_t begin, size_t end)
     return status;
 }
 
-batten_status bat_nurbs_evaluate_many(const batten_surface *surface, size_t count,
-                                      const double *uv, int order, const batten_job *job,
-                                      double *out)
+batten_status bat_nurbs_evaluate_many(const batten_surface *surface, batten_batch uv, int order,
+                                      const batten_job *job, double *out)
 {
     const bat_nurbs *nurbs = bat_nurbs_of(surface);
-    batch work = {nurbs, uv, order, out};
-    const batten_status status = check_parameters(nurbs, count, uv);
-    return status == BATTEN_OK ? bat_parallel(job, count, CHUNK, evaluate_chunk, &work)
+    batch work = {nurbs, uv.at, order, out};
+    const batten_status status = check_parameters(nurbs, uv.count, uv.at);
+    return status == BATTEN_OK ? bat_parallel(job, uv.count, CHUNK, evaluate_chunk, &work)
                                : status;
 }
 
@@ -324,5 +370,5 @@ batten_status batten_surface_evaluate_many(const batten_surface *surface, size_t
                                            double *out)
 {
     assert(surface && (count == 0 || (uv && out)) && order >= 0);
-    return surface->kind->evaluate_many(surface, count, uv, order, job, out);
+    return surface->kind->evaluate_many(surface, (batten_batch){count, uv}, order, job, out);
 }

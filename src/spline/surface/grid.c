@@ -21,8 +21,7 @@ typedef struct {
 
 typedef struct {
     const bat_nurbs *nurbs;
-    size_t count_u, count_v;
-    const double *u, *v;
+    batten_uv_grid at;
     int order;
     double *basis;   /* [count_v][order + 1][q + 1] */
     int *first;      /* [count_v] first control point that bears */
@@ -63,7 +62,7 @@ static double place_parameter(const bat_axis *axis, double u, int order, int *fi
 static void find_runs(grid *work, bool *needed)
 {
     const bat_axis *axis = &work->nurbs->axes[BATTEN_V];
-    for (size_t j = 0; j < work->count_v; j++)
+    for (size_t j = 0; j < work->at.count_v; j++)
         needed[work->first[j]] = true;
     work->run_count = 0;
     for (int j = 0; j + axis->degree < axis->count; j++) {
@@ -88,7 +87,7 @@ static bool works_in_pairs(const grid *work)
 static size_t end_of_span(const grid *work, size_t j)
 {
     const int first = work->first[j];
-    while (j < work->count_v && work->first[j] == first)
+    while (j < work->at.count_v && work->first[j] == first)
         j++;
     return j;
 }
@@ -96,7 +95,7 @@ static size_t end_of_span(const grid *work, size_t j)
 /* The basis functions of the two points of a pair, side by side: [4][2] in place of [2][4]. */
 static void pair_basis(grid *work)
 {
-    for (size_t j = 0, end; j < work->count_v; j = end) {
+    for (size_t j = 0, end; j < work->at.count_v; j = end) {
         end = end_of_span(work, j);
         for (; j + 1 < end; j += 2) {
             double *basis = work->basis + 4 * j, plain[8];
@@ -112,15 +111,16 @@ static batten_status prepare(grid *work)
     const bat_axis *axis = &work->nurbs->axes[BATTEN_V];
     const size_t rows = (size_t)work->order + 1, width = (size_t)axis->degree + 1;
     bool *needed = bat_array((size_t)axis->count, sizeof *needed);
-    work->basis = bat_array3(work->count_v, rows * width, sizeof *work->basis);
-    work->first = bat_array(work->count_v, sizeof *work->first);
-    work->noise_v = bat_array(work->count_v, sizeof *work->noise_v);
+    work->basis = bat_array3(work->at.count_v, rows * width, sizeof *work->basis);
+    work->first = bat_array(work->at.count_v, sizeof *work->first);
+    work->noise_v = bat_array(work->at.count_v, sizeof *work->noise_v);
     work->runs = bat_array((size_t)axis->count, sizeof *work->runs);
     const bool enough = needed && work->basis && work->first && work->noise_v && work->runs;
     if (enough) {
-        for (size_t j = 0; j < work->count_v; j++) {
-            const double span = place_parameter(axis, work->v[j], work->order, &work->first[j],
-                                                work->basis + j * rows * width);
+        for (size_t j = 0; j < work->at.count_v; j++) {
+            const double span =
+                place_parameter(axis, work->at.v[j], work->order, &work->first[j],
+                                work->basis + j * rows * width);
             work->noise_v[j] = bat_derivative_noise(axis->degree, span, work->nurbs->largest);
         }
         find_runs(work, needed);
@@ -142,14 +142,14 @@ static void release(grid *work)
 static batten_status run_grid(grid *work, const batten_job *job, bat_chunk chunk)
 {
     const bat_axis *axes = work->nurbs->axes;
-    batten_status status = check_parameters(&axes[BATTEN_U], work->count_u, work->u, "u");
+    batten_status status = check_parameters(&axes[BATTEN_U], work->at.count_u, work->at.u, "u");
     if (status == BATTEN_OK)
-        status = check_parameters(&axes[BATTEN_V], work->count_v, work->v, "v");
-    if (status == BATTEN_OK && work->count_u > 0 && work->count_v > 0) {
+        status = check_parameters(&axes[BATTEN_V], work->at.count_v, work->at.v, "v");
+    if (status == BATTEN_OK && work->at.count_u > 0 && work->at.count_v > 0) {
         status = prepare(work);
         if (status == BATTEN_OK)
-            status =
-                bat_parallel(job, work->count_u, CHUNK_POINTS / work->count_v + 1, chunk, work);
+            status = bat_parallel(job, work->at.count_u, CHUNK_POINTS / work->at.count_v + 1,
+                                  chunk, work);
         release(work);
     }
     return status;
@@ -193,41 +193,49 @@ BAT_INLINE spread_row spread(const double *row)
     return (spread_row){{row[0], row[0]}, {row[1], row[1]}, {row[2], row[2]}};
 }
 
-/* Points j and j + 1 of one span: each lane is a point, so the rows of the span stay in
- * registers. The sums are those of bat_combine_rows. */
-BAT_INLINE void pair_of_points(const double *basis, spread_row r0, spread_row r1, spread_row r2,
-                               spread_row r3, double *out)
+/* The points of one span, two at a time: each lane is a point, so the rows of the span, which
+ * begin at `from`, stay in registers. The sums are those of bat_combine_rows. */
+BAT_INLINE void pairs_of_span(size_t pairs, const double *basis, const double *from,
+                              double *out)
 {
-    const bat_pair c0 = bat_load(basis), c1 = bat_load(basis + 2), c2 = bat_load(basis + 4),
-                   c3 = bat_load(basis + 6);
-    const bat_pair x = c0 * r0.x + c1 * r1.x + c2 * r2.x + c3 * r3.x;
-    const bat_pair y = c0 * r0.y + c1 * r1.y + c2 * r2.y + c3 * r3.y;
-    const bat_pair z = c0 * r0.z + c1 * r1.z + c2 * r2.z + c3 * r3.z;
-    bat_store(out, (bat_pair){x[0], y[0]});
-    bat_store(out + 2, (bat_pair){z[0], x[1]});
-    bat_store(out + 4, (bat_pair){y[1], z[1]});
+    const spread_row r0 = spread(from), r1 = spread(from + 3), r2 = spread(from + 6),
+                     r3 = spread(from + 9);
+    for (; pairs > 0; pairs--, basis += 8, out += 6) {
+        const bat_pair c0 = bat_load(basis), c1 = bat_load(basis + 2), c2 = bat_load(basis + 4),
+                       c3 = bat_load(basis + 6);
+        const bat_pair x = c0 * r0.x + c1 * r1.x + c2 * r2.x + c3 * r3.x;
+        const bat_pair y = c0 * r0.y + c1 * r1.y + c2 * r2.y + c3 * r3.y;
+        const bat_pair z = c0 * r0.z + c1 * r1.z + c2 * r2.z + c3 * r3.z;
+        bat_store(out, (bat_pair){x[0], y[0]});
+        bat_store(out + 2, (bat_pair){z[0], x[1]});
+        bat_store(out + 4, (bat_pair){y[1], z[1]});
+    }
 }
 
 static void paired_points_of_row(const grid *work, const double *lines, double *out)
 {
-    for (size_t j = 0, end; j < work->count_v; j = end) {
-        const double *from = lines + (size_t)work->first[j] * 3;
-        const spread_row r0 = spread(from), r1 = spread(from + 3), r2 = spread(from + 6),
-                         r3 = spread(from + 9);
+    for (size_t j = 0, end; j < work->at.count_v; j = end) {
+        const double *from = lines + (size_t)work->first[j] * 3, *basis = work->basis;
         end = end_of_span(work, j);
-        for (; j + 1 < end; j += 2)
-            pair_of_points(work->basis + 4 * j, r0, r1, r2, r3, out + 3 * j);
-        if (j < end)
-            bat_combine_rows(4, 3, work->basis + 4 * j, from, 3, out + 3 * j);
+        pairs_of_span((end - j) / 2, basis + 4 * j, from, out + 3 * j);
+        if ((end - j) % 2 == 1)
+            bat_combine_rows(4, 3, basis + 4 * (end - 1), from, 3, out + 3 * (end - 1));
     }
 }
 #endif
 
-BAT_INLINE void points_of_row(const int q, const int d, const bool rational, const grid *work,
-                              const double *lines, double *out)
+/* The degree in v, the dimension, and whether there are weights: constants where it pays. */
+typedef struct {
+    int q, d;
+    bool rational;
+} form;
+
+BAT_INLINE void points_of_row(const form is, const grid *work, const double *lines, double *out)
 {
+    const int q = is.q, d = is.d;
+    const bool rational = is.rational;
     const size_t width = (size_t)d + rational;
-    for (size_t j = 0; j < work->count_v; j++, out += d) {
+    for (size_t j = 0; j < work->at.count_v; j++, out += d) {
         const double *basis = work->basis + j * ((size_t)q + 1);
         const double *from = lines + (size_t)work->first[j] * width;
         double row[BAT_MAX_WIDTH];
@@ -237,17 +245,28 @@ BAT_INLINE void points_of_row(const int q, const int d, const bool rational, con
     }
 }
 
+/* What the derivatives of one point are made from: the lines of the net, one for each
+ * derivative in u, from the first row that bears on the point. Degrees, width and order are
+ * constants where it pays. */
+typedef struct {
+    int p, q;
+    size_t width;
+    int order;
+    const double *lines;
+    size_t line; /* the length of one */
+} point_lines;
+
 /* All derivatives of one point: rows [BATTEN_SURFACE_DERIVATIVES(order)][width]. */
-BAT_INLINE void derivatives_of_point(const int p, const int q, const size_t width,
-                                     const int order, const double *basis, const double *lines,
-                                     size_t line, double *rows)
+BAT_INLINE void derivatives_of_point(const point_lines on, const double *basis, double *rows)
 {
+    const int p = on.p, q = on.q, order = on.order;
+    const size_t width = on.width;
     for (int k = 0; k <= order; k++)
         for (int l = 0; k + l <= order; l++) {
             double *row = rows + (size_t)BATTEN_SURFACE_DERIVATIVE(k, l) * width;
             if (k <= p && l <= q)
-                bat_combine_rows(q + 1, width, basis + l * (q + 1), lines + (size_t)k * line,
-                                 width, row);
+                bat_combine_rows(q + 1, width, basis + l * (q + 1),
+                                 on.lines + (size_t)k * on.line, width, row);
             else
                 memset(row, 0, width * sizeof *row);
         }
@@ -260,16 +279,17 @@ static void derivatives_of_row(const grid *work, const double *lines, double *ro
     const size_t width = nurbs->width, line = (size_t)nurbs->axes[BATTEN_V].count * width;
     const size_t n = (size_t)work->order,
                  size = (n + 1) * (n + 2) / 2 * (size_t)nurbs->base.dimension;
-    for (size_t j = 0; j < work->count_v; j++, out += size) {
+    for (size_t j = 0; j < work->at.count_v; j++, out += size) {
         const double *basis = work->basis + j * (n + 1) * ((size_t)q + 1);
         const double *from = lines + (size_t)work->first[j] * width;
         double *to = nurbs->weights ? rows : out;
         if (q == 3 && width == 3)
-            derivatives_of_point(p, 3, 3, work->order, basis, from, line, to);
+            derivatives_of_point((point_lines){p, 3, 3, work->order, from, line}, basis, to);
         else if (q == 3 && width == 4)
-            derivatives_of_point(p, 3, 4, work->order, basis, from, line, to);
+            derivatives_of_point((point_lines){p, 3, 4, work->order, from, line}, basis, to);
         else
-            derivatives_of_point(p, q, width, work->order, basis, from, line, to);
+            derivatives_of_point((point_lines){p, q, width, work->order, from, line}, basis,
+                                 to);
         if (nurbs->weights)
             bat_surface_divide(nurbs->base.dimension, work->order, rows, out);
     }
@@ -286,11 +306,11 @@ static void evaluate_row(const grid *work, const double *lines, double *rows, do
         paired_points_of_row(work, lines, out);
 #endif
     else if (q == 3 && nurbs->width == 3 && !nurbs->weights)
-        points_of_row(3, 3, false, work, lines, out);
+        points_of_row((form){3, 3, false}, work, lines, out);
     else if (q == 3 && nurbs->width == 4)
-        points_of_row(3, 3, true, work, lines, out);
+        points_of_row((form){3, 3, true}, work, lines, out);
     else
-        points_of_row(q, d, nurbs->weights != NULL, work, lines, out);
+        points_of_row((form){q, d, nurbs->weights != NULL}, work, lines, out);
 }
 
 /* Room for the basis in u, the lines, and one table of derivatives or a block of frames. */
@@ -317,14 +337,14 @@ static batten_status overflow(const grid *work, size_t i)
 {
     return bat_fail(BATTEN_OVERFLOW,
                     "a point or derivative at u[%zu] = %.17g is too large for a number", i,
-                    work->u[i]);
+                    work->at.u[i]);
 }
 
 static batten_status evaluate_rows(void *context, size_t begin, size_t end)
 {
     const grid *work = context;
     const size_t n = (size_t)work->order, d = (size_t)work->nurbs->base.dimension;
-    const size_t row = work->count_v * ((n + 1) * (n + 2) / 2) * d;
+    const size_t row = work->at.count_v * ((n + 1) * (n + 2) / 2) * d;
     /* Means of control points, a few roundings aside, do not overflow. */
     const bool bounded = n == 0 && !work->nurbs->weights && work->nurbs->largest < 1e300;
     row_room room;
@@ -332,7 +352,7 @@ static batten_status evaluate_rows(void *context, size_t begin, size_t end)
     if (status != BATTEN_OK)
         return status;
     for (size_t i = begin; i < end && status == BATTEN_OK; i++) {
-        combine_lines(work, work->u[i], room.basis, room.lines);
+        combine_lines(work, work->at.u[i], room.basis, room.lines);
         evaluate_row(work, room.lines, room.rows, work->out + i * row);
         if (!bounded && !bat_all_finite(work->out + i * row, row))
             status = overflow(work, i);
@@ -341,17 +361,10 @@ static batten_status evaluate_rows(void *context, size_t begin, size_t end)
     return status;
 }
 
-batten_status bat_nurbs_evaluate_grid(const batten_surface *surface, size_t count_u,
-                                      const double *u, size_t count_v, const double *v,
+batten_status bat_nurbs_evaluate_grid(const batten_surface *surface, batten_uv_grid places,
                                       int order, const batten_job *job, double *out)
 {
-    grid work = {.nurbs = bat_nurbs_of(surface),
-                 .count_u = count_u,
-                 .count_v = count_v,
-                 .u = u,
-                 .v = v,
-                 .order = order,
-                 .out = out};
+    grid work = {.nurbs = bat_nurbs_of(surface), .at = places, .order = order, .out = out};
     return run_grid(&work, job, evaluate_rows);
 }
 
@@ -359,20 +372,39 @@ batten_status batten_surface_evaluate_grid(const batten_surface *surface, batten
                                            int order, const batten_job *job, double *out)
 {
     assert(surface && order >= 0);
-    return surface->kind->evaluate_grid(surface, places.count_u, places.u, places.count_v,
-                                        places.v, order, job, out);
+    return surface->kind->evaluate_grid(surface, places, order, job, out);
 }
 
 /* ---- normals ---- */
 
-/* S, Su, Sv in space, whatever the dimension: out [3][3]. */
-BAT_INLINE void frame_of_point(const int q, const int d, const bool rational,
-                               const double *basis, const double *lines, size_t line,
-                               double out[FRAME])
+/* S, Su and Sv of homogeneous ones. */
+BAT_INLINE void project_frame(const int d, const double *rows, double out[FRAME])
 {
+    const double w = rows[d];
+    for (int c = 0; c < d; c++)
+        out[c] = rows[c] / w;
+    for (int k = 1; k < 3; k++)
+        for (int c = 0; c < d; c++)
+            out[3 * k + c] = (rows[k * (d + 1) + c] - rows[k * (d + 1) + d] * out[c]) / w;
+}
+
+/* Rows of d numbers, three numbers apart. */
+BAT_INLINE void spread_frame(const int d, const double *rows, double out[FRAME])
+{
+    for (int k = 0; k < 3; k++)
+        for (int c = 0; c < d; c++)
+            out[3 * k + c] = rows[k * d + c];
+}
+
+/* S, Su, Sv in space, whatever the dimension: out [3][3]. */
+BAT_INLINE void frame_of_point(const form is, const double *basis, const double *lines,
+                               size_t line, double out[FRAME])
+{
+    const int d = is.d;
+    const bool rational = is.rational;
     double rows[3 * BAT_MAX_WIDTH];
-    const size_t width = (size_t)d + rational;
-    derivatives_of_point(1, q, width, 1, basis, lines, line, rational || d < 3 ? rows : out);
+    const point_lines on = {1, is.q, (size_t)d + rational, 1, lines, line};
+    derivatives_of_point(on, basis, rational || d < 3 ? rows : out);
     if (rational) {
         const double w = rows[d];
         for (int c = 0; c < d; c++)
@@ -380,11 +412,8 @@ BAT_INLINE void frame_of_point(const int q, const int d, const bool rational,
         for (int k = 1; k < 3; k++)
             for (int c = 0; c < d; c++)
                 out[3 * k + c] = (rows[k * (d + 1) + c] - rows[k * (d + 1) + d] * out[c]) / w;
-    } else if (d < 3) {
-        for (int k = 0; k < 3; k++)
-            for (int c = 0; c < d; c++)
-                out[3 * k + c] = rows[k * d + c];
-    }
+    } else if (d < 3)
+        spread_frame(d, rows, out);
     for (int k = 0; k < 3; k++)
         for (int c = d; c < 3; c++)
             out[3 * k + c] = 0;
@@ -394,64 +423,70 @@ BAT_INLINE void frame_of_point(const int q, const int d, const bool rational,
 static batten_status rare_normal(const grid *work, size_t i, size_t j, double *normal)
 {
     bool is_limit;
-    const batten_status status =
-        bat_surface_limit_normal(&work->nurbs->base, work->u[i], work->v[j], normal, &is_limit);
+    const batten_status status = bat_surface_limit_normal(&work->nurbs->base, work->at.u[i],
+                                                          work->at.v[j], normal, &is_limit);
     if (status == BATTEN_SINGULAR_HERE)
         memset(normal, 0, 3 * sizeof *normal);
     return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
 }
 
-static batten_status normals_of_block(const grid *work, double (*frames)[FRAME], double noise_u,
-                                      size_t i, size_t begin, size_t end)
+/* The line of one u. */
+typedef struct {
+    size_t i;
+    const double *lines;     /* the net combined along u */
+    double noise_u;          /* of the derivative in u */
+    double (*frames)[FRAME]; /* [BLOCK] */
+} normal_line;
+
+static batten_status normals_of_block(const grid *work, const normal_line *on, size_t begin,
+                                      size_t end)
 {
     batten_status status = BATTEN_OK;
     for (size_t j = begin; j < end && status == BATTEN_OK; j++) {
-        const double *frame = frames[j - begin];
-        double *normal = work->normals + (i * work->count_v + j) * 3;
-        if (!bat_regular_normal(frame + 3, frame + 6, noise_u, work->noise_v[j], normal))
-            status = rare_normal(work, i, j, normal);
+        const double *frame = on->frames[j - begin];
+        double *normal = work->normals + (on->i * work->at.count_v + j) * 3;
+        if (!bat_regular_normal(frame + 3, frame + 6, on->noise_u, work->noise_v[j], normal))
+            status = rare_normal(work, on->i, j, normal);
     }
     return status;
 }
 
 /* First the frames of a block, then their normals: two loops that the processor can overlap
  * within themselves. */
-BAT_INLINE batten_status normals_of_row(const int q, const int d, const bool rational,
-                                        const grid *work, const double *lines, double noise_u,
-                                        size_t i, double (*frames)[FRAME])
+BAT_INLINE batten_status normals_of_row(const form is, const grid *work, const normal_line *on)
 {
-    const size_t width = (size_t)d + rational;
+    const size_t width = (size_t)is.d + is.rational;
     const size_t line = (size_t)work->nurbs->axes[BATTEN_V].count * width;
     batten_status status = BATTEN_OK;
-    for (size_t begin = 0; begin < work->count_v && status == BATTEN_OK; begin += BLOCK) {
-        const size_t end = begin + BLOCK < work->count_v ? begin + BLOCK : work->count_v;
+    for (size_t begin = 0; begin < work->at.count_v && status == BATTEN_OK; begin += BLOCK) {
+        const size_t end = begin + BLOCK < work->at.count_v ? begin + BLOCK : work->at.count_v;
         for (size_t j = begin; j < end; j++)
-            frame_of_point(q, d, rational, work->basis + j * 2 * ((size_t)q + 1),
-                           lines + (size_t)work->first[j] * width, line, frames[j - begin]);
+            frame_of_point(is, work->basis + j * 2 * ((size_t)is.q + 1),
+                           on->lines + (size_t)work->first[j] * width, line,
+                           on->frames[j - begin]);
         for (size_t j = begin; work->points && j < end; j++)
-            memcpy(work->points + (i * work->count_v + j) * 3, frames[j - begin],
+            memcpy(work->points + (on->i * work->at.count_v + j) * 3, on->frames[j - begin],
                    3 * sizeof(double));
         if (work->normals)
-            status = normals_of_block(work, frames, noise_u, i, begin, end);
+            status = normals_of_block(work, on, begin, end);
     }
     return status;
 }
 
-static batten_status normal_row(const grid *work, const double *lines, double noise_u, size_t i,
-                                double (*frames)[FRAME])
+static batten_status normal_row(const grid *work, const normal_line *on)
 {
     const bat_nurbs *nurbs = work->nurbs;
     const int q = nurbs->axes[BATTEN_V].degree, d = nurbs->base.dimension;
     batten_status status;
     if (q == 3 && d == 3 && !nurbs->weights)
-        status = normals_of_row(3, 3, false, work, lines, noise_u, i, frames);
+        status = normals_of_row((form){3, 3, false}, work, on);
     else if (q == 3 && d == 3)
-        status = normals_of_row(3, 3, true, work, lines, noise_u, i, frames);
+        status = normals_of_row((form){3, 3, true}, work, on);
     else
-        status = normals_of_row(q, d, nurbs->weights != NULL, work, lines, noise_u, i, frames);
-    const size_t row = 3 * work->count_v;
-    if (status == BATTEN_OK && work->points && !bat_all_finite(work->points + i * row, row))
-        status = overflow(work, i);
+        status = normals_of_row((form){q, d, nurbs->weights != NULL}, work, on);
+    const size_t row = 3 * work->at.count_v;
+    if (status == BATTEN_OK && work->points && !bat_all_finite(work->points + on->i * row, row))
+        status = overflow(work, on->i);
     return status;
 }
 
@@ -464,25 +499,22 @@ static batten_status normal_rows(void *context, size_t begin, size_t end)
     if (status != BATTEN_OK)
         return status;
     for (size_t i = begin; i < end && status == BATTEN_OK; i++) {
-        const double span = combine_lines(work, work->u[i], room.basis, room.lines);
-        status =
-            normal_row(work, room.lines,
-                       bat_derivative_noise(nurbs->axes[BATTEN_U].degree, span, nurbs->largest),
-                       i, (double(*)[FRAME])(void *)room.rows);
+        const double span = combine_lines(work, work->at.u[i], room.basis, room.lines);
+        const normal_line on = {
+            i, room.lines,
+            bat_derivative_noise(nurbs->axes[BATTEN_U].degree, span, nurbs->largest),
+            (double(*)[FRAME])(void *)room.rows};
+        status = normal_row(work, &on);
     }
     bat_release(room.basis);
     return status;
 }
 
-batten_status bat_nurbs_normal_grid(const batten_surface *surface, size_t count_u,
-                                    const double *u, size_t count_v, const double *v,
+batten_status bat_nurbs_normal_grid(const batten_surface *surface, batten_uv_grid places,
                                     const batten_job *job, double *points, double *normals)
 {
     grid work = {.nurbs = bat_nurbs_of(surface),
-                 .count_u = count_u,
-                 .count_v = count_v,
-                 .u = u,
-                 .v = v,
+                 .at = places,
                  .order = 1,
                  .points = points,
                  .normals = normals};
@@ -496,6 +528,5 @@ batten_status batten_surface_normal_grid(const batten_surface *surface, batten_u
     if (surface->dimension < 2)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a surface of dimension %d has no normal",
                         surface->dimension);
-    return surface->kind->normal_grid(surface, places.count_u, places.u, places.count_v,
-                                      places.v, job, points, normals);
+    return surface->kind->normal_grid(surface, places, job, points, normals);
 }

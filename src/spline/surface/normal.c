@@ -21,18 +21,17 @@ typedef struct {
     double c[TERMS][3], noise[TERMS];
 } expansion;
 
-static batten_status expand(const batten_surface *surface, double u, double v,
-                            batten_side side_u, batten_side side_v, expansion *out)
+static batten_status expand(const batten_surface *surface, const bat_surface_place *place,
+                            expansion *out)
 {
     const int d = surface->dimension;
     const int order = bat_min_int(ORDER, surface->kind->highest_order);
     bat_surface_local local;
     double values[TERMS * 3];
-    const batten_status status =
-        surface->kind->evaluate(surface, u, v, side_u, side_v, order, values);
+    const batten_status status = surface->kind->evaluate(surface, place, order, values);
     if (status != BATTEN_OK)
         return status;
-    surface->kind->local(surface, u, v, side_u, side_v, &local);
+    surface->kind->local(surface, place, &local);
     double unit_u = 1, noise_u = 16 * DBL_EPSILON;
     out->order = order;
     for (int k = 0; k <= order; k++) {
@@ -141,8 +140,9 @@ static batten_status ask_rays(const batten_surface *surface, double u, double v,
         const batten_side side_u = sides[quadrant % 2], side_v = sides[quadrant / 2];
         if (!has_side(surface, BATTEN_U, u, side_u) || !has_side(surface, BATTEN_V, v, side_v))
             continue;
+        const bat_surface_place place = {u, v, {side_u, side_v}};
         expansion e;
-        const batten_status status = expand(surface, u, v, side_u, side_v, &e);
+        const batten_status status = expand(surface, &place, &e);
         if (status != BATTEN_OK)
             return status;
         const double sign_u = side_u == BATTEN_FROM_RIGHT ? 1 : -1;
@@ -167,7 +167,8 @@ static batten_status ask_along_edge(const batten_surface *surface, batten_direct
     const double length_of_edge = domain.b - domain.a;
     bat_surface_local local;
     double here[3] = {0}, there[3] = {0}, places[TEST_PLACES];
-    surface->kind->local(surface, u, v, BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT, &local);
+    const bat_surface_place place = bat_surface_place_at(u, v);
+    surface->kind->local(surface, &place, &local);
     batten_status status = batten_surface_evaluate(surface, u, v, 0, here);
     for (int i = 0; i < TEST_PLACES && status == BATTEN_OK; i++) {
         places[i] = (along == BATTEN_U ? u : v) + length_of_edge * (i + 1) / (TEST_PLACES + 1);
@@ -218,7 +219,8 @@ batten_status batten_surface_normal(const batten_surface *surface, double u, dou
     memcpy(su, values + d, (size_t)d * sizeof *su);
     memcpy(sv, values + 2 * d, (size_t)d * sizeof *sv);
     bat_surface_local local;
-    surface->kind->local(surface, u, v, BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT, &local);
+    const bat_surface_place place = bat_surface_place_at(u, v);
+    surface->kind->local(surface, &place, &local);
     const double noise_u = bat_derivative_noise(local.degree[0], local.span[0], local.largest);
     const double noise_v = bat_derivative_noise(local.degree[1], local.span[1], local.largest);
     bool limit = false;

@@ -181,25 +181,31 @@ static int nurbs_spans(const batten_surface *surface, batten_direction direction
     return count;
 }
 
-/* At degree + 1 places of each span of the other direction: both ends are there of that degree.
- */
+/* Do the start and the end of one direction meet at the parameter t of the other? */
+static bool ends_meet(const batten_surface *surface, batten_direction direction, double t,
+                      double tolerance)
+{
+    const batten_interval ends = nurbs_domain(surface, direction);
+    const bool at_u = direction == BATTEN_U;
+    const bat_surface_place start = bat_surface_place_at(at_u ? ends.a : t, at_u ? t : ends.a);
+    const bat_surface_place end = {
+        at_u ? ends.b : t, at_u ? t : ends.b, {BATTEN_FROM_LEFT, BATTEN_FROM_LEFT}};
+    double first[3], last[3];
+    return bat_nurbs_evaluate(surface, &start, 0, first) == BATTEN_OK &&
+           bat_nurbs_evaluate(surface, &end, 0, last) == BATTEN_OK &&
+           bat_distance(surface->dimension, first, last) <= tolerance;
+}
+
+/* Both ends are of a degree: degree + 1 places of each span of the other direction tell. */
 static bool nurbs_is_closed(const batten_surface *surface, batten_direction direction,
                             double tolerance)
 {
     const bat_axis *along = axis_of(surface, bat_other(direction));
-    const batten_interval ends = nurbs_domain(surface, direction);
     for (int s = 0; s < along->span_count; s++)
         for (int i = 0; i <= along->degree; i++) {
             const double a = along->breaks[s], b = along->breaks[s + 1];
             const double t = i < along->degree ? a + (b - a) * i / along->degree : b;
-            double first[3], last[3];
-            const bool at_u = direction == BATTEN_U;
-            if (bat_nurbs_evaluate(surface, at_u ? ends.a : t, at_u ? t : ends.a,
-                                   BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT, 0,
-                                   first) != BATTEN_OK ||
-                bat_nurbs_evaluate(surface, at_u ? ends.b : t, at_u ? t : ends.b,
-                                   BATTEN_FROM_LEFT, BATTEN_FROM_LEFT, 0, last) != BATTEN_OK ||
-                !(bat_distance(surface->dimension, first, last) <= tolerance))
+            if (!ends_meet(surface, direction, t, tolerance))
                 return false;
         }
     return true;
@@ -226,12 +232,12 @@ static batten_box nurbs_box(const batten_surface *surface)
     return (batten_box){{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
-static void nurbs_local(const batten_surface *surface, double u, double v, batten_side side_u,
-                        batten_side side_v, bat_surface_local *out)
+static void nurbs_local(const batten_surface *surface, const bat_surface_place *place,
+                        bat_surface_local *out)
 {
     const bat_nurbs *nurbs = bat_surface_nurbs(surface);
-    double at[2] = {u, v};
-    const batten_side sides[2] = {side_u, side_v};
+    double at[2] = {place->u, place->v};
+    const batten_side sides[2] = {place->sides.u, place->sides.v};
     out->largest = nurbs->largest;
     for (int k = 0; k < 2; k++) {
         const bat_axis *axis = &nurbs->axes[k];

@@ -6,6 +6,7 @@
 #ifndef BAT_SURFACE_H
 #define BAT_SURFACE_H
 #include "spline/surface/axis.h"
+#include <batten/scattered.h>
 #include <batten/surface.h>
 
 typedef struct bat_surface_kind bat_surface_kind;
@@ -15,6 +16,17 @@ struct batten_surface {
     const bat_surface_kind *kind;
     int dimension;
 };
+
+/* Parameters, and the sides from which they are approached where a knot lies. */
+typedef struct {
+    double u, v;
+    batten_sides sides;
+} bat_surface_place;
+
+static inline bat_surface_place bat_surface_place_at(double u, double v)
+{
+    return (bat_surface_place){u, v, {BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT}};
+}
 
 /* What decides how much of a derivative is roundoff: the spans that hold the point, and the
  * size of numbers. */
@@ -35,19 +47,16 @@ struct bat_surface_kind {
     bool (*is_closed)(const batten_surface *surface, batten_direction direction,
                       double tolerance);
     batten_box (*box)(const batten_surface *surface);
-    batten_status (*evaluate)(const batten_surface *surface, double u, double v,
-                              batten_side side_u, batten_side side_v, int order, double *out);
-    batten_status (*evaluate_many)(const batten_surface *surface, size_t count,
-                                   const double *uv, int order, const batten_job *job,
-                                   double *out);
-    batten_status (*evaluate_grid)(const batten_surface *surface, size_t count_u,
-                                   const double *u, size_t count_v, const double *v, int order,
+    batten_status (*evaluate)(const batten_surface *surface, const bat_surface_place *at,
+                              int order, double *out);
+    batten_status (*evaluate_many)(const batten_surface *surface, batten_batch uv, int order,
                                    const batten_job *job, double *out);
-    batten_status (*normal_grid)(const batten_surface *surface, size_t count_u, const double *u,
-                                 size_t count_v, const double *v, const batten_job *job,
-                                 double *points, double *normals);
-    void (*local)(const batten_surface *surface, double u, double v, batten_side side_u,
-                  batten_side side_v, bat_surface_local *out);
+    batten_status (*evaluate_grid)(const batten_surface *surface, batten_uv_grid places,
+                                   int order, const batten_job *job, double *out);
+    batten_status (*normal_grid)(const batten_surface *surface, batten_uv_grid places,
+                                 const batten_job *job, double *points, double *normals);
+    void (*local)(const batten_surface *surface, const bat_surface_place *at,
+                  bat_surface_local *out);
     batten_status (*isocurve)(const batten_surface *surface, batten_direction direction,
                               double at, batten_curve **out);
     batten_status (*to_nurbs)(const batten_surface *surface, double tolerance,
@@ -96,17 +105,13 @@ static inline const bat_nurbs *bat_nurbs_of(const batten_surface *surface)
 extern const bat_surface_kind bat_nurbs_kind;
 
 /* Its evaluation (evaluate.c, grid.c), isocurves (isocurve.c), and maps (nurbs.c). */
-batten_status bat_nurbs_evaluate(const batten_surface *surface, double u, double v,
-                                 batten_side side_u, batten_side side_v, int order,
-                                 double *out);
-batten_status bat_nurbs_evaluate_many(const batten_surface *surface, size_t count,
-                                      const double *uv, int order, const batten_job *job,
-                                      double *out);
-batten_status bat_nurbs_evaluate_grid(const batten_surface *surface, size_t count_u,
-                                      const double *u, size_t count_v, const double *v,
+batten_status bat_nurbs_evaluate(const batten_surface *surface, const bat_surface_place *at,
+                                 int order, double *out);
+batten_status bat_nurbs_evaluate_many(const batten_surface *surface, batten_batch uv, int order,
+                                      const batten_job *job, double *out);
+batten_status bat_nurbs_evaluate_grid(const batten_surface *surface, batten_uv_grid places,
                                       int order, const batten_job *job, double *out);
-batten_status bat_nurbs_normal_grid(const batten_surface *surface, size_t count_u,
-                                    const double *u, size_t count_v, const double *v,
+batten_status bat_nurbs_normal_grid(const batten_surface *surface, batten_uv_grid places,
                                     const batten_job *job, double *points, double *normals);
 batten_status bat_nurbs_isocurve(const batten_surface *surface, batten_direction direction,
                                  double at, batten_curve **out);

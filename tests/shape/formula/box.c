@@ -10,12 +10,10 @@ static void keep(void *data)
 }
 
 /* (a plane, a roof with its ridge at u = 0.37, a trough along v) */
-static batten_status roof(const void *data, double u, double v, batten_side side_u,
-                          batten_side side_v, int order, double *out)
+static batten_status roof(const void *data, const bat_surface_place *at, int order, double *out)
 {
     (void)data;
-    (void)side_u;
-    (void)side_v;
+    const double u = at->u, v = at->v;
     memset(out, 0, 3 * (size_t)BATTEN_SURFACE_DERIVATIVES(order) * sizeof *out);
     out[0] = 2 * u - v;
     out[1] = -fabs(u - 0.37);

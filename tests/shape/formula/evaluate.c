@@ -10,25 +10,23 @@ static void keep(void *data)
 }
 
 /* (u, v, from which side each is approached: 1 u + 2 v, a bit is set from the left) */
-static batten_status sides(const void *data, double u, double v, batten_side side_u,
-                           batten_side side_v, int order, double *out)
+static batten_status sides(const void *data, const bat_surface_place *at, int order,
+                           double *out)
 {
     (void)data;
     memset(out, 0, 3 * (size_t)BATTEN_SURFACE_DERIVATIVES(order) * sizeof *out);
-    out[0] = u;
-    out[1] = v;
-    out[2] = (side_u == BATTEN_FROM_LEFT) + 2 * (side_v == BATTEN_FROM_LEFT);
+    out[0] = at->u;
+    out[1] = at->v;
+    out[2] = (at->sides.u == BATTEN_FROM_LEFT) + 2 * (at->sides.v == BATTEN_FROM_LEFT);
     return BATTEN_OK;
 }
 
 /* (u, v, u^2 v^3), with all derivatives. */
-static batten_status power(const void *data, double u, double v, batten_side side_u,
-                           batten_side side_v, int order, double *out)
+static batten_status power(const void *data, const bat_surface_place *at, int order,
+                           double *out)
 {
     (void)data;
-    (void)side_u;
-    (void)side_v;
-    const bat_jet a = bat_jet_u(u), b = bat_jet_v(v);
+    const bat_jet a = bat_jet_u(at->u), b = bat_jet_v(at->v);
     const bat_jet ab = bat_jet_multiply(a, b);
     const bat_jet xyz[3] = {a, b, bat_jet_multiply(bat_jet_multiply(ab, ab), b)};
     for (int i = 0; i < BATTEN_SURFACE_DERIVATIVES(order); i++)
@@ -38,10 +36,10 @@ static batten_status power(const void *data, double u, double v, batten_side sid
 }
 
 /* Finite points whose derivatives overflow. */
-static batten_status steep(const void *data, double u, double v, batten_side side_u,
-                           batten_side side_v, int order, double *out)
+static batten_status steep(const void *data, const bat_surface_place *at, int order,
+                           double *out)
 {
-    const batten_status status = power(data, u, v, side_u, side_v, order, out);
+    const batten_status status = power(data, at, order, out);
     if (order > 0)
         out[5] = INFINITY;
     return status;
@@ -49,9 +47,8 @@ static batten_status steep(const void *data, double u, double v, batten_side sid
 
 static const double breaks_u[] = {0, 1, 3, 4}, breaks_v[] = {-1, 2, 3};
 
-static batten_surface *surface_of(batten_status (*evaluate)(const void *, double, double,
-                                                            batten_side, batten_side, int,
-                                                            double *))
+static batten_surface *
+surface_of(batten_status (*evaluate)(const void *, const bat_surface_place *, int, double *))
 {
     static const bat_formula_axis u = {4, breaks_u, 1}, v = {3, breaks_v, 2};
     const bat_formula formula = {"test", evaluate, NULL, keep};
@@ -63,8 +60,9 @@ static batten_surface *surface_of(batten_status (*evaluate)(const void *, double
 static int side_at(const batten_surface *surface, double u, double v, batten_side side_u,
                    batten_side side_v)
 {
+    const bat_surface_place place = {u, v, {side_u, side_v}};
     double p[3];
-    CHECK_OK(bat_formula_evaluate(surface, u, v, side_u, side_v, 0, p));
+    CHECK_OK(bat_formula_evaluate(surface, &place, 0, p));
     return (int)p[2];
 }
 
@@ -94,9 +92,9 @@ TEST(a_turned_formula_is_asked_from_the_other_side)
     CHECK_INT(side_at(turned, 1, 0, BATTEN_FROM_LEFT, BATTEN_FROM_RIGHT), 0);
     CHECK_INT(side_at(turned, 1, 0, BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT), -1);
     for (int i = 0; i <= 16; i++) {
+        const bat_surface_place place = bat_surface_place_at(i / 4.0, 0);
         double p[3];
-        CHECK_OK(bat_formula_evaluate(turned, i / 4.0, 0, BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT,
-                                      0, p));
+        CHECK_OK(bat_formula_evaluate(turned, &place, 0, p));
         CHECK_NEAR(p[0], 4 - i / 4.0, 0);
     }
     batten_surface_unref(turned);
@@ -188,10 +186,12 @@ TEST(roundoff_is_that_of_the_span_on_the_side_that_is_asked)
 {
     batten_surface *surface = surface_of(power);
     bat_surface_local at;
-    bat_formula_local(surface, 1, 2, BATTEN_FROM_LEFT, BATTEN_FROM_RIGHT, &at);
+    bat_formula_local(surface,
+                      &(bat_surface_place){1, 2, {BATTEN_FROM_LEFT, BATTEN_FROM_RIGHT}}, &at);
     CHECK_NEAR(at.span[0], 1, 0);
     CHECK_NEAR(at.span[1], 1, 0);
-    bat_formula_local(surface, 1, 2, BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT, &at);
+    bat_formula_local(surface,
+                      &(bat_surface_place){1, 2, {BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT}}, &at);
     CHECK_NEAR(at.span[0], 2, 0);
     CHECK_NEAR(at.span[1], 3, 0);
     CHECK_NEAR(at.largest, 100, 0);
@@ -202,7 +202,8 @@ TEST(roundoff_is_that_of_the_span_on_the_side_that_is_asked)
     const batten_affine map = {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, {0, -50, 0}};
     batten_surface *moved = NULL;
     CHECK_OK(batten_surface_transform(surface, &map, &moved));
-    bat_formula_local(moved, 1, 2, BATTEN_FROM_LEFT, BATTEN_FROM_LEFT, &at);
+    bat_formula_local(moved, &(bat_surface_place){1, 2, {BATTEN_FROM_LEFT, BATTEN_FROM_LEFT}},
+                      &at);
     CHECK_NEAR(at.largest, 100 * sqrt(14) + 50, 1e-10);
     batten_surface_unref(moved);
     CHECK_INT(bat_formula_smoothness(surface, BATTEN_U), 1);

@@ -4,11 +4,9 @@
 #include "support/test.h"
 
 /* z = scale sin(3 u) / (1 + v) over [0, 1] x [0, 2]; with `data` its scale. */
-static batten_status wave(const void *data, double u, double v, batten_side side_u,
-                          batten_side side_v, int order, double *out)
+static batten_status wave(const void *data, const bat_surface_place *at, int order, double *out)
 {
-    (void)side_u;
-    (void)side_v;
+    const double u = at->u, v = at->v;
     const double s = sin(3 * u), c = cos(3 * u), scale = *(const double *)data;
     const bat_jet ju = bat_jet_u(u), jv = bat_jet_v(v);
     const bat_jet sine = bat_jet_compose((const double[4]){s, 3 * c, -9 * s, -27 * c}, ju);
@@ -149,12 +147,10 @@ TEST(the_box_of_a_formula_holds_it_closely)
 }
 
 /* (u (1 - v), u v, u^2): a pole at u = 0, as of a surface over a triangle. */
-static batten_status pole(const void *data, double u, double v, batten_side side_u,
-                          batten_side side_v, int order, double *out)
+static batten_status pole(const void *data, const bat_surface_place *at, int order, double *out)
 {
     (void)data;
-    (void)side_u;
-    (void)side_v;
+    const double u = at->u, v = at->v;
     const bat_jet ju = bat_jet_u(u), jv = bat_jet_v(v), uv = bat_jet_multiply(ju, jv);
     const bat_jet xyz[3] = {bat_jet_subtract(ju, uv), uv, bat_jet_multiply(ju, ju)};
     for (int i = 0; i < BATTEN_SURFACE_DERIVATIVES(order); i++)
@@ -249,12 +245,11 @@ static batten_status saddle_to_nurbs(const void *data, double tolerance, batten_
     return batten_surface_create(3, &axis, &axis, points, NULL, out);
 }
 
-static batten_status saddle(const void *data, double u, double v, batten_side side_u,
-                            batten_side side_v, int order, double *out)
+static batten_status saddle(const void *data, const bat_surface_place *at, int order,
+                            double *out)
 {
     (void)data;
-    (void)side_u;
-    (void)side_v;
+    const double u = at->u, v = at->v;
     memset(out, 0, 3 * (size_t)BATTEN_SURFACE_DERIVATIVES(order) * sizeof *out);
     out[0] = u;
     out[1] = 2 * v;
@@ -354,12 +349,10 @@ TEST(a_formula_that_is_refused_leaves_its_data_to_the_caller)
 }
 
 /* (cos 2 pi u, sin 2 pi u, v), once around. */
-static batten_status tube(const void *data, double u, double v, batten_side side_u,
-                          batten_side side_v, int order, double *out)
+static batten_status tube(const void *data, const bat_surface_place *at, int order, double *out)
 {
     (void)data;
-    (void)side_u;
-    (void)side_v;
+    const double u = at->u, v = at->v;
     memset(out, 0, 3 * (size_t)BATTEN_SURFACE_DERIVATIVES(order) * sizeof *out);
     out[0] = cos(6.283185307179586 * u);
     out[1] = sin(6.283185307179586 * u);

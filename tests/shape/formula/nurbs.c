@@ -12,11 +12,10 @@ static void keep(void *data)
 
 typedef double (*height)(double u, double v);
 
-static batten_status graph(const void *data, double u, double v, batten_side side_u,
-                           batten_side side_v, int order, double *out)
+static batten_status graph(const void *data, const bat_surface_place *at, int order,
+                           double *out)
 {
-    (void)side_u;
-    (void)side_v;
+    const double u = at->u, v = at->v;
     memset(out, 0, 3 * (size_t)BATTEN_SURFACE_DERIVATIVES(order) * sizeof *out);
     out[0] = u;
     out[1] = v;

@@ -12,14 +12,13 @@ static void keep(void *data)
 }
 
 /* (u, v, sin(4 u + 3 v)), of which the data say how many coordinates are wanted */
-static batten_status ripple(const void *data, double u, double v, batten_side side_u,
-                            batten_side side_v, int order, double *out)
+static batten_status ripple(const void *data, const bat_surface_place *at, int order,
+                            double *out)
 {
-    (void)side_u;
-    (void)side_v;
+    const double u = at->u, v = at->v;
     const int d = *(const int *)data;
     const bat_jet a = bat_jet_u(u), b = bat_jet_v(v);
-    const double at = 4 * u + 3 * v, s = sin(at), c = cos(at);
+    const double angle = 4 * u + 3 * v, s = sin(angle), c = cos(angle);
     const bat_jet z = bat_jet_compose((const double[4]){s, c, -s, -c},
                                       bat_jet_add(bat_jet_scale(4, a), bat_jet_scale(3, b)));
     const bat_jet xyz[3] = {a, b, z};
