@@ -196,18 +196,24 @@ static batten_status put_colours_of(writing *w, const batten_object *object)
     return status;
 }
 
+static batten_status put_colours_of_model(writing *w, int definition)
+{
+    const batten_model *model = w->definitions.models[definition];
+    batten_status status = BATTEN_OK;
+    for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++) {
+        const batten_object *object = batten_model_object(model, k);
+        if (find_written(w, w->definitions.first[definition] + k) < 0)
+            status = put_colours_of(w, object);
+    }
+    return status;
+}
+
 /* Colours in the order in which their objects will come. */
 static batten_status put_colours(writing *w)
 {
     batten_status status = bat_definitions_meshes(&w->definitions, w->same, w->look);
-    for (int i = 0; i < w->definitions.count; i++) {
-        const batten_model *model = w->definitions.models[w->order[i]];
-        for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++) {
-            const batten_object *object = batten_model_object(model, k);
-            if (find_written(w, w->definitions.first[w->order[i]] + k) < 0)
-                status = put_colours_of(w, object);
-        }
-    }
+    for (int i = 0; status == BATTEN_OK && i < w->definitions.count; i++)
+        status = put_colours_of_model(w, w->order[i]);
     if (w->colours)
         put_xml(w, "</basematerials>\n");
     w->colours = 0;
@@ -230,6 +236,14 @@ static void put_place(writing *w, const batten_affine *place)
     }
 }
 
+static void put_reference(writing *w, const batten_object *object, int id, const char *element)
+{
+    batten_text_add(&w->xml, "<%s objectid=\"%d\"", element, id);
+    if (object->definition)
+        put_place(w, &object->place);
+    put_xml(w, "/>\n");
+}
+
 /* What stands in a definition or in the build, by `element`. */
 static void put_references(writing *w, int definition, const char *element)
 {
@@ -237,12 +251,8 @@ static void put_references(writing *w, int definition, const char *element)
     for (int k = 0; k < batten_model_count(model); k++) {
         const batten_object *object = batten_model_object(model, k);
         const int id = w->id[w->definitions.first[definition] + k];
-        if (!id)
-            continue;
-        batten_text_add(&w->xml, "<%s objectid=\"%d\"", element, id);
-        if (object->definition)
-            put_place(w, &object->place);
-        put_xml(w, "/>\n");
+        if (id)
+            put_reference(w, object, id, element);
     }
 }
 

@@ -43,23 +43,28 @@ static void normalise(const char *text, char *name)
     name[length] = '\0';
 }
 
+/* The unit in brackets at the end: "z [mm]", "z-(mm)". */
+static double cut_brackets(char *name, char *open)
+{
+    name[strlen(name) - 1] = '\0';
+    const double metres = batten_unit_metres(open + 1);
+    *open = '\0';
+    if (open[-1] == '-')
+        open[-1] = '\0';
+    return metres;
+}
+
 /* Cut the unit off a name and say it. */
 static double cut_unit(char *name)
 {
     const size_t length = strlen(name);
     char *open = strpbrk(name, "[(");
     char *last = strrchr(name, '-');
-    double metres = 0;
-    if (open && open > name && length > 0 && strchr("])", name[length - 1])) {
-        name[length - 1] = '\0';
-        metres = batten_unit_metres(open + 1);
-        *open = '\0';
-        if (open[-1] == '-')
-            open[-1] = '\0';
-    } else if (last && batten_unit_metres(last + 1) > 0) {
-        metres = batten_unit_metres(last + 1);
+    if (open && open > name && length > 0 && strchr("])", name[length - 1]))
+        return cut_brackets(name, open);
+    const double metres = last ? batten_unit_metres(last + 1) : 0;
+    if (metres > 0)
         *last = '\0';
-    }
     return metres;
 }
 

@@ -242,11 +242,7 @@ static batten_status make_model(double unit_metres, const batten_offset_table *o
     batten_status status = batten_model_create(unit_metres, &model);
     if (status == BATTEN_OK)
         status = batten_model_add(model, &object);
-    if (status == BATTEN_OK)
-        *out = model;
-    else
-        batten_model_unref(model);
-    return status;
+    return bat_input_hand_over(status, model, out);
 }
 
 /* The points that are there, ready for sorting. */
@@ -266,17 +262,25 @@ static batten_status take_points(bat_gather_table *t)
     return bat_input_array(input, t->count, sizeof *t->offset_points, &t->offset_points);
 }
 
-/* A half-breadth is a distance from the centre plane. */
-static void note_negative(const bat_gathering *gathering)
+/* *row is the first of them. */
+static int count_negative(const bat_gathering *gathering, int *row)
 {
     const bat_gathered *points = gathering->points.items;
-    int count = 0, row = 0;
+    int count = 0;
     for (size_t i = 0; i < gathering->points.count; i++) {
         if (points[i].is_absent || !(points[i].y < 0))
             continue;
-        row = count == 0 ? points[i].row : row;
+        *row = count == 0 ? points[i].row : *row;
         count++;
     }
+    return count;
+}
+
+/* A half-breadth is a distance from the centre plane. */
+static void note_negative(const bat_gathering *gathering)
+{
+    int row = 0;
+    const int count = count_negative(gathering, &row);
     if (count > 0)
         batten_notes_add(gathering->input->notes, gathering->input->file, row, "",
                          "%d half-breadth%s below 0, here the first; %s kept as %s", count,

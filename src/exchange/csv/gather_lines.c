@@ -33,17 +33,22 @@ static bool same_line(const bat_gathered *a, const bat_gathered *b)
     return !a->line && !b->line && a->z == b->z;
 }
 
-static bat_gather_line measure_line(const bat_gather_sorted *points, size_t begin, size_t end)
+static double mean_height(const bat_gather_sorted *points, size_t begin, size_t end)
 {
-    const double low = points[begin].point.z;
     double sum = 0;
     for (size_t i = begin; i < end; i++)
         sum += points[i].point.z / (double)(end - begin);
+    return sum;
+}
+
+static bat_gather_line measure_line(const bat_gather_sorted *points, size_t begin, size_t end)
+{
+    const double low = points[begin].point.z;
     const bool level = low == points[end - 1].point.z;
     return (bat_gather_line){.name = points[begin].point.line,
                              .is_waterline = level,
                              .z = level ? low + 0.0 : 0, /* never -0 */
-                             .rank = level ? low : sum,
+                             .rank = level ? low : mean_height(points, begin, end),
                              .members = begin,
                              .count = end - begin};
 }

@@ -276,17 +276,25 @@ static void release(loft *l)
     bat_release(l->names);
 }
 
+static batten_status read_rows(loft *l)
+{
+    bool more = true;
+    batten_status status = BATTEN_OK;
+    while (status == BATTEN_OK) {
+        status = bat_separated_next(l->table, &more);
+        if (status != BATTEN_OK || !more)
+            break;
+        status = read_row(l);
+    }
+    return status;
+}
+
 batten_status bat_offsets_loft(bat_separated *table, bat_gathering *gathering)
 {
     loft l = {.table = table, .gathering = gathering, .lines = {.size = sizeof(hull_line)}};
-    bool more = true;
     batten_status status = read_names(&l);
-    while (status == BATTEN_OK) {
-        status = bat_separated_next(table, &more);
-        if (status != BATTEN_OK || !more)
-            break;
-        status = read_row(&l);
-    }
+    if (status == BATTEN_OK)
+        status = read_rows(&l);
     if (status == BATTEN_OK)
         status = gather_all(&l);
     release(&l);

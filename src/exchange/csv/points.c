@@ -147,11 +147,7 @@ static batten_status make_model(const reading *r, batten_model **out)
                                       .points = points[starts[k]]};
         status = batten_model_add(model, &object);
     }
-    if (status == BATTEN_OK)
-        *out = model;
-    else
-        batten_model_unref(model);
-    return status;
+    return bat_input_hand_over(status, model, out);
 }
 
 batten_status bat_read_points(bat_input *input, batten_model **out)

@@ -8,11 +8,12 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The first that occurs outside quotes of ';' ',' tab; else blanks. */
-static char find_separator(bat_span row)
+/* What is first outside quotes of these separates the fields. */
+static const char candidates[] = ";,\t";
+
+static void mark_separators(bat_span row, bool *found)
 {
-    static const char candidates[] = ";,\t";
-    bool found[sizeof candidates] = {false}, quoted = false, starts = true;
+    bool quoted = false, starts = true;
     for (size_t i = 0; i < row.length; i++) {
         const char c = row.bytes[i];
         /* A quote opens only where a field begins. */
@@ -22,6 +23,13 @@ static char find_separator(bat_span row)
             found[candidate - candidates] = true;
         starts = candidate || bat_is_blank(c);
     }
+}
+
+/* The first that occurs outside quotes of ';' ',' tab; else blanks. */
+static char find_separator(bat_span row)
+{
+    bool found[sizeof candidates] = {false};
+    mark_separators(row, found);
     for (size_t k = 0; candidates[k]; k++)
         if (found[k])
             return candidates[k];

@@ -85,18 +85,23 @@ static bool is_plain(const batten_offset_table *offsets, const batten_table_poin
     return line->is_waterline && strcmp(line->name, name) == 0;
 }
 
+static void add_needs(columns *needed, const batten_offset_table *offsets,
+                      const batten_table_station *station)
+{
+    char name[BATTEN_NUMBER_SIZE];
+    batten_number_write(station->x + 0.0, name);
+    needed->section |= station->name[0] && strcmp(station->name, name) != 0;
+    for (int k = 0; k < station->point_count; k++) {
+        needed->station |= station->points[k].x != station->x;
+        needed->line |= !is_plain(offsets, &station->points[k]);
+    }
+}
+
 static columns needed_columns(const batten_offset_table *offsets)
 {
     columns needed = {false, false, false};
     for (int i = 0; i < batten_offset_table_station_count(offsets); i++) {
-        const batten_table_station *station = batten_offset_table_station(offsets, i);
-        char name[BATTEN_NUMBER_SIZE];
-        batten_number_write(station->x + 0.0, name);
-        needed.section |= station->name[0] && strcmp(station->name, name) != 0;
-        for (int k = 0; k < station->point_count; k++) {
-            needed.station |= station->points[k].x != station->x;
-            needed.line |= !is_plain(offsets, &station->points[k]);
-        }
+        add_needs(&needed, offsets, batten_offset_table_station(offsets, i));
     }
     return needed;
 }
@@ -198,6 +203,16 @@ static void put_row(rows *r, const batten_object *object)
         put_coordinates(r->text, &object->points[3 * (size_t)k], 3, r->separator);
 }
 
+static void put_station(rows *r, const batten_table_station *station, double scale)
+{
+    begin_row(r);
+    for (int k = 0; k < station->point_count; k++) {
+        const batten_table_point *p = &station->points[k];
+        const double point[3] = {scale * p->x, scale * p->y, scale * p->z};
+        put_coordinates(r->text, point, 3, r->separator);
+    }
+}
+
 /* The points of each station are a row. */
 static void put_stations(rows *r, const batten_object *object, batten_notes *notes)
 {
@@ -205,13 +220,7 @@ static void put_stations(rows *r, const batten_object *object, batten_notes *not
     const double own = batten_offset_table_unit_metres(offsets);
     const double scale = own > 0 && r->unit > 0 && own != r->unit ? own / r->unit : 1;
     for (int i = 0; i < batten_offset_table_station_count(offsets); i++) {
-        const batten_table_station *station = batten_offset_table_station(offsets, i);
-        begin_row(r);
-        for (int k = 0; k < station->point_count; k++) {
-            const batten_table_point *p = &station->points[k];
-            const double point[3] = {scale * p->x, scale * p->y, scale * p->z};
-            put_coordinates(r->text, point, 3, r->separator);
-        }
+        put_station(r, batten_offset_table_station(offsets, i), scale);
     }
     batten_notes_remark(notes, "", 0, object->name,
                         "the format has no tables; its points are written, a row for each of "

@@ -72,25 +72,35 @@ static bool are_whole(const writing *w)
     return true;
 }
 
-/* Where the stations are is said in feet, inches and eighths when that is exact for all, else
- * in inches, to the last digit. */
-static void put_stations(writing *w)
+static void put_station_names(writing *w)
 {
-    const bool whole = are_whole(w);
     batten_text_add(w->text, "axis,name");
     for (int s = 0; s < w->stations; s++) {
         batten_text_bytes(w->text, ",", 1);
         bat_put_quoted(w->text, batten_offset_table_station(w->offsets, s)->name);
     }
+}
+
+static void put_length(writing *w, double x, bool whole)
+{
+    batten_text_bytes(w->text, ",", 1);
+    if (whole)
+        put_eighths(w, x, 8 * fabs(x));
+    else
+        batten_text_number(w->text, x);
+}
+
+/* Where the stations are is said in feet, inches and eighths when that is exact for all, else
+ * in inches, to the last digit. */
+static void put_stations(writing *w)
+{
+    const bool whole = are_whole(w);
+    put_station_names(w);
     batten_text_add(w->text, "\nlength,station");
     for (int s = 0; s < w->stations; s++) {
         const double x =
             bat_near_decimal(batten_offset_table_station(w->offsets, s)->x * w->factor);
-        batten_text_bytes(w->text, ",", 1);
-        if (whole)
-            put_eighths(w, x, 8 * fabs(x));
-        else
-            batten_text_number(w->text, x);
+        put_length(w, x, whole);
     }
     batten_text_bytes(w->text, "\n", 1);
 }

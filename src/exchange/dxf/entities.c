@@ -3,6 +3,7 @@
 #include "base/plural.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/dxf/round.h"
+#include "exchange/dxf/round_curve.h"
 #include "exchange/shapes/path.h"
 #include "numeric/vector.h"
 
@@ -87,25 +88,25 @@ static batten_status read_ellipse(const bat_dxf_pairs *pairs, batten_curve **out
 
 /* ---- splines ---- */
 
-/* Rows of x y z from three lists; a missing z is 0. */
+static batten_status read_column(const bat_dxf_pairs *pairs, int code, size_t count,
+                                 double *made)
+{
+    double *column = NULL;
+    batten_status status = bat_dxf_get_reals(pairs, code, count, &column);
+    for (size_t i = 0; status == BATTEN_OK && i < count; i++)
+        made[3 * i] = column[i];
+    bat_release(column);
+    return status;
+}
+
+/* Rows of x y z from three lists; a missing z is 0. The caller releases them in any case. */
 static batten_status read_points(const bat_dxf_pairs *pairs, int code, size_t count,
                                  double **points)
 {
-    double *made = NULL;
-    batten_status status = bat_input_array(pairs->input, count, 3 * sizeof *made, &made);
-    for (int k = 0; status == BATTEN_OK && k < 3; k++) {
-        double *column = NULL;
-        if (k == 2 && bat_dxf_count(pairs, code + 20) == 0)
-            break;
-        status = bat_dxf_get_reals(pairs, code + 10 * k, count, &column);
-        for (size_t i = 0; status == BATTEN_OK && i < count; i++)
-            made[3 * i + (size_t)k] = column[i];
-        bat_release(column);
-    }
-    if (status == BATTEN_OK)
-        *points = made;
-    else
-        bat_release(made);
+    const int columns = bat_dxf_count(pairs, code + 20) == 0 ? 2 : 3;
+    batten_status status = bat_input_array(pairs->input, count, 3 * sizeof **points, points);
+    for (int k = 0; status == BATTEN_OK && k < columns; k++)
+        status = read_column(pairs, code + 10 * k, count, *points + k);
     return status;
 }
 
@@ -121,17 +122,50 @@ static batten_status read_end(const bat_dxf_pairs *pairs, int code, batten_end *
     return status;
 }
 
+/* The directions that the file gives at the ends. */
+typedef struct {
+    bool has_start, has_end, are_kept;
+} end_directions;
+
 /*
- * A spline that has only the points through which it goes. Directions at its ends have the
- * length 1 over chord lengths as parameters: the file gives unit vectors, and only their
- * direction is sure.
+ * Directions at the ends have the length 1 over chord lengths as parameters: the file gives unit
+ * vectors, and only their direction is sure.
  */
+static batten_status read_directions(const bat_dxf_pairs *pairs,
+                                     batten_curve_interpolate_options *options,
+                                     end_directions *ends)
+{
+    batten_status status = read_end(pairs, 12, &options->start, &ends->has_start);
+    if (status == BATTEN_OK)
+        status = read_end(pairs, 13, &options->end, &ends->has_end);
+    ends->are_kept = options->degree == 3 && (ends->has_start || ends->has_end);
+    if (ends->are_kept)
+        options->parameters = BATTEN_CHORD;
+    else
+        options->start = options->end = batten_curve_interpolate_defaults().start;
+    return status;
+}
+
+static void note_interpolation(const bat_dxf_pairs *pairs, size_t count,
+                               const end_directions *ends)
+{
+    const bool has_none = !ends->has_start && !ends->has_end;
+    batten_notes_add(pairs->input->notes, pairs->input->file, pairs->line, "SPLINE",
+                     "it has only %zu point%s%s; a curve was put through them%s", count,
+                     bat_plural(count),
+                     has_none                           ? ""
+                     : ends->has_start && ends->has_end ? " and the directions at its ends"
+                                                        : " and the direction at one end",
+                     ends->are_kept || has_none ? "" : ", without these, as it is not cubic");
+}
+
+/* A spline that has only the points through which it goes. */
 static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_curve **out)
 {
     const size_t count = bat_dxf_count(pairs, 11);
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
+    end_directions ends = {false, false, false};
     double *points = NULL;
-    bool has_start = false, has_end = false;
     if (count < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "it has %zu point%s to go through", count,
                         bat_plural(count));
@@ -139,49 +173,34 @@ static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_
     options.degree = degree;
     options.knots_at_data = degree == 3;
     if (status == BATTEN_OK)
-        status = read_end(pairs, 12, &options.start, &has_start);
-    if (status == BATTEN_OK)
-        status = read_end(pairs, 13, &options.end, &has_end);
-    const bool is_clamped = degree == 3 && (has_start || has_end);
-    if (is_clamped)
-        options.parameters = BATTEN_CHORD;
-    else
-        options.start = options.end = batten_curve_interpolate_defaults().start;
+        status = read_directions(pairs, &options, &ends);
     if (status == BATTEN_OK)
         status = batten_curve_interpolate((batten_points){3, (int)count, points}, &options,
                                           NULL, out);
     if (status == BATTEN_OK)
-        batten_notes_add(pairs->input->notes, pairs->input->file, pairs->line, "SPLINE",
-                         "it has only %zu point%s%s; a curve was put through them%s", count,
-                         bat_plural(count),
-                         !has_start && !has_end ? ""
-                         : has_start && has_end ? " and the directions at its ends"
-                                                : " and the direction at one end",
-                         is_clamped || (!has_start && !has_end)
-                             ? ""
-                             : ", without these, as it is not cubic");
+        note_interpolation(pairs, count, &ends);
     bat_release(points);
     return status;
 }
 
-static batten_status read_spline(const bat_dxf_pairs *pairs, batten_curve **out)
+static batten_status read_degree(const bat_dxf_pairs *pairs, int *degree)
 {
-    const size_t count = bat_dxf_count(pairs, 10), weighted = bat_dxf_count(pairs, 41);
-    int degree = 3;
-    double *knots = NULL, *weights = NULL, *points = NULL;
-    batten_status status = bat_dxf_get_integer(pairs, 71, 3, &degree);
-    if (status != BATTEN_OK)
-        return status;
-    if (degree < 1 || degree > BATTEN_MAX_DEGREE)
-        return bat_fail(BATTEN_BAD_DEGREE, "its degree is %d, not in 1..%d", degree,
+    const batten_status status = bat_dxf_get_integer(pairs, 71, 3, degree);
+    if (status == BATTEN_OK && (*degree < 1 || *degree > BATTEN_MAX_DEGREE))
+        return bat_fail(BATTEN_BAD_DEGREE, "its degree is %d, not in 1..%d", *degree,
                         BATTEN_MAX_DEGREE);
-    if (count == 0)
-        return interpolate(pairs, degree, out);
-    status = bat_input_limit(pairs->input, pairs->line, count, pairs->input->limits.points,
-                             "points");
+    return status;
+}
+
+static batten_status read_poles(const bat_dxf_pairs *pairs, int degree, size_t count,
+                                batten_curve **out)
+{
+    double *knots = NULL, *weights = NULL, *points = NULL;
+    batten_status status = bat_input_limit(pairs->input, pairs->line, count,
+                                           pairs->input->limits.points, "points");
     if (status == BATTEN_OK)
         status = bat_dxf_get_reals(pairs, 40, count + (size_t)degree + 1, &knots);
-    if (status == BATTEN_OK && weighted)
+    if (status == BATTEN_OK && bat_dxf_count(pairs, 41))
         status = bat_dxf_get_reals(pairs, 41, count, &weights);
     if (status == BATTEN_OK)
         status = read_points(pairs, 10, count, &points);
@@ -194,9 +213,52 @@ static batten_status read_spline(const bat_dxf_pairs *pairs, batten_curve **out)
     return status;
 }
 
+static batten_status read_spline(const bat_dxf_pairs *pairs, batten_curve **out)
+{
+    const size_t count = bat_dxf_count(pairs, 10);
+    int degree = 3;
+    const batten_status status = read_degree(pairs, &degree);
+    if (status != BATTEN_OK)
+        return status;
+    if (count == 0)
+        return interpolate(pairs, degree, out);
+    return read_poles(pairs, degree, count, out);
+}
+
 /* ---- polylines ---- */
 
-/* Neighbours that are one point become one vertex: programmes write them often. */
+static bool is_same_place(const bat_vertex *v, const bat_vertex *w)
+{
+    return v->x == w->x && v->y == w->y;
+}
+
+/* A vertex where the last one is gives that one its bulge: false. */
+static bool append_vertex(bat_path *path, bat_vertex made)
+{
+    bat_vertex *last = path->count ? &path->vertices[path->count - 1] : NULL;
+    if (last && is_same_place(last, &made)) {
+        last->bulge = made.bulge;
+        return false;
+    }
+    path->vertices[path->count++] = made;
+    return true;
+}
+
+/* Neighbours that are one point become one vertex: programmes write them often. Returns how many
+ * are dropped. */
+static int fill_path(bat_path *path, size_t count, const double *vertices)
+{
+    int dropped = 0;
+    for (const double *v = vertices; v < vertices + 4 * count; v += 4)
+        dropped += !append_vertex(path, (bat_vertex){v[0], v[1], v[3]});
+    while (path->closed && path->count > 1 &&
+           is_same_place(&path->vertices[0], &path->vertices[path->count - 1])) {
+        path->count--;
+        dropped++;
+    }
+    return dropped;
+}
+
 static batten_status make_path(const bat_input *input, int line, const batten_frame *frame,
                                bool closed, size_t count, const double *vertices,
                                batten_curve **out)
@@ -205,23 +267,7 @@ static batten_status make_path(const bat_input *input, int line, const batten_fr
         .closed = closed, .frame = *frame, .vertices = bat_array(count, sizeof *path.vertices)};
     if (!path.vertices)
         return BATTEN_OUT_OF_MEMORY;
-    int dropped = 0;
-    for (size_t i = 0; i < count; i++) {
-        const double *v = &vertices[4 * i];
-        const bat_vertex made = {v[0], v[1], v[3]};
-        bat_vertex *last = path.count ? &path.vertices[path.count - 1] : NULL;
-        if (last && last->x == made.x && last->y == made.y) {
-            last->bulge = made.bulge;
-            dropped++;
-        } else {
-            path.vertices[path.count++] = made;
-        }
-    }
-    while (closed && path.count > 1 && path.vertices[0].x == path.vertices[path.count - 1].x &&
-           path.vertices[0].y == path.vertices[path.count - 1].y) {
-        path.count--;
-        dropped++;
-    }
+    const int dropped = fill_path(&path, count, vertices);
     if (dropped)
         batten_notes_add(input->notes, input->file, line, "polyline",
                          "points that repeat their neighbour: %d; dropped", dropped);
@@ -370,15 +416,11 @@ batten_status bat_dxf_read_face(const bat_dxf_pairs *pairs, double corners[4][3]
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < 4; i++) {
-        batten_vec3 p, third = zero;
-        if (i == 3)
-            third = (batten_vec3){corners[2][0], corners[2][1], corners[2][2]};
+        batten_vec3 p;
+        const batten_vec3 third = i == 3 ? bat_dxf_vector(corners[2]) : zero;
         status = bat_dxf_get_point(pairs, 10 + i, third, &p);
-        if (status == BATTEN_OK) {
-            corners[i][0] = p.x;
-            corners[i][1] = p.y;
-            corners[i][2] = p.z;
-        }
+        if (status == BATTEN_OK)
+            bat_dxf_put_vector(p, corners[i]);
     }
     *count = status == BATTEN_OK && bat_distance(3, corners[2], corners[3]) == 0 ? 3 : 4;
     return status;

@@ -5,13 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+static bool is_unit(const bat_dxf_group *group)
+{
+    return group->code == 9 && group->value.length == 9 &&
+           memcmp(group->value.bytes, "$INSUNITS", 9) == 0;
+}
+
 static batten_status read_header(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
 {
     const bat_dxf_group *groups = pairs->groups.items;
     for (size_t i = 0; i + 1 < pairs->groups.count; i++) {
         double code = 0;
-        if (groups[i].code != 9 || groups[i].value.length != 9 ||
-            memcmp(groups[i].value.bytes, "$INSUNITS", 9) != 0)
+        if (!is_unit(&groups[i]))
             continue;
         if (bat_dxf_number(pairs, &groups[i + 1], &code) == BATTEN_OK)
             r->unit_metres = bat_dxf_unit_of((int)bat_max(0, bat_min(100, code)));
@@ -126,8 +131,8 @@ batten_status bat_dxf_survey(bat_dxf_reading *r)
 
 typedef int comparison(const char *a, const char *b);
 
-/* The first of a sorted list that has the name. */
-static void *first_of(const bat_list *list, const char *name, comparison *order)
+/* How many of a sorted list come before the name. */
+static size_t count_before(const bat_list *list, const char *name, comparison *order)
 {
     unsigned char *items = list->items;
     size_t low = 0, high = list->count;
@@ -138,6 +143,14 @@ static void *first_of(const bat_list *list, const char *name, comparison *order)
         else
             high = middle;
     }
+    return low;
+}
+
+/* The first of a sorted list that has the name. */
+static void *first_of(const bat_list *list, const char *name, comparison *order)
+{
+    unsigned char *items = list->items;
+    const size_t low = count_before(list, name, order);
     if (low == list->count)
         return NULL;
     bat_dxf_named *found = (void *)(items + low * list->size);

@@ -77,24 +77,9 @@ static bat_dxf_layer_row layer_row(int count, const wanted_layer *wanted)
     return row;
 }
 
-static batten_status find_layers(writing *w)
+/* Objects of one name stand side by side; the first layer is "0". */
+static void make_layers(writing *w, int n, const wanted_layer *wanted)
 {
-    const int n = batten_model_count(w->model);
-    wanted_layer *wanted = bat_array((size_t)n, sizeof *wanted);
-    w->layers = bat_array((size_t)n + 1, sizeof *w->layers);
-    w->layer_of = bat_array((size_t)n, sizeof *w->layer_of);
-    if (!wanted || !w->layers || !w->layer_of) {
-        bat_release(wanted);
-        return BATTEN_OUT_OF_MEMORY;
-    }
-    for (int i = 0; i < n; i++) {
-        want_layer(batten_model_object(w->model, i), i, &wanted[i]);
-        w->has_full_colours |= wanted[i].row.colour.full >= 0;
-        w->named += !batten_model_object(w->model, i)->layer[0];
-    }
-    qsort(wanted, (size_t)n, sizeof *wanted, compare_layers);
-    w->layers[w->layer_count++] =
-        (bat_dxf_layer_row){.name = "0", .colour = {BAT_DXF_PLAIN, -1}};
     for (int i = 0, end = 0; i < n; i = end) {
         while (end < n && strcmp(wanted[end].row.name, wanted[i].row.name) == 0)
             end++;
@@ -107,6 +92,32 @@ static batten_status find_layers(writing *w)
         for (int k = i; k < end; k++)
             w->layer_of[wanted[k].object] = is_zero ? 0 : w->layer_count - 1;
     }
+}
+
+static void want_layers(writing *w, int n, wanted_layer *wanted)
+{
+    for (int i = 0; i < n; i++) {
+        want_layer(batten_model_object(w->model, i), i, &wanted[i]);
+        w->has_full_colours |= wanted[i].row.colour.full >= 0;
+        w->named += !batten_model_object(w->model, i)->layer[0];
+    }
+}
+
+static batten_status find_layers(writing *w)
+{
+    const int n = batten_model_count(w->model);
+    wanted_layer *wanted = bat_array((size_t)n, sizeof *wanted);
+    w->layers = bat_array((size_t)n + 1, sizeof *w->layers);
+    w->layer_of = bat_array((size_t)n, sizeof *w->layer_of);
+    if (!wanted || !w->layers || !w->layer_of) {
+        bat_release(wanted);
+        return BATTEN_OUT_OF_MEMORY;
+    }
+    want_layers(w, n, wanted);
+    qsort(wanted, (size_t)n, sizeof *wanted, compare_layers);
+    w->layers[w->layer_count++] =
+        (bat_dxf_layer_row){.name = "0", .colour = {BAT_DXF_PLAIN, -1}};
+    make_layers(w, n, wanted);
     bat_release(wanted);
     return BATTEN_OK;
 }
@@ -310,16 +321,21 @@ static batten_status put_object(writing *w, int index)
 
 /* ---- the whole ---- */
 
+/* At most; a polyline has one for each vertex. */
+static double handles_of(const batten_object *object)
+{
+    const bool is_polyline =
+        object->kind == BATTEN_OBJECT_CURVE && batten_curve_degree(object->curve) == 1;
+    return 2 + object->point_count +
+           (is_polyline ? batten_curve_point_count(object->curve) : 0);
+}
+
 /* More handles than the file can need. */
 static batten_status count_handles(const batten_model *model, int *handles)
 {
     double sum = 64;
-    for (int i = 0; i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        sum += 2 + object->point_count;
-        if (object->kind == BATTEN_OBJECT_CURVE && batten_curve_degree(object->curve) == 1)
-            sum += batten_curve_point_count(object->curve);
-    }
+    for (int i = 0; i < batten_model_count(model); i++)
+        sum += handles_of(batten_model_object(model, i));
     /* Handles are written as int, and twice as many are never needed. */
     if (sum > 1e9)
         return bat_fail(BATTEN_TOO_LARGE, "a DXF file of %.0f entities", sum);

@@ -67,16 +67,21 @@ static void put_empty_table(bat_dxf *dxf, const char *name)
     end_table(dxf);
 }
 
+static void put_line_type(bat_dxf *dxf, int table, const char *name)
+{
+    begin_row(dxf, table, "LTYPE", "AcDbLinetypeTableRecord", name);
+    bat_dxf_text(dxf, 3, "");
+    bat_dxf_integer(dxf, 72, 65);
+    bat_dxf_integer(dxf, 73, 0);
+    bat_dxf_real(dxf, 40, 0);
+}
+
 static void put_line_types(bat_dxf *dxf)
 {
     static const char *const names[] = {"ByBlock", "ByLayer", "Continuous"};
     const int table = begin_table(dxf, "LTYPE", 3);
     for (int i = 0; i < 3; i++) {
-        begin_row(dxf, table, "LTYPE", "AcDbLinetypeTableRecord", names[i]);
-        bat_dxf_text(dxf, 3, "");
-        bat_dxf_integer(dxf, 72, 65);
-        bat_dxf_integer(dxf, 73, 0);
-        bat_dxf_real(dxf, 40, 0);
+        put_line_type(dxf, table, names[i]);
     }
     end_table(dxf);
 }
@@ -139,6 +144,17 @@ static void put_dimension_styles(bat_dxf *dxf)
 
 static const char *const spaces[] = {"*Model_Space", "*Paper_Space"};
 
+static void put_block_record(bat_dxf *dxf, int space)
+{
+    bat_dxf_text(dxf, 0, "BLOCK_RECORD");
+    bat_dxf_reference(dxf, 5, MODEL_SPACE + space);
+    bat_dxf_reference(dxf, 330, BLOCK_RECORDS);
+    bat_dxf_text(dxf, 100, "AcDbSymbolTableRecord");
+    bat_dxf_text(dxf, 100, "AcDbBlockTableRecord");
+    bat_dxf_text(dxf, 2, spaces[space]);
+    bat_dxf_reference(dxf, 340, 0);
+}
+
 static void put_block_records(bat_dxf *dxf)
 {
     bat_dxf_text(dxf, 0, "TABLE");
@@ -148,13 +164,7 @@ static void put_block_records(bat_dxf *dxf)
     bat_dxf_text(dxf, 100, "AcDbSymbolTable");
     bat_dxf_integer(dxf, 70, 2);
     for (int i = 0; i < 2; i++) {
-        bat_dxf_text(dxf, 0, "BLOCK_RECORD");
-        bat_dxf_reference(dxf, 5, MODEL_SPACE + i);
-        bat_dxf_reference(dxf, 330, BLOCK_RECORDS);
-        bat_dxf_text(dxf, 100, "AcDbSymbolTableRecord");
-        bat_dxf_text(dxf, 100, "AcDbBlockTableRecord");
-        bat_dxf_text(dxf, 2, spaces[i]);
-        bat_dxf_reference(dxf, 340, 0);
+        put_block_record(dxf, i);
     }
     end_table(dxf);
 }
@@ -172,19 +182,24 @@ static void begin_block_entity(bat_dxf *dxf, int space, const char *kind, const 
     bat_dxf_text(dxf, 100, subclass);
 }
 
-static void put_blocks(bat_dxf *dxf)
+static void put_block(bat_dxf *dxf, int space)
 {
     static const double origin[3] = {0, 0, 0};
+    begin_block_entity(dxf, space, "BLOCK", "AcDbBlockBegin");
+    bat_dxf_text(dxf, 2, spaces[space]);
+    bat_dxf_integer(dxf, 70, 0);
+    bat_dxf_point(dxf, 10, origin);
+    bat_dxf_text(dxf, 3, spaces[space]);
+    bat_dxf_text(dxf, 1, "");
+    begin_block_entity(dxf, space, "ENDBLK", "AcDbBlockEnd");
+}
+
+static void put_blocks(bat_dxf *dxf)
+{
     bat_dxf_text(dxf, 0, "SECTION");
     bat_dxf_text(dxf, 2, "BLOCKS");
     for (int i = 0; i < 2; i++) {
-        begin_block_entity(dxf, i, "BLOCK", "AcDbBlockBegin");
-        bat_dxf_text(dxf, 2, spaces[i]);
-        bat_dxf_integer(dxf, 70, 0);
-        bat_dxf_point(dxf, 10, origin);
-        bat_dxf_text(dxf, 3, spaces[i]);
-        bat_dxf_text(dxf, 1, "");
-        begin_block_entity(dxf, i, "ENDBLK", "AcDbBlockEnd");
+        put_block(dxf, i);
     }
     bat_dxf_text(dxf, 0, "ENDSEC");
 }

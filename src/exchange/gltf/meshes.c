@@ -108,18 +108,21 @@ static bool has_unit_normals(const bat_gltf_writing *w, const batten_object *obj
     return p->normals != NULL;
 }
 
+static void put_normal(bat_gltf_writing *w, const double n[3])
+{
+    const double length = hypot(hypot(n[0], n[1]), n[2]);
+    double turned[3];
+    turn_up(n, 1 / length, turned);
+    for (int k = 0; k < 3; k++)
+        bat_bytes_put_float(&w->bytes, (float)turned[k] + 0.0f);
+}
+
 static int put_normals(bat_gltf_writing *w, const batten_mesh_parts *p,
                        const bat_corners *corners)
 {
     const size_t at = w->bytes.length;
-    for (int i = 0; i < corners->count; i++) {
-        const double *n = p->normals + 3 * (size_t)corners->source[i];
-        const double length = hypot(hypot(n[0], n[1]), n[2]);
-        double turned[3];
-        turn_up(n, 1 / length, turned);
-        for (int k = 0; k < 3; k++)
-            bat_bytes_put_float(&w->bytes, (float)turned[k] + 0.0f);
-    }
+    for (int i = 0; i < corners->count; i++)
+        put_normal(w, p->normals + 3 * (size_t)corners->source[i]);
     return put_accessor(w, at, corners->count, false, "VEC3", NULL, NULL);
 }
 
@@ -290,20 +293,24 @@ static batten_status add_mesh(bat_gltf_writing *w, const batten_object *object, 
     return status;
 }
 
+static batten_status put_object(bat_gltf_writing *w, const batten_object *object, int index)
+{
+    if (object->mesh && batten_mesh_view(object->mesh)->triangle_count)
+        return add_mesh(w, object, index);
+    if (!object->mesh && !object->definition)
+        batten_notes_add(w->notes, "", 0, object->name,
+                         "left out: glTF files are written of meshes, not of this %s",
+                         batten_object_kind_name(object->kind));
+    return BATTEN_OK;
+}
+
 batten_status bat_gltf_put_meshes(bat_gltf_writing *w)
 {
     batten_status status = bat_definitions_meshes(&w->definitions, w->same, w->look);
     for (int i = 0; i < w->definitions.count; i++) {
         const batten_model *model = w->definitions.models[i];
-        for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++) {
-            const batten_object *object = batten_model_object(model, k);
-            if (object->mesh && batten_mesh_view(object->mesh)->triangle_count)
-                status = add_mesh(w, object, w->definitions.first[i] + k);
-            else if (!object->mesh && !object->definition)
-                batten_notes_add(w->notes, "", 0, object->name,
-                                 "left out: glTF files are written of meshes, not of this %s",
-                                 batten_object_kind_name(object->kind));
-        }
+        for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++)
+            status = put_object(w, batten_model_object(model, k), w->definitions.first[i] + k);
     }
     return status;
 }

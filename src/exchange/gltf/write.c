@@ -50,22 +50,26 @@ static batten_status find_nodes(bat_gltf_writing *w)
 
 /* ---- the places of instances ---- */
 
+static bool are_oblique(const batten_affine *place, int i, int k)
+{
+    double dot = 0, a = 0, b = 0;
+    for (int row = 0; row < 3; row++) {
+        dot += place->m[row][i] * place->m[row][k];
+        a += place->m[row][i] * place->m[row][i];
+        b += place->m[row][k] * place->m[row][k];
+    }
+    /* Numbers of 32 bits cannot say an angle that is this near to a right one. */
+    return fabs(dot) > 1e-9 * sqrt(a) * sqrt(b);
+}
+
 /* glTF wants places of turns, scales along the axes before them, and shifts: columns at right
  * angles. */
 static bool is_sheared(const batten_affine *place)
 {
     for (int i = 0; i < 3; i++)
-        for (int k = i + 1; k < 3; k++) {
-            double dot = 0, a = 0, b = 0;
-            for (int row = 0; row < 3; row++) {
-                dot += place->m[row][i] * place->m[row][k];
-                a += place->m[row][i] * place->m[row][i];
-                b += place->m[row][k] * place->m[row][k];
-            }
-            /* Numbers of 32 bits cannot say an angle that is this near to a right one. */
-            if (fabs(dot) > 1e-9 * sqrt(a) * sqrt(b))
+        for (int k = i + 1; k < 3; k++)
+            if (are_oblique(place, i, k))
                 return true;
-        }
     return false;
 }
 

@@ -142,6 +142,15 @@ batten_status bat_indexed_polygon(bat_indexed *mesh, int line)
     return status;
 }
 
+void bat_indexed_leave_out(bat_indexed *mesh, int line, size_t index, const char *why)
+{
+    mesh->polygon.count = 0;
+    mesh->polygons++;
+    mesh->input->left_out++;
+    batten_notes_add(mesh->input->notes, mesh->input->file, line, "",
+                     "face %zu is left out: %s", index + 1, why);
+}
+
 batten_status bat_indexed_colour(bat_indexed *mesh, const double colour[3])
 {
     batten_status status = BATTEN_OK;

@@ -24,6 +24,8 @@ void bat_indexed_end(bat_indexed *mesh);
 /* The polygon becomes triangles and is empty again. One with too few corners, or a corner that
  * is no vertex, is left out with a note. */
 batten_status bat_indexed_polygon(bat_indexed *mesh, int line);
+/* One that could not be read: its corners are forgotten. `index` counts from 0. */
+void bat_indexed_leave_out(bat_indexed *mesh, int line, size_t index, const char *why);
 /* The colour of the triangles that the last polygon became; then each polygon has one. */
 batten_status bat_indexed_colour(bat_indexed *mesh, const double colour[3]);
 /* A further number of each vertex; the memory is then the mesh's. */

@@ -135,26 +135,32 @@ static batten_status cut_curve(const bat_obj *obj, batten_curve *whole, batten_c
     return BATTEN_OK;
 }
 
+/* Cut *now to the part of one direction. */
+static batten_status cut_direction(const bat_obj *obj, int k, batten_surface **now)
+{
+    const batten_direction direction = k ? BATTEN_V : BATTEN_U;
+    batten_surface *cut = NULL;
+    batten_interval part, domain = batten_surface_domain(*now, direction);
+    if (!part_of(obj, k, domain, &part))
+        return bat_fail(BATTEN_BAD_KNOTS, "its parameters %g to %g are outside its knots",
+                        obj->free.range[k][0], obj->free.range[k][1]);
+    if (part.a == domain.a && part.b == domain.b)
+        return BATTEN_OK;
+    const batten_status status = batten_surface_subrange(*now, direction, part.a, part.b, &cut);
+    if (status == BATTEN_OK) {
+        batten_surface_unref(*now);
+        *now = cut;
+    }
+    return status;
+}
+
 static batten_status cut_surface(const bat_obj *obj, batten_surface *whole,
                                  batten_surface **out)
 {
     batten_surface *now = batten_surface_ref(whole);
     batten_status status = BATTEN_OK;
-    for (int k = 0; status == BATTEN_OK && k < 2; k++) {
-        const batten_direction direction = k ? BATTEN_V : BATTEN_U;
-        batten_surface *cut = NULL;
-        batten_interval part, domain = batten_surface_domain(now, direction);
-        if (!part_of(obj, k, domain, &part))
-            status = bat_fail(BATTEN_BAD_KNOTS, "its parameters %g to %g are outside its knots",
-                              obj->free.range[k][0], obj->free.range[k][1]);
-        else if (part.a != domain.a || part.b != domain.b) {
-            status = batten_surface_subrange(now, direction, part.a, part.b, &cut);
-            if (status == BATTEN_OK) {
-                batten_surface_unref(now);
-                now = cut;
-            }
-        }
-    }
+    for (int k = 0; status == BATTEN_OK && k < 2; k++)
+        status = cut_direction(obj, k, &now);
     if (status == BATTEN_OK)
         *out = now;
     else
@@ -175,27 +181,38 @@ static void take_apart(size_t count, const double *rows, bool divide, double *po
     }
 }
 
+static batten_status create_curve(const bat_obj *obj, const bat_obj_axis *d,
+                                  const double *points, const double *weights,
+                                  batten_curve **out)
+{
+    batten_curve *curve = NULL;
+    batten_status status = batten_curve_create((batten_points){3, d->count, points}, d->p,
+                                               weights, d->knots, &curve);
+    if (status == BATTEN_OK)
+        status = cut_curve(obj, curve, out);
+    batten_curve_unref(curve);
+    return status;
+}
+
+static batten_status create_surface(const bat_obj *obj, const bat_obj_axis d[2],
+                                    const double *points, const double *weights,
+                                    batten_surface **out)
+{
+    const batten_axis u = {d[0].p, d[0].count, d[0].knots, false},
+                      v = {d[1].p, d[1].count, d[1].knots, false};
+    batten_surface *surface = NULL;
+    batten_status status = batten_surface_create(3, &u, &v, points, weights, &surface);
+    if (status == BATTEN_OK)
+        status = cut_surface(obj, surface, out);
+    batten_surface_unref(surface);
+    return status;
+}
+
 static batten_status create(const bat_obj *obj, const bat_obj_axis d[2], const double *points,
                             const double *weights, bat_obj_shape *shape)
 {
-    batten_curve *curve = NULL;
-    batten_surface *surface = NULL;
-    batten_status status;
-    if (obj->free.open == 1) {
-        status = batten_curve_create((batten_points){3, d[0].count, points}, d[0].p, weights,
-                                     d[0].knots, &curve);
-        if (status == BATTEN_OK)
-            status = cut_curve(obj, curve, &shape->curve);
-    } else {
-        const batten_axis u = {d[0].p, d[0].count, d[0].knots, false},
-                          v = {d[1].p, d[1].count, d[1].knots, false};
-        status = batten_surface_create(3, &u, &v, points, weights, &surface);
-        if (status == BATTEN_OK)
-            status = cut_surface(obj, surface, &shape->surface);
-    }
-    batten_curve_unref(curve);
-    batten_surface_unref(surface);
-    return status;
+    return obj->free.open == 1 ? create_curve(obj, d, points, weights, &shape->curve)
+                               : create_surface(obj, d, points, weights, &shape->surface);
 }
 
 /* Rows of 4 in our order, v fastest: [given of u][given of v]; u is fastest in the file. */

@@ -44,10 +44,8 @@ static bool read_index(bat_span word, size_t count, int64_t *index)
     return *index >= 0;
 }
 
-/* "7", "7/2", "7//3", "7/2/3". */
-static bool read_corner(const bat_obj *obj, bat_span word, bat_obj_corner *corner)
+static bool split_corner(bat_span word, bat_span parts[3])
 {
-    bat_span parts[3] = {{word.bytes, 0}, {NULL, 0}, {NULL, 0}};
     int part = 0;
     for (size_t i = 0; i < word.length; i++) {
         if (word.bytes[i] != '/')
@@ -57,6 +55,15 @@ static bool read_corner(const bat_obj *obj, bat_span word, bat_obj_corner *corne
         else
             return false;
     }
+    return true;
+}
+
+/* "7", "7/2", "7//3", "7/2/3". */
+static bool read_corner(const bat_obj *obj, bat_span word, bat_obj_corner *corner)
+{
+    bat_span parts[3] = {{word.bytes, 0}, {NULL, 0}, {NULL, 0}};
+    if (!split_corner(word, parts))
+        return false;
     *corner = (bat_obj_corner){INT64_MIN, INT64_MIN};
     return read_index(parts[0], obj->vertices.count, &corner->vertex) &&
            (parts[2].length == 0 || read_index(parts[2], obj->normals.count, &corner->normal));
@@ -86,4 +93,11 @@ batten_status bat_obj_add(bat_obj *obj, const bat_obj_element *element)
         status = bat_list_add(input, &obj->parts, &part);
     }
     return status == BATTEN_OK ? bat_list_add(input, &obj->elements, element) : status;
+}
+
+batten_status bat_obj_limit(bat_input *input, int line, size_t count, size_t limit,
+                            const char *what)
+{
+    const size_t most = INT_MAX / 3;
+    return bat_input_limit(input, line, count, limit < most ? limit : most, what);
 }

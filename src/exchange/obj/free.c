@@ -21,18 +21,23 @@ void bat_obj_free_close(bat_obj *obj)
     obj->free.open = 0;
 }
 
-static void read_type(bat_obj *obj)
+static void find_basis(bat_span word, bat_obj_basis *basis)
 {
     static const char *const names[] = {"bspline", "bezier", "cardinal", "bmatrix"};
+    for (int k = 0; k < 4; k++)
+        if (bat_word_is(word, names[k]))
+            *basis = (bat_obj_basis)(BAT_OBJ_BSPLINE + k);
+}
+
+static void read_type(bat_obj *obj)
+{
     bat_obj_free *f = &obj->free;
     bat_span word;
     f->is_rational = false;
     f->basis = BAT_OBJ_OTHER;
     while (bat_obj_next(obj, &word)) {
         f->is_rational = f->is_rational || bat_word_is(word, "rat");
-        for (int k = 0; k < 4; k++)
-            if (bat_word_is(word, names[k]))
-                f->basis = (bat_obj_basis)(BAT_OBJ_BSPLINE + k);
+        find_basis(word, &f->basis);
     }
 }
 
@@ -109,20 +114,8 @@ static const char *check_shape(const bat_obj *obj, bat_obj_axis d[2])
     return wrong;
 }
 
-static batten_status keep_shape(bat_obj *obj, bat_obj_shape *shape)
+static void note_trims(const bat_obj *obj)
 {
-    const bat_obj_element element = {
-        .kind = BAT_OBJ_SHAPE, .first = obj->shapes.count, .line = obj->free.line};
-    bat_obj_vertex *vertices = obj->vertices.items;
-    const bat_obj_corner *corners = obj->free.corners.items;
-    batten_status status = bat_list_add(obj->input, &obj->shapes, shape);
-    if (status != BATTEN_OK) {
-        batten_curve_unref(shape->curve);
-        batten_surface_unref(shape->surface);
-        return status;
-    }
-    for (size_t i = 0; i < obj->free.corners.count; i++)
-        vertices[corners[i].vertex].is_used = true;
     if (obj->free.trims) {
         batten_notes_add(obj->input->notes, obj->input->file, obj->free.line, "",
                          "the surface is whole: %d statements that trim it or mark curves and "
@@ -130,6 +123,33 @@ static batten_status keep_shape(bat_obj *obj, bat_obj_shape *shape)
                          obj->free.trims);
         obj->input->left_out++;
     }
+}
+
+static void mark_used(const bat_obj *obj)
+{
+    bat_obj_vertex *vertices = obj->vertices.items;
+    const bat_obj_corner *corners = obj->free.corners.items;
+    for (size_t i = 0; i < obj->free.corners.count; i++)
+        vertices[corners[i].vertex].is_used = true;
+}
+
+void bat_obj_shape_end(const bat_obj_shape *shape)
+{
+    batten_curve_unref(shape->curve);
+    batten_surface_unref(shape->surface);
+}
+
+static batten_status keep_shape(bat_obj *obj, bat_obj_shape *shape)
+{
+    const bat_obj_element element = {
+        .kind = BAT_OBJ_SHAPE, .first = obj->shapes.count, .line = obj->free.line};
+    batten_status status = bat_list_add(obj->input, &obj->shapes, shape);
+    if (status != BATTEN_OK) {
+        bat_obj_shape_end(shape);
+        return status;
+    }
+    mark_used(obj);
+    note_trims(obj);
     return bat_obj_add(obj, &element);
 }
 
@@ -159,9 +179,18 @@ static batten_status end_shape(bat_obj *obj)
     return status;
 }
 
-batten_status bat_obj_free_statement(bat_obj *obj, bat_span word, bool *is_such)
+static bool is_attached(bat_span word)
 {
     static const char *const attached[] = {"trim", "hole", "scrv", "sp"};
+    for (int k = 0; k < 4; k++)
+        if (bat_word_is(word, attached[k]))
+            return true;
+
+    return false;
+}
+
+batten_status bat_obj_free_statement(bat_obj *obj, bat_span word, bool *is_such)
+{
     *is_such = true;
     if (bat_word_is(word, "cstype"))
         read_type(obj);
@@ -182,12 +211,9 @@ batten_status bat_obj_free_statement(bat_obj *obj, bat_span word, bool *is_such)
             obj); /* a curve in parameters: only trims use it, which are left out */
         return BATTEN_OK;
     } else {
-        *is_such = bat_word_is(word, "con");
-        for (int k = 0; k < 4; k++)
-            if (bat_word_is(word, attached[k])) {
-                *is_such = true;
-                obj->free.trims++;
-            }
+        const bool is_trim = is_attached(word);
+        obj->free.trims += is_trim;
+        *is_such = is_trim || bat_word_is(word, "con");
     }
     return BATTEN_OK;
 }

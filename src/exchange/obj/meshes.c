@@ -18,27 +18,30 @@ static batten_status use_vertex(bat_obj_making *m, int64_t vertex)
     return bat_list_add(m->obj->input, &m->used, &index);
 }
 
+static void take_normal(bat_obj_making *m, const bat_obj_corner *corner, double out[3])
+{
+    const double *all = m->obj->normals.items;
+    if (corner->normal == INT64_MIN)
+        m->lacks_normals = true;
+    else {
+        m->has_normals = true;
+        memcpy(out, all + 3 * corner->normal, 3 * sizeof *out);
+    }
+}
+
 static batten_status add_triangle(bat_obj_making *m, const bat_obj_corner *corners,
                                   const int cut[3])
 {
-    const double *all = m->obj->normals.items;
     int triangle[3];
     double normals[9] = {0};
     for (int k = 0; k < 3; k++) {
         const bat_obj_corner *corner = &corners[cut[k]];
         triangle[k] = (int)corner->vertex;
-        if (corner->normal == INT64_MIN)
-            m->lacks_normals = true;
-        else {
-            m->has_normals = true;
-            memcpy(normals + 3 * k, all + 3 * corner->normal, 3 * sizeof *normals);
-        }
+        take_normal(m, corner, normals + 3 * k);
     }
     bat_input *input = m->obj->input;
-    const size_t limit = input->limits.entities;
     batten_status status =
-        bat_input_limit(input, 0, m->triangles.count + 1,
-                        limit < INT_MAX / 3 ? limit : (size_t)INT_MAX / 3, "triangles");
+        bat_obj_limit(input, 0, m->triangles.count + 1, input->limits.entities, "triangles");
     if (status == BATTEN_OK)
         status = bat_list_add(input, &m->triangles, triangle);
     if (status == BATTEN_OK && m->obj->normals.count)
@@ -80,32 +83,45 @@ static int compare_indices(const void *a, const void *b)
     return (one > other) - (one < other);
 }
 
-/* The vertices in the order of the file; *points and *colours are [used][3], colours NULL when
- * one has none. */
+/* In the order of the file; false when one has no colour. */
+static bool copy_vertices(bat_obj_making *m, double *points, double *colours)
+{
+    const int *used = m->used.items;
+    bool has_colours = true;
+    for (size_t i = 0; i < m->used.count; i++) {
+        const bat_obj_vertex *vertex = bat_obj_vertex_at(m->obj, used[i]);
+        m->local[used[i]] = (int)i;
+        memcpy(points + 3 * i, vertex->point, sizeof vertex->point);
+        memcpy(colours + 3 * i, vertex->colour, sizeof vertex->colour);
+        has_colours = has_colours && vertex->has_colour;
+    }
+    return has_colours;
+}
+
+static void renumber_corners(bat_obj_making *m)
+{
+    int *corners = m->triangles.items;
+    for (size_t i = 0; i < 3 * m->triangles.count; i++)
+        corners[i] = m->local[corners[i]];
+}
+
+/* The vertices that are used; *points and *colours are [used][3], colours NULL when one has
+ * none. */
 static batten_status take_vertices(bat_obj_making *m, double **points, double **colours)
 {
-    int *used = m->used.items;
     const size_t count = m->used.count;
-    bool has_colours = true;
-    qsort(used, count, sizeof *used, compare_indices);
+    qsort(m->used.items, count, sizeof(int), compare_indices);
     batten_status status = bat_input_array(m->obj->input, 3 * count, sizeof **points, points);
     if (status == BATTEN_OK)
         status = bat_input_array(m->obj->input, 3 * count, sizeof **colours, colours);
-    for (size_t i = 0; status == BATTEN_OK && i < count; i++) {
-        const bat_obj_vertex *vertex = bat_obj_vertex_at(m->obj, used[i]);
-        m->local[used[i]] = (int)i;
-        memcpy(*points + 3 * i, vertex->point, sizeof vertex->point);
-        memcpy(*colours + 3 * i, vertex->colour, sizeof vertex->colour);
-        has_colours = has_colours && vertex->has_colour;
-    }
-    if (!has_colours) {
+    if (status != BATTEN_OK)
+        return status;
+    if (!copy_vertices(m, *points, *colours)) {
         bat_release(*colours);
         *colours = NULL;
     }
-    int *corners = m->triangles.items;
-    for (size_t i = 0; status == BATTEN_OK && i < 3 * m->triangles.count; i++)
-        corners[i] = m->local[corners[i]];
-    return status;
+    renumber_corners(m);
+    return BATTEN_OK;
 }
 
 /* Normals of the length 1 that every corner has. */
@@ -131,6 +147,28 @@ static bool keep_normals(const bat_obj_making *m)
     return !m->lacks_normals;
 }
 
+static batten_status create_mesh(const bat_obj_making *m, const double *points,
+                                 const double *colours, batten_mesh **mesh)
+{
+    const batten_mesh_parts parts = {.vertex_count = (int)m->used.count,
+                                     .points = points,
+                                     .colours = colours,
+                                     .triangle_count = (int)m->triangles.count,
+                                     .corners = m->triangles.items,
+                                     .normals = keep_normals(m) ? m->normals.items : NULL};
+
+    return batten_mesh_create(&parts, mesh);
+}
+
+static void note_odd(const bat_obj_making *m)
+{
+    if (m->odd)
+        batten_notes_add(m->obj->input->notes, m->obj->input->file, 0, m->name,
+                         "faces that cross themselves, or have a bay and more than %d corners: "
+                         "%d; their triangles overlap",
+                         BAT_POLYGON_MOST, m->odd);
+}
+
 static batten_status add_mesh(bat_obj_making *m, const bat_obj_part *part)
 {
     double *points = NULL, *colours = NULL;
@@ -138,25 +176,15 @@ static batten_status add_mesh(bat_obj_making *m, const bat_obj_part *part)
     batten_status status = bat_obj_name_part(m, part, "mesh");
     if (status == BATTEN_OK)
         status = take_vertices(m, &points, &colours);
-    if (status == BATTEN_OK) {
-        const batten_mesh_parts parts = {.vertex_count = (int)m->used.count,
-                                         .points = points,
-                                         .colours = colours,
-                                         .triangle_count = (int)m->triangles.count,
-                                         .corners = m->triangles.items,
-                                         .normals = keep_normals(m) ? m->normals.items : NULL};
-        status = batten_mesh_create(&parts, &mesh);
-    }
+    if (status == BATTEN_OK)
+        status = create_mesh(m, points, colours, &mesh);
     if (status == BATTEN_OK)
         status = bat_obj_add_object(
             m, part, (batten_object){.kind = BATTEN_OBJECT_MESH, .mesh = mesh}, "mesh");
     if (status == BATTEN_OK)
         bat_remark_flat(mesh, m->obj->input->file, m->name, m->obj->input->notes);
-    if (status == BATTEN_OK && m->odd)
-        batten_notes_add(m->obj->input->notes, m->obj->input->file, 0, m->name,
-                         "faces that cross themselves, or have a bay and more than %d corners: "
-                         "%d; their triangles overlap",
-                         BAT_POLYGON_MOST, m->odd);
+    if (status == BATTEN_OK)
+        note_odd(m);
     batten_mesh_unref(mesh);
     bat_release(points);
     bat_release(colours);

@@ -90,11 +90,15 @@ bool bat_obj_next(bat_obj *obj, bat_span *word);
 bool bat_obj_number(bat_obj *obj, double *value);
 /* The rest of the statement as corners. *bad counts words that are none. */
 batten_status bat_obj_corners(bat_obj *obj, bat_list *corners, int *bad);
+/* Fails for more than `limit`, and for more than a mesh can number. */
+batten_status bat_obj_limit(bat_input *input, int line, size_t count, size_t limit,
+                            const char *what);
 /* Make an element of the current part. */
 batten_status bat_obj_add(bat_obj *obj, const bat_obj_element *element);
 
 /* Statements of free-form shapes; *is_such when the word is one. */
 batten_status bat_obj_free_statement(bat_obj *obj, bat_span word, bool *is_such);
+void bat_obj_shape_end(const bat_obj_shape *shape);
 /* A shape without its "end" is left out. */
 void bat_obj_free_close(bat_obj *obj);
 

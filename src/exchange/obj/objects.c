@@ -149,6 +149,33 @@ static void remark_unused(const bat_obj *obj)
                             obj->materials);
 }
 
+static void end_making(bat_obj_making *m)
+{
+    bat_release(m->local);
+    bat_release(m->stamp);
+    bat_release(m->used.items);
+    bat_release(m->triangles.items);
+    bat_release(m->normals.items);
+    bat_release(m->places.items);
+    bat_release(m->cut.items);
+    bat_release(m->name);
+    bat_release(m->group);
+}
+
+static batten_status make_parts(bat_obj_making *m)
+{
+    const bat_obj *obj = m->obj;
+    const bat_obj_part *parts = obj->parts.items;
+    batten_status status = BATTEN_OK;
+    for (size_t k = 0; status == BATTEN_OK && k < obj->parts.count; k++)
+        status = make_part(m, &parts[k],
+                           k + 1 < obj->parts.count ? parts[k + 1].first : obj->elements.count);
+    if (status == BATTEN_OK && obj->elements.count == 0 &&
+        obj->input->left_out == obj->bad_vertices)
+        status = make_cloud(m);
+    return status;
+}
+
 batten_status bat_obj_finish(bat_obj *obj, batten_model *model)
 {
     bat_obj_making m = {.obj = obj,
@@ -158,29 +185,16 @@ batten_status bat_obj_finish(bat_obj *obj, batten_model *model)
                         .normals = {.size = 9 * sizeof(double)},
                         .places = {.size = 3 * sizeof(double)},
                         .cut = {.size = 3 * sizeof(int)}};
-    const bat_obj_part *parts = obj->parts.items;
     const size_t vertices = obj->vertices.count;
     batten_status status = bat_input_array(obj->input, vertices, sizeof *m.local, &m.local);
     if (status == BATTEN_OK)
         status = bat_input_array(obj->input, vertices, sizeof *m.stamp, &m.stamp);
-    for (size_t k = 0; status == BATTEN_OK && k < obj->parts.count; k++)
-        status = make_part(&m, &parts[k],
-                           k + 1 < obj->parts.count ? parts[k + 1].first : obj->elements.count);
-    if (status == BATTEN_OK && obj->elements.count == 0 &&
-        obj->input->left_out == obj->bad_vertices)
-        status = make_cloud(&m);
+    if (status == BATTEN_OK)
+        status = make_parts(&m);
     if (status == BATTEN_OK) {
         bat_remark_polygons(obj->input, m.cut_up);
         remark_unused(obj);
     }
-    bat_release(m.local);
-    bat_release(m.stamp);
-    bat_release(m.used.items);
-    bat_release(m.triangles.items);
-    bat_release(m.normals.items);
-    bat_release(m.places.items);
-    bat_release(m.cut.items);
-    bat_release(m.name);
-    bat_release(m.group);
+    end_making(&m);
     return status;
 }

@@ -45,40 +45,52 @@ batten_status bat_obj_recognise(const bat_input *input, bool *is_such)
 
 /* ---- vertices ---- */
 
-static batten_status read_vertex(bat_obj *obj)
+static bool read_numbers(bat_obj *obj, double numbers[7], int *count)
 {
-    bat_input *input = obj->input;
-    double numbers[7];
-    int count = 0;
     bat_span word;
     bool good = true;
     while (bat_obj_next(obj, &word)) {
-        good = good && count < 7 && bat_word_real(input, obj->scan.line, word, &numbers[count]);
-        count++;
+        good = good && *count < 7 &&
+               bat_word_real(obj->input, obj->scan.line, word, &numbers[*count]);
+        ++*count;
     }
-    bat_obj_vertex vertex = {.weight = 1};
-    good = good && (count == 3 || count == 4 || count == 6 || count == 7);
-    for (int k = 0; k < 3; k++)
-        vertex.point[k] = good ? numbers[k] : (double)NAN;
-    if (good && count == 4)
-        vertex.weight = numbers[3];
-    vertex.has_colour = good && count >= 6;
+    return good && (*count == 3 || *count == 4 || *count == 6 || *count == 7);
+}
+
+static bat_obj_vertex vertex_of(int count, const double numbers[7])
+{
+    bat_obj_vertex vertex = {.weight = count == 4 ? numbers[3] : 1, .has_colour = count >= 6};
+    memcpy(vertex.point, numbers, sizeof vertex.point);
     for (int k = 0; vertex.has_colour && k < 3; k++) {
         vertex.colour[k] = numbers[3 + k];
         vertex.has_colour = numbers[3 + k] >= 0 && numbers[3 + k] <= 1;
     }
-    if (!good) {
-        input->left_out++;
-        obj->bad_vertices++;
-        batten_notes_add(input->notes, input->file, obj->scan.line, "",
-                         "vertex %zu is left out: it is not of 3, 4 or 6 numbers",
-                         obj->vertices.count + 1);
-    }
-    const size_t limit = input->limits.points;
-    batten_status status =
-        bat_input_limit(input, obj->scan.line, obj->vertices.count + 1,
-                        limit < INT_MAX / 3 ? limit : (size_t)INT_MAX / 3, "vertices");
-    return status == BATTEN_OK ? bat_list_add(input, &obj->vertices, &vertex) : status;
+    return vertex;
+}
+
+static void note_bad_vertex(bat_obj *obj)
+{
+    obj->input->left_out++;
+    obj->bad_vertices++;
+    batten_notes_add(obj->input->notes, obj->input->file, obj->scan.line, "",
+                     "vertex %zu is left out: it is not of 3, 4 or 6 numbers",
+                     obj->vertices.count + 1);
+}
+
+/* A bad vertex keeps its number. */
+static batten_status read_vertex(bat_obj *obj)
+{
+    bat_obj_vertex vertex = {.weight = 1, .point = {NAN, NAN, NAN}};
+    double numbers[7];
+    int count = 0;
+    if (read_numbers(obj, numbers, &count))
+        vertex = vertex_of(count, numbers);
+    else
+        note_bad_vertex(obj);
+    const batten_status status =
+        bat_obj_limit(obj->input, obj->scan.line, obj->vertices.count + 1,
+                      obj->input->limits.points, "vertices");
+    return status == BATTEN_OK ? bat_list_add(obj->input, &obj->vertices, &vertex) : status;
 }
 
 static batten_status read_normal(bat_obj *obj)
@@ -135,6 +147,14 @@ static void begin_part(bat_obj *obj, bool is_object)
 
 /* ---- statements ---- */
 
+static void leave_unknown(const bat_obj *obj, bat_span word)
+{
+    char shown[BAT_SHOWN_SIZE];
+    batten_notes_add(obj->input->notes, obj->input->file, obj->scan.line, "",
+                     "unknown statement '%.40s'", bat_shown(word.bytes, word.length, shown));
+    obj->input->left_out++;
+}
+
 static batten_status read_statement(bat_obj *obj, bat_span word)
 {
     static const char *const passed[] = {
@@ -159,26 +179,29 @@ static batten_status read_statement(bat_obj *obj, bat_span word)
         batten_status status = bat_obj_free_statement(obj, word, &is_such);
         if (status != BATTEN_OK || is_such)
             return status;
-        char shown[BAT_SHOWN_SIZE];
-        batten_notes_add(obj->input->notes, obj->input->file, obj->scan.line, "",
-                         "unknown statement '%.40s'",
-                         bat_shown(word.bytes, word.length, shown));
-        obj->input->left_out++;
+        leave_unknown(obj, word);
     }
     return BATTEN_OK;
 }
 
-static batten_status read_statements(bat_obj *obj)
+static batten_status read_line(bat_obj *obj)
 {
     bat_span word;
     batten_status status = BATTEN_OK;
+    if (bat_obj_next(obj, &word))
+        status = read_statement(obj, word);
+    while (status == BATTEN_OK && bat_obj_next(obj, &word))
+        continue;
+    obj->continues = false;
+    return status;
+}
+
+static batten_status read_statements(bat_obj *obj)
+{
+    batten_status status = BATTEN_OK;
     size_t steps = 0;
     do {
-        if (bat_obj_next(obj, &word))
-            status = read_statement(obj, word);
-        while (status == BATTEN_OK && bat_obj_next(obj, &word))
-            continue;
-        obj->continues = false;
+        status = read_line(obj);
         if (status == BATTEN_OK && ++steps % 10000 == 0)
             status = bat_input_step(obj->input, (size_t)(obj->scan.at - obj->input->data));
     } while (status == BATTEN_OK && bat_next_scan_line(&obj->scan));
@@ -189,10 +212,8 @@ static batten_status read_statements(bat_obj *obj)
 static void release(bat_obj *obj)
 {
     const bat_obj_shape *shapes = obj->shapes.items;
-    for (size_t i = 0; i < obj->shapes.count; i++) {
-        batten_curve_unref(shapes[i].curve);
-        batten_surface_unref(shapes[i].surface);
-    }
+    for (size_t i = 0; i < obj->shapes.count; i++)
+        bat_obj_shape_end(&shapes[i]);
     bat_release(obj->vertices.items);
     bat_release(obj->normals.items);
     bat_release(obj->corners.items);
@@ -231,9 +252,5 @@ batten_status bat_read_obj(bat_input *input, batten_model **out)
         status =
             bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "there is no vertex, face or curve");
     release(&obj);
-    if (status == BATTEN_OK)
-        *out = model;
-    else
-        batten_model_unref(model);
-    return status;
+    return bat_input_hand_over(status, model, out);
 }

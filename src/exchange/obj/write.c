@@ -60,8 +60,7 @@ static void put_name(writing *w, const char *statement, const char *name, const 
 {
     const bat_span core = bat_name_core(name, otherwise);
     char before = ' ';
-    put_words(w, statement);
-    put_words(w, " ");
+    batten_text_add(w->text, "%s ", statement);
     for (size_t i = 0; i < core.length; i++) {
         /* A word that begins with # would begin a comment. */
         const char c = (unsigned char)core.bytes[i] < ' '      ? ' '
@@ -101,27 +100,38 @@ static void put_index(writing *w, long long index)
     batten_text_number(w->text, (double)index);
 }
 
+static void put_corner(writing *w, const batten_mesh_parts *p, long long first,
+                       const bat_corners *corners, size_t i)
+{
+    put_index(w, first + p->corners[i]);
+    if (p->normals) {
+        put_words(w, "//");
+        put_index(w, w->normals + 1 + corners->index[i]);
+    }
+}
+
+static void put_vertices(writing *w, const batten_object *object, const batten_mesh_parts *p)
+{
+    for (size_t i = 0; i < (size_t)p->vertex_count; i++)
+        put_point(w, p->points + 3 * i, NULL,
+                  p->colours           ? p->colours + 3 * i
+                  : object->has_colour ? object->colour
+                                       : NULL);
+}
+
 static batten_status put_mesh(writing *w, const batten_object *object)
 {
     const batten_mesh_parts *p = batten_mesh_view(object->mesh);
     const long long first = w->vertices + 1;
     bat_corners corners = {0, NULL, NULL};
     put_names(w, object, "mesh");
-    for (size_t i = 0; i < (size_t)p->vertex_count; i++)
-        put_point(w, p->points + 3 * i, NULL,
-                  p->colours           ? p->colours + 3 * i
-                  : object->has_colour ? object->colour
-                                       : NULL);
+    put_vertices(w, object, p);
     const batten_status status = p->normals ? put_normals(w, p, &corners) : BATTEN_OK;
     if (status != BATTEN_OK)
         return status;
     for (size_t i = 0; i < 3 * (size_t)p->triangle_count; i++) {
         put_words(w, i % 3 == 0 ? "f " : " ");
-        put_index(w, first + p->corners[i]);
-        if (p->normals) {
-            put_words(w, "//");
-            put_index(w, w->normals + 1 + corners.index[i]);
-        }
+        put_corner(w, p, first, &corners, i);
         if (i % 3 == 2)
             put_words(w, "\n");
     }
@@ -167,23 +177,29 @@ static void put_parameters(writing *w, const char *statement, int count, const d
     end_statement(w);
 }
 
+static void put_curve_type(writing *w, const batten_curve *curve)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    put_words(w,
+              batten_curve_weights(curve) ? "cstype rat bspline\ndeg" : "cstype bspline\ndeg");
+    put_item(w, batten_curve_degree(curve));
+    end_statement(w);
+    put_words(w, "curv");
+    put_item(w, domain.a);
+    put_item(w, domain.b);
+}
+
 static void put_curve(writing *w, const batten_object *object, const batten_curve *curve)
 {
     const int p = batten_curve_degree(curve), n = batten_curve_point_count(curve);
     const double *weights = batten_curve_weights(curve);
-    const batten_interval domain = batten_curve_domain(curve);
     const long long first = w->vertices + 1;
     put_names(w, object, is_line(curve) ? "line" : "curve");
     for (int i = 0; i < n; i++)
         put_point(w, batten_curve_points(curve) + 3 * i, weights ? weights + i : NULL, NULL);
-    if (!is_line(curve)) {
-        put_words(w, weights ? "cstype rat bspline\ndeg" : "cstype bspline\ndeg");
-        put_item(w, p);
-        end_statement(w);
-        put_words(w, "curv");
-        put_item(w, domain.a);
-        put_item(w, domain.b);
-    } else
+    if (!is_line(curve))
+        put_curve_type(w, curve);
+    else
         put_words(w, "l");
     for (int i = 0; i < n; i++)
         put_item(w, (double)(first + i));
@@ -196,9 +212,31 @@ static void put_curve(writing *w, const batten_object *object, const batten_curv
 
 /* ---- surfaces ---- */
 
-static void put_surface(writing *w, const batten_object *object, const batten_surface *surface)
+static void put_surface_type(writing *w, const batten_surface *surface)
+{
+    for (int k = 0; k < 2; k++)
+        put_item(w, batten_surface_degree(surface, k ? BATTEN_V : BATTEN_U));
+    end_statement(w);
+    put_words(w, "surf");
+    for (int k = 0; k < 2; k++) {
+        const batten_interval d = batten_surface_domain(surface, k ? BATTEN_V : BATTEN_U);
+        put_item(w, d.a);
+        put_item(w, d.b);
+    }
+}
+
+static void put_surface_knots(writing *w, const batten_surface *surface)
 {
     static const char *const parameters[] = {"parm u", "parm v"};
+    for (int k = 0; k < 2; k++) {
+        const batten_direction direction = k ? BATTEN_V : BATTEN_U;
+        put_parameters(w, parameters[k], batten_surface_knot_count(surface, direction),
+                       batten_surface_knots(surface, direction));
+    }
+}
+
+static void put_surface(writing *w, const batten_object *object, const batten_surface *surface)
+{
     const double *weights = batten_surface_weights(surface);
     const long long first = w->vertices + 1;
     int n[2];
@@ -209,24 +247,12 @@ static void put_surface(writing *w, const batten_object *object, const batten_su
         put_point(w, batten_surface_points(surface) + 3 * i, weights ? weights + i : NULL,
                   NULL);
     put_words(w, weights ? "cstype rat bspline\ndeg" : "cstype bspline\ndeg");
-    for (int k = 0; k < 2; k++)
-        put_item(w, batten_surface_degree(surface, k ? BATTEN_V : BATTEN_U));
-    end_statement(w);
-    put_words(w, "surf");
-    for (int k = 0; k < 2; k++) {
-        const batten_interval d = batten_surface_domain(surface, k ? BATTEN_V : BATTEN_U);
-        put_item(w, d.a);
-        put_item(w, d.b);
-    }
+    put_surface_type(w, surface);
     for (int j = 0; j < n[1]; j++)
         for (int i = 0; i < n[0]; i++)
             put_item(w, (double)(first + (long long)i * n[1] + j));
     end_statement(w);
-    for (int k = 0; k < 2; k++) {
-        const batten_direction direction = k ? BATTEN_V : BATTEN_U;
-        put_parameters(w, parameters[k], batten_surface_knot_count(surface, direction),
-                       batten_surface_knots(surface, direction));
-    }
+    put_surface_knots(w, surface);
     put_words(w, "end\n");
 }
 

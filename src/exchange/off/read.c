@@ -79,19 +79,32 @@ static batten_status read_header(reading *r, size_t *vertices)
     return BATTEN_OK;
 }
 
+static void leave_out_vertex(reading *r, size_t index, int before)
+{
+    r->input->left_out++;
+    batten_notes_add(r->input->notes, r->input->file, r->scan.line, "",
+                     "vertex %zu is left out: it is not of %d numbers", index + 1, before);
+}
+
+static bool read_numbers(reading *r, bat_span word, double numbers[10], int *count)
+{
+    bool good = true;
+    bool more = true;
+    for (; more; more = next_in_line(r, &word))
+        if (*count < 10) {
+            good = bat_word_real(r->input, r->scan.line, word, &numbers[*count]) && good;
+            ++*count;
+        }
+    return good;
+}
+
 /* A vertex is x y z, a normal when the header says so, and a colour when more follows: parts of
  * 1, or of 255 when they are whole numbers and one is above 1. */
 static void read_vertex(reading *r, bat_span word, size_t index)
 {
     double numbers[10];
     int count = 0;
-    bool good = true;
-    bool more = true;
-    for (; more; more = next_in_line(r, &word))
-        if (count < 10) {
-            good = bat_word_real(r->input, r->scan.line, word, &numbers[count]) && good;
-            count++;
-        }
+    bool good = read_numbers(r, word, numbers, &count);
     const int before = r->has_normals ? 6 : 3;
     good = good && count >= before;
     for (int k = 0; k < 3; k++) {
@@ -101,11 +114,29 @@ static void read_vertex(reading *r, bat_span word, size_t index)
         r->mesh.colours[3 * index + (size_t)k] =
             good && count >= before + 3 ? numbers[before + k] : (double)NAN;
     }
-    if (good)
-        return;
-    r->input->left_out++;
-    batten_notes_add(r->input->notes, r->input->file, r->scan.line, "",
-                     "vertex %zu is left out: it is not of %d numbers", index + 1, before);
+    if (!good)
+        leave_out_vertex(r, index, before);
+}
+
+static void note_cut(reading *r, size_t said)
+{
+    r->input->is_cut = true;
+    batten_notes_add(r->input->notes, r->input->file, 0, "",
+                     "%zu of %zu vertices are in the file", r->mesh.count, said);
+}
+
+/* The last of them are normals when the header says so. */
+static batten_status make_arrays(reading *r, size_t count)
+{
+    bat_input *input = r->input;
+    batten_status status = bat_input_limit(input, 0, count, input->limits.points, "vertices");
+    if (status == BATTEN_OK)
+        status = bat_input_array(input, count, 3 * sizeof(double), &r->mesh.points);
+    if (status == BATTEN_OK)
+        status = bat_input_array(input, count, 3 * sizeof(double), &r->mesh.colours);
+    if (status == BATTEN_OK && r->has_normals)
+        status = bat_input_array(input, count, 3 * sizeof(double), &r->mesh.normals);
+    return status;
 }
 
 static batten_status read_vertices(reading *r, size_t said)
@@ -115,24 +146,15 @@ static batten_status read_vertices(reading *r, size_t said)
     /* "0 0 0" and the end of its line are 6 bytes. */
     const size_t room = ((size_t)(r->scan.end - r->scan.at) + 1) / 6;
     const size_t count = said < room ? said : room;
-    batten_status status = bat_input_limit(input, 0, count, input->limits.points, "vertices");
-    if (status == BATTEN_OK)
-        status = bat_input_array(input, count, 3 * sizeof(double), &r->mesh.points);
-    if (status == BATTEN_OK)
-        status = bat_input_array(input, count, 3 * sizeof(double), &r->mesh.colours);
-    if (status == BATTEN_OK && r->has_normals)
-        status = bat_input_array(input, count, 3 * sizeof(double), &r->mesh.normals);
+    batten_status status = make_arrays(r, count);
     for (size_t i = 0; status == BATTEN_OK && i < count && next_line(&r->scan, &word); i++) {
         read_vertex(r, word, i);
         r->mesh.count = i + 1;
         if (i % 10000 == 9999)
             status = bat_input_step(input, (size_t)(r->scan.at - input->data));
     }
-    if (status == BATTEN_OK && r->mesh.count < said) {
-        input->is_cut = true;
-        batten_notes_add(input->notes, input->file, 0, "",
-                         "%zu of %zu vertices are in the file", r->mesh.count, said);
-    }
+    if (status == BATTEN_OK && r->mesh.count < said)
+        note_cut(r, said);
     return status;
 }
 
@@ -174,13 +196,9 @@ static batten_status read_face(reading *r, bat_span word, size_t index)
     if (good) {
         status = bat_indexed_polygon(&r->mesh, r->scan.line);
         r->face_colours += next_in_line(r, &word);
-    } else {
-        r->mesh.polygon.count = 0;
-        r->mesh.polygons++;
-        r->input->left_out++;
-        batten_notes_add(r->input->notes, r->input->file, r->scan.line, "",
-                         "face %zu is left out: its count or a corner is missing", index + 1);
-    }
+    } else
+        bat_indexed_leave_out(&r->mesh, r->scan.line, index,
+                              "its count or a corner is missing");
     bat_rest_of_line(&r->scan);
     return status;
 }
@@ -233,9 +251,5 @@ batten_status bat_read_off(bat_input *input, batten_model **out)
         (input->is_cut || input->left_out))
         status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "no vertex could be read");
     bat_indexed_end(&r.mesh);
-    if (status == BATTEN_OK)
-        *out = model;
-    else
-        batten_model_unref(model);
-    return status;
+    return bat_input_hand_over(status, model, out);
 }

@@ -115,29 +115,44 @@ static batten_status read_line(bat_pcd_reading *r, bat_span line)
     return BATTEN_OK;
 }
 
+static batten_status find_axis(bat_pcd_reading *r, int a, const char *name)
+{
+    r->axis[a] = -1;
+    for (int k = 0; k < r->field_count; k++)
+        if (bat_word_is(r->fields[k].name, name) && r->fields[k].count == 1)
+            r->axis[a] = k;
+    if (r->axis[a] < 0)
+        return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
+                              "there is no field %s with one value for each point", name);
+    return BATTEN_OK;
+}
+
+static batten_status check_field(const bat_pcd_reading *r, const bat_pcd_field *f)
+{
+    const bool is_real = f->type == 'F' && (f->size == 4 || f->size == 8);
+    const bool is_whole =
+        f->type != 'F' && (f->size == 1 || f->size == 2 || f->size == 4 || f->size == 8);
+    if (r->data != BAT_PCD_ASCII && !is_real && !is_whole)
+        return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
+                              "a number of type %c cannot have %d byte%s", f->type, f->size,
+                              bat_plural(f->size));
+    return BATTEN_OK;
+}
+
 static batten_status find_axes(bat_pcd_reading *r)
 {
     static const char *const names[] = {"x", "y", "z"};
     int others = 0;
     for (int a = 0; a < 3; a++) {
-        r->axis[a] = -1;
-        for (int k = 0; k < r->field_count; k++)
-            if (bat_word_is(r->fields[k].name, names[a]) && r->fields[k].count == 1)
-                r->axis[a] = k;
-        if (r->axis[a] < 0)
-            return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                                  "there is no field %s with one value for each point",
-                                  names[a]);
+        const batten_status status = find_axis(r, a, names[a]);
+        if (status != BATTEN_OK)
+            return status;
     }
     for (int k = 0; k < r->field_count; k++) {
         const bat_pcd_field *f = &r->fields[k];
-        const bool is_real = f->type == 'F' && (f->size == 4 || f->size == 8);
-        const bool is_whole =
-            f->type != 'F' && (f->size == 1 || f->size == 2 || f->size == 4 || f->size == 8);
-        if (r->data != BAT_PCD_ASCII && !is_real && !is_whole)
-            return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                                  "a number of type %c cannot have %d byte%s", f->type, f->size,
-                                  bat_plural(f->size));
+        const batten_status status = check_field(r, f);
+        if (status != BATTEN_OK)
+            return status;
         others +=
             k != r->axis[0] && k != r->axis[1] && k != r->axis[2] && !bat_word_is(f->name, "_");
     }

@@ -57,6 +57,13 @@ static bool read_row(const bat_pcd_reading *r, bat_span line, double point[3])
     return found == 3;
 }
 
+static void leave_out(const bat_pcd_reading *r, size_t index)
+{
+    r->input->left_out++;
+    batten_notes_add(r->input->notes, r->input->file, r->line, "",
+                     "point %zu is left out: a coordinate is missing or not a number", index);
+}
+
 static batten_status read_ascii(bat_pcd_reading *r)
 {
     bat_span line, word;
@@ -72,10 +79,7 @@ static batten_status read_ascii(bat_pcd_reading *r)
         if (read_row(r, line, point))
             status = take_point(r, point);
         else {
-            r->input->left_out++;
-            batten_notes_add(r->input->notes, r->input->file, r->line, "",
-                             "point %zu is left out: a coordinate is missing or not a number",
-                             count);
+            leave_out(r, count);
         }
         if (status == BATTEN_OK && count % 10000 == 0)
             status = bat_input_step(r->input, r->at);
@@ -194,11 +198,7 @@ static batten_status make_model(const bat_pcd_reading *r, batten_model **out)
                                                           .kind = BATTEN_OBJECT_POINTS,
                                                           .point_count = (int)r->read.count,
                                                           .points = r->read.items});
-    if (status == BATTEN_OK)
-        *out = model;
-    else
-        batten_model_unref(model);
-    return status;
+    return bat_input_hand_over(status, model, out);
 }
 
 batten_status bat_read_pcd(bat_input *input, batten_model **out)

@@ -45,28 +45,28 @@ static void find_face_colours(bat_ply_reading *r, const bat_ply_element *element
         r->face_colours[0] = SIZE_MAX;
 }
 
+static batten_status keep_face(bat_ply_reading *r, const bat_ply_property *properties, int line)
+{
+    const double *values = r->values.items;
+    double colour[3];
+    const batten_status status = bat_indexed_polygon(&r->mesh, line);
+    if (status != BATTEN_OK || r->face_colours[0] == SIZE_MAX)
+        return status;
+    for (int k = 0; k < 3; k++) {
+        const size_t at = r->face_colours[k];
+        colour[k] = bat_ply_scale_of(properties[at].type) * values[at];
+    }
+    return bat_indexed_colour(&r->mesh, colour);
+}
+
 static batten_status take_face(bat_ply_reading *r, const bat_ply_property *properties,
                                size_t index, bat_ply_result result)
 {
     const int line = r->items.form == BAT_PLY_TEXT ? r->items.line : 0;
-    if (result == BAT_PLY_READ) {
-        const double *values = r->values.items;
-        double colour[3];
-        const batten_status status = bat_indexed_polygon(&r->mesh, line);
-        if (status != BATTEN_OK || r->face_colours[0] == SIZE_MAX)
-            return status;
-        for (int k = 0; k < 3; k++) {
-            const size_t at = r->face_colours[k];
-            colour[k] = bat_ply_scale_of(properties[at].type) * values[at];
-        }
-        return bat_indexed_colour(&r->mesh, colour);
-    }
-    r->mesh.polygon.count = 0;
-    r->mesh.polygons++;
-    r->input->left_out++;
-    batten_notes_add(r->input->notes, r->input->file, line, "",
-                     "face %zu is left out: a number is missing, or its count is invalid",
-                     index + 1);
+    if (result == BAT_PLY_READ)
+        return keep_face(r, properties, line);
+    bat_indexed_leave_out(&r->mesh, line, index,
+                          "a number is missing, or its count is invalid");
     return BATTEN_OK;
 }
 
@@ -139,23 +139,26 @@ static batten_status read_element(bat_ply_reading *r, const bat_ply_element *ele
     return status == BATTEN_OK ? read_items(r, element, SIZE_MAX) : status;
 }
 
+static batten_status read_place(bat_ply_reading *r, const place *waiting)
+{
+    const bat_ply_element *element = waiting->element;
+    r->items.at = waiting->at;
+    r->items.line = waiting->line;
+    if (r->has_vertices)
+        return read_faces(
+            r, element,
+            list_of_corners(bat_ply_properties_of(r, element), element->properties));
+    return leave_out(r, element);
+}
+
 /* The faces that stand before the vertices, now that these are read. */
 static batten_status read_waiting(bat_ply_reading *r)
 {
     const place *places = r->waiting.items;
     const bat_ply_items end = r->items;
     batten_status status = BATTEN_OK;
-    for (size_t k = 0; status == BATTEN_OK && k < r->waiting.count; k++) {
-        const bat_ply_element *element = places[k].element;
-        r->items.at = places[k].at;
-        r->items.line = places[k].line;
-        if (r->has_vertices)
-            status = read_faces(
-                r, element,
-                list_of_corners(bat_ply_properties_of(r, element), element->properties));
-        else
-            status = leave_out(r, element);
-    }
+    for (size_t k = 0; status == BATTEN_OK && k < r->waiting.count; k++)
+        status = read_place(r, &places[k]);
     r->items = end;
     return status;
 }
@@ -210,14 +213,10 @@ batten_status bat_read_ply(bat_input *input, batten_model **out)
         status = batten_model_create(0, &model);
     if (status == BATTEN_OK)
         status = read_body(&r, model);
-    if (status == BATTEN_OK)
-        *out = model;
-    else
-        batten_model_unref(model);
     bat_ply_header_end(&r.header);
     bat_indexed_end(&r.mesh);
     bat_release(r.values.items);
     bat_release(r.columns.items);
     bat_release(r.waiting.items);
-    return status;
+    return bat_input_hand_over(status, model, out);
 }

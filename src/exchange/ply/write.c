@@ -25,17 +25,22 @@ static const batten_mesh_parts *mesh_of(const writing *w, int object)
     return mesh ? batten_mesh_view(mesh) : NULL;
 }
 
+static void count_object(writing *w, int i, double *vertices, double *triangles)
+{
+    const batten_object *object = batten_model_object(w->model, i);
+    const batten_mesh_parts *p = mesh_of(w, i);
+    *vertices += p ? p->vertex_count : object->point_count;
+    *triangles += p ? p->triangle_count : 0;
+    w->has_colours |= (p && p->colours) || (!p && object->has_colour);
+    w->has_face_colours |= p && p->triangle_colours;
+}
+
 static batten_status count_all(writing *w)
 {
     double vertices = 0, triangles = 0;
     const int count = batten_model_count(w->model);
     for (int i = 0; i < count; i++) {
-        const batten_object *object = batten_model_object(w->model, i);
-        const batten_mesh_parts *p = mesh_of(w, i);
-        vertices += p ? p->vertex_count : object->point_count;
-        triangles += p ? p->triangle_count : 0;
-        w->has_colours |= (p && p->colours) || (!p && object->has_colour);
-        w->has_face_colours |= p && p->triangle_colours;
+        count_object(w, i, &vertices, &triangles);
     }
     /* The colour of an object is that of its vertices, or of its faces where some have one. */
     for (int i = 0; i < count && !w->has_face_colours; i++)
@@ -225,21 +230,27 @@ static void put_vertices(writing *w)
     }
 }
 
+static void put_face(writing *w, const batten_object *object, const batten_mesh_parts *p,
+                     int first, size_t j)
+{
+    put_integer(w, 3, 1);
+    for (size_t k = 0; k < 3; k++)
+        put_integer(w, first + p->corners[3 * j + k], 4);
+    if (w->has_face_colours)
+        put_colour(w, object, p->triangle_colours ? p->triangle_colours + 3 * j : NULL);
+    end_line(w);
+}
+
 static void put_faces(writing *w)
 {
     int first = 0;
     for (int i = 0; i < batten_model_count(w->model); i++) {
+        const batten_object *object = batten_model_object(w->model, i);
         const batten_mesh_parts *p = mesh_of(w, i);
         for (size_t j = 0; p && j < (size_t)p->triangle_count; j++) {
-            put_integer(w, 3, 1);
-            for (size_t k = 0; k < 3; k++)
-                put_integer(w, first + p->corners[3 * j + k], 4);
-            if (w->has_face_colours)
-                put_colour(w, batten_model_object(w->model, i),
-                           p->triangle_colours ? p->triangle_colours + 3 * j : NULL);
-            end_line(w);
+            put_face(w, object, p, first, j);
         }
-        first += p ? p->vertex_count : batten_model_object(w->model, i)->point_count;
+        first += p ? p->vertex_count : object->point_count;
     }
 }
 

@@ -277,6 +277,15 @@ size_t bat_utf8_write(uint32_t code, char bytes[4])
     return count;
 }
 
+batten_status bat_input_hand_over(batten_status status, batten_model *model, batten_model **out)
+{
+    if (status == BATTEN_OK)
+        *out = model;
+    else
+        batten_model_unref(model);
+    return status;
+}
+
 bool bat_input_ends(batten_status status)
 {
     return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_TOO_LARGE ||

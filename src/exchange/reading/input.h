@@ -88,6 +88,9 @@ int bat_hex_digit(char c);
 /* A character of Unicode as UTF-8; returns how many bytes it has, 0 for none and surrogates. */
 size_t bat_utf8_write(uint32_t code, char bytes[4]);
 
+/* The end of a reader: the model goes to *out, or, where reading failed, to nobody. */
+batten_status bat_input_hand_over(batten_status status, batten_model *model,
+                                  batten_model **out);
 /* Does a failure end the reading of the whole file? Others leave out one entity. */
 bool bat_input_ends(batten_status status);
 

@@ -139,9 +139,5 @@ batten_status bat_read_stl(bat_input *input, batten_model **out)
     if (status == BATTEN_OK && batten_model_count(model) == 0 &&
         (input->left_out > 0 || input->is_cut))
         status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "no triangle could be read");
-    if (status == BATTEN_OK)
-        *out = model;
-    else
-        batten_model_unref(model);
-    return status;
+    return bat_input_hand_over(status, model, out);
 }

@@ -1,6 +1,7 @@
 /* Reads path data, transforms, colours and numbers. */
 #include "exchange/svg/path_data.h"
 #include "base/plural.h"
+#include "exchange/reading/scan.h"
 
 #include <batten/text.h>
 #include <string.h>
@@ -10,6 +11,20 @@ size_t bat_svg_past_separators(bat_span text, size_t at)
     while (at < text.length && (bat_is_white(text.bytes[at]) || text.bytes[at] == ','))
         at++;
     return at;
+}
+
+/* How long the exponent at the beginning is; 0 when there is none. */
+static size_t exponent_length(const char *text, size_t left)
+{
+    size_t k = 1;
+    if (left < 2 || (text[0] != 'e' && text[0] != 'E'))
+        return 0;
+    k += text[1] == '+' || text[1] == '-';
+    if (k >= left || text[k] < '0' || text[k] > '9')
+        return 0;
+    while (k < left && text[k] >= '0' && text[k] <= '9')
+        k++;
+    return k;
 }
 
 /* How long the number at the beginning is: numbers may stand side by side, "1.5.5-2". */
@@ -24,16 +39,7 @@ static size_t number_length(const char *text, size_t left)
             digits++;
     if (digits == 0)
         return 0;
-    if (i + 1 < left && (text[i] == 'e' || text[i] == 'E')) {
-        size_t k = i + 1;
-        k += text[k] == '+' || text[k] == '-';
-        if (k < left && text[k] >= '0' && text[k] <= '9') {
-            while (k < left && text[k] >= '0' && text[k] <= '9')
-                k++;
-            i = k;
-        }
-    }
-    return i;
+    return i + exponent_length(text + i, left - i);
 }
 
 bool bat_svg_number(bat_span text, size_t *at, double *value)
@@ -63,6 +69,17 @@ static bat_svg_map turned(double angle)
     return (bat_svg_map){c, s, -s, c, 0, 0};
 }
 
+static bool skew_of(bat_span name, int count, const double v[6], bat_svg_map *map)
+{
+    if (name.length == 5 && memcmp(name.bytes, "skewX", 5) == 0)
+        map->c = tan(v[0] * BAT_PI / 180);
+    else if (name.length == 5 && memcmp(name.bytes, "skewY", 5) == 0)
+        map->b = tan(v[0] * BAT_PI / 180);
+    else
+        return false;
+    return count == 1;
+}
+
 /* One step of a transform with its numbers; false when they are too few. */
 static bool step_of(bat_span name, int count, const double v[6], bat_svg_map *map)
 {
@@ -87,13 +104,7 @@ static bool step_of(bat_span name, int count, const double v[6], bat_svg_map *ma
         *map = bat_svg_compose(bat_svg_compose(there, turned(v[0])), back);
         return count == 1 || count == 3;
     }
-    if (name.length == 5 && memcmp(name.bytes, "skewX", 5) == 0)
-        map->c = tan(v[0] * BAT_PI / 180);
-    else if (name.length == 5 && memcmp(name.bytes, "skewY", 5) == 0)
-        map->b = tan(v[0] * BAT_PI / 180);
-    else
-        return false;
-    return count == 1;
+    return skew_of(name, count, v, map);
 }
 
 /* In styles numbers have the units that are those of numbers alone. */
@@ -108,36 +119,60 @@ static size_t past_plain_unit(bat_span text, size_t at)
     return at;
 }
 
+/* The numbers between the brackets; at most 6. */
+static int read_numbers(const bat_input *input, int line, bat_span text, size_t *at,
+                        double v[6])
+{
+    int count = 0;
+    while (count < 6 && bat_svg_real(input, line, text, at, &v[count])) {
+        *at = past_plain_unit(text, *at);
+        count++;
+    }
+    *at = bat_svg_past_separators(text, *at);
+    return count;
+}
+
+/* Up to the bracket that opens, which is passed. */
+static bat_span read_name(bat_span text, size_t *at)
+{
+    const size_t begin = *at;
+    while (*at < text.length && text.bytes[*at] != '(' && !bat_is_white(text.bytes[*at]))
+        ++*at;
+    const bat_span name = {text.bytes + begin, *at - begin};
+    while (*at < text.length && bat_is_white(text.bytes[*at]))
+        ++*at;
+    *at += *at < text.length;
+    return name;
+}
+
+static batten_status read_step(const bat_input *input, int line, bat_span text, size_t *at,
+                               bat_svg_map *step)
+{
+    double v[6] = {0};
+    const bat_span name = read_name(text, at);
+    const int count = read_numbers(input, line, text, at, v);
+    if (*at >= text.length || text.bytes[*at] != ')' || !step_of(name, count, v, step))
+        return bat_fail(BATTEN_BAD_FORMAT, "the transform has '%.*s' with %d number%s",
+                        (int)(name.length < 20 ? name.length : 20), name.bytes, count,
+                        bat_plural(count));
+    *at = bat_svg_past_separators(text, *at + 1);
+    return BATTEN_OK;
+}
+
 batten_status bat_svg_transform(const bat_input *input, int line, bat_span text,
                                 bat_svg_map *map)
 {
-    bat_svg_map whole = {1, 0, 0, 1, 0, 0};
-    for (size_t at = bat_svg_past_separators(text, 0); at < text.length;
-         at = bat_svg_past_separators(text, at)) {
-        bat_svg_map step;
-        double v[6] = {0};
-        int count = 0;
-        const size_t begin = at;
-        while (at < text.length && text.bytes[at] != '(' && !bat_is_white(text.bytes[at]))
-            at++;
-        const bat_span name = {text.bytes + begin, at - begin};
-        while (at < text.length && bat_is_white(text.bytes[at]))
-            at++;
-        at += at < text.length;
-        while (count < 6 && bat_svg_real(input, line, text, &at, &v[count])) {
-            at = past_plain_unit(text, at);
-            count++;
-        }
-        at = bat_svg_past_separators(text, at);
-        if (at >= text.length || text.bytes[at] != ')' || !step_of(name, count, v, &step))
-            return bat_fail(BATTEN_BAD_FORMAT, "the transform has '%.*s' with %d number%s",
-                            (int)(name.length < 20 ? name.length : 20), name.bytes, count,
-                            bat_plural(count));
-        at++;
-        whole = bat_svg_compose(step, whole); /* the last one acts first */
+    bat_svg_map whole = {1, 0, 0, 1, 0, 0}, step;
+    size_t at = bat_svg_past_separators(text, 0);
+    batten_status status = BATTEN_OK;
+    while (status == BATTEN_OK && at < text.length) {
+        status = read_step(input, line, text, &at, &step);
+        if (status == BATTEN_OK)
+            whole = bat_svg_compose(step, whole); /* the last one acts first */
     }
-    *map = whole;
-    return BATTEN_OK;
+    if (status == BATTEN_OK)
+        *map = whole;
+    return status;
 }
 
 /* ---- colours ---- */
@@ -157,47 +192,70 @@ static bool hex_colour(bat_span text, double rgb[3])
     return true;
 }
 
-bool bat_svg_colour(bat_span text, double rgb[3])
+static const struct {
+    const char *name;
+    double rgb[3];
+} named_colours[] = {{"black", {0, 0, 0}},
+                     {"white", {1, 1, 1}},
+                     {"red", {1, 0, 0}},
+                     {"lime", {0, 1, 0}},
+                     {"blue", {0, 0, 1}},
+                     {"yellow", {1, 1, 0}},
+                     {"cyan", {0, 1, 1}},
+                     {"magenta", {1, 0, 1}},
+                     {"green", {0, 128 / 255.0, 0}},
+                     {"grey", {128 / 255.0, 128 / 255.0, 128 / 255.0}}};
+
+static bool named_colour(bat_span text, double rgb[3])
 {
-    static const struct {
-        const char *name;
-        double rgb[3];
-    } named[] = {{"black", {0, 0, 0}},
-                 {"white", {1, 1, 1}},
-                 {"red", {1, 0, 0}},
-                 {"lime", {0, 1, 0}},
-                 {"blue", {0, 0, 1}},
-                 {"yellow", {1, 1, 0}},
-                 {"cyan", {0, 1, 1}},
-                 {"magenta", {1, 0, 1}},
-                 {"green", {0, 128 / 255.0, 0}},
-                 {"grey", {128 / 255.0, 128 / 255.0, 128 / 255.0}}};
+    for (size_t k = 0; k < sizeof named_colours / sizeof named_colours[0]; k++)
+        if (bat_word_is(text, named_colours[k].name)) {
+            memcpy(rgb, named_colours[k].rgb, sizeof named_colours[k].rgb);
+            return true;
+        }
+    return false;
+}
+
+/* A number up to 255, or a percentage, as a part of 1. */
+static bool read_share(bat_span text, size_t *at, double *share)
+{
+    double value = 0;
+    if (!bat_svg_number(text, at, &value))
+        return false;
+    const bool percent = *at < text.length && text.bytes[*at] == '%';
+    *at += percent;
+    *share = bat_max(0, bat_min(1, value / (percent ? 100 : 255)));
+    return true;
+}
+
+static bool mixed_colour(bat_span text, double rgb[3])
+{
+    size_t at = 4;
+    if (text.length < 5 || memcmp(text.bytes, "rgb(", 4) != 0)
+        return false;
+    for (int k = 0; k < 3; k++)
+        if (!read_share(text, &at, &rgb[k]))
+            return false;
+    return true;
+}
+
+static bat_span trimmed(bat_span text)
+{
     while (text.length > 0 && bat_is_white(text.bytes[0])) {
         text.bytes++;
         text.length--;
     }
     while (text.length > 0 && bat_is_white(text.bytes[text.length - 1]))
         text.length--;
+    return text;
+}
+
+bool bat_svg_colour(bat_span text, double rgb[3])
+{
+    text = trimmed(text);
     if (text.length > 0 && text.bytes[0] == '#')
         return hex_colour(text, rgb);
-    for (size_t k = 0; k < sizeof named / sizeof named[0]; k++)
-        if (text.length == strlen(named[k].name) &&
-            memcmp(text.bytes, named[k].name, text.length) == 0) {
-            memcpy(rgb, named[k].rgb, sizeof named[k].rgb);
-            return true;
-        }
-    if (text.length < 5 || memcmp(text.bytes, "rgb(", 4) != 0)
-        return false;
-    size_t at = 4;
-    for (int k = 0; k < 3; k++) {
-        double value = 0;
-        if (!bat_svg_number(text, &at, &value))
-            return false;
-        const bool percent = at < text.length && text.bytes[at] == '%';
-        at += percent;
-        rgb[k] = bat_max(0, bat_min(1, value / (percent ? 100 : 255)));
-    }
-    return true;
+    return named_colour(text, rgb) || mixed_colour(text, rgb);
 }
 
 /* ---- paths ---- */
@@ -250,11 +308,8 @@ static void make_absolute(char command, const bat_svg_row *row, double v[7])
         v[0] += row->x;
     } else if (command == 'V') {
         v[0] += row->y;
-    } else if (command == 'A') {
-        v[5] += row->x;
-        v[6] += row->y;
     } else {
-        for (int k = 0; k < arguments_of(command); k += 2) {
+        for (int k = command == 'A' ? 5 : 0; k + 1 < arguments_of(command); k += 2) {
             v[k] += row->x;
             v[k + 1] += row->y;
         }
@@ -274,22 +329,35 @@ static void mirror(const parsing *p, const char *kinds, double point[2])
     point[1] = after ? 2 * p->row->y - p->reflect[1] : p->row->y;
 }
 
+static batten_status put_cubic(parsing *p, char command, const double v[7])
+{
+    double one[2] = {v[0], v[1]};
+    if (command == 'S')
+        mirror(p, "CS", one);
+    const double *rest = command == 'C' ? v + 2 : v;
+    p->reflect[0] = rest[0];
+    p->reflect[1] = rest[1];
+    return bat_svg_cubic(p->row, one, rest, rest + 2);
+}
+
 static batten_status put_curve(parsing *p, char command, const double v[7])
 {
     double one[2] = {v[0], v[1]};
-    if (command == 'C' || command == 'S') {
-        if (command == 'S')
-            mirror(p, "CS", one);
-        const double *rest = command == 'C' ? v + 2 : v;
-        p->reflect[0] = rest[0];
-        p->reflect[1] = rest[1];
-        return bat_svg_cubic(p->row, one, rest, rest + 2);
-    }
+    if (command == 'C' || command == 'S')
+        return put_cubic(p, command, v);
     if (command == 'T')
         mirror(p, "QT", one);
     p->reflect[0] = one[0];
     p->reflect[1] = one[1];
     return bat_svg_quadratic(p->row, one, 1, command == 'Q' ? v + 2 : v);
+}
+
+static batten_status begin_row(parsing *p, double x, double y)
+{
+    const batten_status status = hand_over_row(p);
+    p->start[0] = x;
+    p->start[1] = y;
+    return status == BATTEN_OK ? bat_svg_move(p->row, x, y) : status;
 }
 
 static batten_status run_command(parsing *p, char command, const double v[7])
@@ -298,10 +366,7 @@ static batten_status run_command(parsing *p, char command, const double v[7])
     batten_status status = BATTEN_OK;
     switch (command) {
     case 'M':
-        status = hand_over_row(p);
-        p->start[0] = v[0];
-        p->start[1] = v[1];
-        return status == BATTEN_OK ? bat_svg_move(row, v[0], v[1]) : status;
+        return begin_row(p, v[0], v[1]);
     case 'L':
         return bat_svg_line(row, v[0], v[1]);
     case 'H':
@@ -312,9 +377,7 @@ static batten_status run_command(parsing *p, char command, const double v[7])
         return bat_svg_arc(row, v[0], v[1], v[2], v[3] != 0, v[4] != 0, v[5], v[6]);
     case 'Z':
         status = bat_svg_line(row, p->start[0], p->start[1]);
-        if (status == BATTEN_OK)
-            status = hand_over_row(p);
-        return status == BATTEN_OK ? bat_svg_move(row, p->start[0], p->start[1]) : status;
+        return status == BATTEN_OK ? begin_row(p, p->start[0], p->start[1]) : status;
     default:
         return put_curve(p, command, v);
     }
@@ -337,6 +400,15 @@ static bool next_command(parsing *p)
     return p->command && p->command != 'Z' && p->command != 'z';
 }
 
+/* The rows before the fault stay. */
+static batten_status end_broken(parsing *p, size_t at)
+{
+    const batten_status status = hand_over_row(p);
+    return status == BATTEN_OK
+               ? bat_fail(BATTEN_BAD_FORMAT, "the path is broken at its character %zu", at + 1)
+               : status;
+}
+
 batten_status bat_svg_path(bat_span data, bat_svg_row *row, bat_svg_take *take, void *context)
 {
     parsing p = {.data = data, .row = row, .take = take, .context = context};
@@ -349,13 +421,8 @@ batten_status bat_svg_path(bat_span data, bat_svg_row *row, bat_svg_take *take, 
         const bool small = p.command >= 'a';
         const char command = small ? (char)(p.command - 'a' + 'A') : p.command;
         if (!known || arguments_of(command) < 0 || !read_arguments(&p, command, v) ||
-            (row->points.count == 0 && command != 'M')) {
-            status = hand_over_row(&p);
-            return status == BATTEN_OK
-                       ? bat_fail(BATTEN_BAD_FORMAT, "the path is broken at its character %zu",
-                                  at + 1)
-                       : status;
-        }
+            (row->points.count == 0 && command != 'M'))
+            return end_broken(&p, at);
         if (small && row->points.count > 0)
             make_absolute(command, row, v);
         status = run_command(&p, command, v);

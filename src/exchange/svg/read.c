@@ -78,21 +78,10 @@ static bool property(const bat_xml *xml, const char *name, bat_span *value)
     return bat_xml_attribute(xml, name, value);
 }
 
-/* What the element at work adds to what it inherits. A broken transform fails. */
-static batten_status read_look(const reading *r, level *look)
+static batten_status read_transform(const reading *r, level *look)
 {
     bat_span text;
     bat_svg_map map;
-    *look = r->levels[r->depth];
-    if (property(&r->xml, "display", &text) && bat_svg_says(text, "none"))
-        look->is_hidden = true;
-    if (property(&r->xml, "visibility", &text) && bat_svg_says(text, "hidden"))
-        look->is_hidden = true;
-    double colour[3];
-    if (property(&r->xml, "stroke", &text) && bat_svg_colour(text, colour)) {
-        look->has_colour = true;
-        memcpy(look->colour, colour, sizeof colour);
-    }
     if (!property(&r->xml, "transform", &text) || bat_svg_says(text, "none"))
         return BATTEN_OK;
     batten_status status = bat_svg_transform(r->input, r->xml.line, text, &map);
@@ -101,7 +90,49 @@ static batten_status read_look(const reading *r, level *look)
     return status;
 }
 
+static bool property_is(const bat_xml *xml, const char *name, const char *wanted)
+{
+    bat_span text;
+    return property(xml, name, &text) && bat_svg_says(text, wanted);
+}
+
+/* What the element at work adds to what it inherits. A broken transform fails. */
+static batten_status read_look(const reading *r, level *look)
+{
+    bat_span text;
+    *look = r->levels[r->depth];
+    look->is_hidden = look->is_hidden || property_is(&r->xml, "display", "none") ||
+                      property_is(&r->xml, "visibility", "hidden");
+    double colour[3];
+    if (property(&r->xml, "stroke", &text) && bat_svg_colour(text, colour)) {
+        look->has_colour = true;
+        memcpy(look->colour, colour, sizeof colour);
+    }
+    return read_transform(r, look);
+}
+
 /* ---- curves ---- */
+
+static void name_row(const reading *r, size_t size, char *name)
+{
+    if (r->parts > 1)
+        snprintf(name, size, "%s.%d", r->name, r->parts);
+    else
+        snprintf(name, size, "%s", r->name);
+}
+
+static batten_object object_of(const reading *r, const char *name, batten_curve *curve)
+{
+    batten_object object = {.name = name,
+                            .layer = r->layer,
+                            .group = r->group,
+                            .is_hidden = r->look.is_hidden,
+                            .has_colour = r->look.has_colour,
+                            .kind = BATTEN_OBJECT_CURVE,
+                            .curve = curve};
+    memcpy(object.colour, r->look.colour, sizeof object.colour);
+    return object;
+}
 
 /* One part of the element at work as a curve; parts after the first are numbered. */
 static batten_status take_row(void *context, const bat_svg_row *row)
@@ -112,18 +143,9 @@ static batten_status take_row(void *context, const bat_svg_row *row)
     batten_status status = bat_svg_curve(row, &r->look.map, &curve);
     if (status != BATTEN_OK || !curve)
         return status;
-    if (++r->parts > 1)
-        snprintf(name, sizeof name, "%s.%d", r->name, r->parts);
-    else
-        snprintf(name, sizeof name, "%s", r->name);
-    batten_object object = {.name = name,
-                            .layer = r->layer,
-                            .group = r->group,
-                            .is_hidden = r->look.is_hidden,
-                            .has_colour = r->look.has_colour,
-                            .kind = BATTEN_OBJECT_CURVE,
-                            .curve = curve};
-    memcpy(object.colour, r->look.colour, sizeof object.colour);
+    r->parts++;
+    name_row(r, sizeof name, name);
+    const batten_object object = object_of(r, name, curve);
     status = batten_model_add(r->model, &object);
     batten_curve_unref(curve);
     return status;
@@ -157,15 +179,20 @@ static batten_status leave_out(reading *r, const char *kind, const char *why)
     return bat_census_leave(r->input, &r->census, kind);
 }
 
-static batten_status add_shape(reading *r)
+static void name_shape(reading *r, char kind[32])
 {
-    char kind[32];
     kind_of(&r->xml, kind);
     bat_xml_text(&r->xml, "id", sizeof r->name, r->name);
     bat_xml_text(&r->xml, "class", sizeof r->layer, r->layer);
     r->number++;
     if (!r->name[0])
         snprintf(r->name, sizeof r->name, "%s %d", kind, r->number);
+}
+
+static batten_status add_shape(reading *r)
+{
+    char kind[32];
+    name_shape(r, kind);
     batten_status status = bat_input_limit(r->input, r->xml.line, (size_t)r->number,
                                            r->input->limits.entities, "shapes");
     if (status == BATTEN_OK)
@@ -258,33 +285,47 @@ static batten_status read_element(reading *r)
     return status == BATTEN_OK ? skip(r) : status;
 }
 
+static size_t past_white(const bat_input *input, size_t at)
+{
+    while (at < input->size && bat_is_white(input->data[at]))
+        at++;
+    return at;
+}
+
+/* A comment without an end goes on to the end of the file. */
+static size_t past_comment(const bat_input *input, size_t begin)
+{
+    size_t end = begin + 4;
+    while (end < input->size && !bat_begins(input, end, "-->"))
+        end++;
+    return end < input->size ? end + 3 : end;
+}
+
 /* Comments may follow the end, and nothing else. */
 static void note_behind(const reading *r)
 {
     const bat_input *input = r->input;
     const bat_span last = r->xml.attributes; /* of </svg>: up to its '>' */
-    size_t at = (size_t)(last.bytes + last.length + 1 - input->data), end;
-    for (;;) {
-        while (at < input->size && bat_is_white(input->data[at]))
-            at++;
-        if (!bat_begins(input, at, "<!--"))
-            break;
-        for (end = at + 4; end < input->size && !bat_begins(input, end, "-->");)
-            end++;
-        at = end < input->size ? end + 3 : end;
-    }
+    size_t at = past_white(input, (size_t)(last.bytes + last.length + 1 - input->data));
+    while (bat_begins(input, at, "<!--"))
+        at = past_white(input, past_comment(input, at));
     bat_input_behind(input, at);
 }
 
-static batten_status read_all(reading *r)
+static batten_status read_root(reading *r)
 {
     batten_status status = bat_xml_next(&r->xml);
     if (status == BATTEN_OK && !bat_xml_is(&r->xml, "svg"))
         status = bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->xml.line,
                                 "the drawing does not begin with <svg>");
-    if (status != BATTEN_OK)
-        return status;
-    r->levels[0] = (level){.map = bat_svg_sheet_of(&r->xml)};
+    if (status == BATTEN_OK)
+        r->levels[0] = (level){.map = bat_svg_sheet_of(&r->xml)};
+    return status;
+}
+
+static batten_status read_all(reading *r)
+{
+    batten_status status = read_root(r);
     while (status == BATTEN_OK) {
         status = bat_xml_next(&r->xml);
         if (status != BATTEN_OK || r->xml.kind == BAT_XML_NONE)

@@ -102,6 +102,25 @@ static batten_status put_arc(bat_svg_row *row, const ellipse *e, double start, d
     return status;
 }
 
+static double turn_of_sweep(double turn, bool sweep)
+{
+    if (sweep && turn <= 0)
+        return turn + 2 * BAT_PI;
+    if (!sweep && turn >= 0)
+        return turn - 2 * BAT_PI;
+    return turn;
+}
+
+/* Half axes too small to reach the ends grow until they do. */
+static void grow_to_ends(ellipse *e, double px, double py)
+{
+    const double reach = hypot(px / e->rx, py / e->ry);
+    if (reach > 1) {
+        e->rx *= reach;
+        e->ry *= reach;
+    }
+}
+
 /* From the ends to the centre: the way of the standard, SVG 1.1, F.6.5. */
 batten_status bat_svg_arc(bat_svg_row *row, double rx, double ry, double angle, bool large,
                           bool sweep, double x, double y)
@@ -115,11 +134,7 @@ batten_status bat_svg_arc(bat_svg_row *row, double rx, double ry, double angle, 
     e.sine = sin(angle * BAT_PI / 180);
     const double dx = (row->x - x) / 2, dy = (row->y - y) / 2;
     const double px = e.cosine * dx + e.sine * dy, py = -e.sine * dx + e.cosine * dy;
-    const double reach = hypot(px / e.rx, py / e.ry);
-    if (reach > 1) { /* too small to reach: it grows until it does */
-        e.rx *= reach;
-        e.ry *= reach;
-    }
+    grow_to_ends(&e, px, py);
     const double ux = px / e.rx, uy = py / e.ry, u = hypot(ux, uy);
     const double side = (large == sweep ? -1 : 1) * sqrt(bat_max(0, 1 - u * u)) / u;
     const double qx = side * e.rx * uy, qy = -side * e.ry * ux;
@@ -132,10 +147,7 @@ batten_status bat_svg_arc(bat_svg_row *row, double rx, double ry, double angle, 
                         "its arc with the half axes %g and %g to (%g, %g) cannot be computed: "
                         "their sizes lie too far apart",
                         rx, ry, x, y);
-    if (sweep && turn <= 0)
-        turn += 2 * BAT_PI;
-    if (!sweep && turn >= 0)
-        turn -= 2 * BAT_PI;
+    turn = turn_of_sweep(turn, sweep);
     return put_arc(row, &e, start, turn, x, y);
 }
 
@@ -153,11 +165,23 @@ bat_svg_map bat_svg_compose(bat_svg_map first, bat_svg_map then)
     };
 }
 
-batten_status bat_svg_curve(const bat_svg_row *row, const bat_svg_map *map, batten_curve **out)
+/* The weights stand apart. */
+static void map_points(const bat_svg_row *row, const bat_svg_map *map, int count,
+                       double *points, double *weights)
 {
     const double(*from)[3] = row->points.items;
-    const int pieces = (int)((row->points.count - 1) / 3);
     const int step = row->has_curves ? 1 : 3;
+    for (int i = 0; i < count; i++) {
+        const double *p = from[step * i];
+        points[2 * i] = map->a * p[0] + map->c * p[1] + map->e;
+        points[2 * i + 1] = map->b * p[0] + map->d * p[1] + map->f;
+        weights[i] = p[2];
+    }
+}
+
+batten_status bat_svg_curve(const bat_svg_row *row, const bat_svg_map *map, batten_curve **out)
+{
+    const int pieces = (int)((row->points.count - 1) / 3);
     const int count = row->has_curves ? 3 * pieces + 1 : pieces + 1;
     if (pieces == 0)
         return BATTEN_OK;
@@ -165,12 +189,8 @@ batten_status bat_svg_curve(const bat_svg_row *row, const bat_svg_map *map, batt
     double *weights = bat_array((size_t)count, sizeof *weights);
     double *breaks = bat_array((size_t)pieces + 1, sizeof *breaks);
     batten_status status = points && weights && breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; status == BATTEN_OK && i < count; i++) {
-        const double *p = from[step * i];
-        points[2 * i] = map->a * p[0] + map->c * p[1] + map->e;
-        points[2 * i + 1] = map->b * p[0] + map->d * p[1] + map->f;
-        weights[i] = p[2];
-    }
+    if (status == BATTEN_OK)
+        map_points(row, map, count, points, weights);
     for (int i = 0; status == BATTEN_OK && i <= pieces; i++)
         breaks[i] = i;
     if (status == BATTEN_OK && row->has_curves)

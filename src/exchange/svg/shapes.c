@@ -1,21 +1,22 @@
 /* Reads rectangles, circles, ellipses, lines, polygons and paths. */
 #include "exchange/svg/shapes.h"
 #include "base/plural.h"
+#include "exchange/reading/scan.h"
 
 #include <string.h>
 
+static const struct {
+    const char *unit;
+    double millimetres;
+} units[] = {{"mm", 1},        {"cm", 10},        {"in", 25.4}, {"pt", 25.4 / 72},
+             {"pc", 25.4 / 6}, {"px", 25.4 / 96}, {"q", 0.25},  {"", 25.4 / 96}};
+
 double bat_svg_unit(bat_span text)
 {
-    static const struct {
-        const char *unit;
-        double millimetres;
-    } units[] = {{"mm", 1},        {"cm", 10},        {"in", 25.4}, {"pt", 25.4 / 72},
-                 {"pc", 25.4 / 6}, {"px", 25.4 / 96}, {"q", 0.25},  {"", 25.4 / 96}};
     while (text.length > 0 && bat_is_white(text.bytes[text.length - 1]))
         text.length--;
     for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
-        if (text.length == strlen(units[k].unit) &&
-            memcmp(text.bytes, units[k].unit, text.length) == 0)
+        if (bat_word_is(text, units[k].unit))
             return units[k].millimetres;
     return 0;
 }
@@ -137,27 +138,33 @@ bool bat_svg_is_shape(const bat_xml *xml)
     return false;
 }
 
-batten_status bat_svg_shape(const bat_xml *xml, bat_svg_row *row, bat_svg_take *take,
-                            void *context)
+static batten_status read_closed_form(const bat_xml *xml, bat_svg_row *row)
 {
     static const char *const circle[4] = {"cx", "cy", "r", "r"};
     static const char *const ellipse[4] = {"cx", "cy", "rx", "ry"};
-    batten_status status;
-    bat_span text = {"", 0};
-    row->line = xml->line;
-    if (bat_xml_is(xml, "path")) {
-        (void)bat_xml_attribute(xml, "d", &text);
-        return bat_svg_path(text, row, take, context);
-    }
-    if (bat_xml_is(xml, "polyline") || bat_xml_is(xml, "polygon")) {
-        (void)bat_xml_attribute(xml, "points", &text);
-        return read_polyline(text, bat_xml_is(xml, "polygon"), row, take, context);
-    }
     if (bat_xml_is(xml, "line"))
-        status = read_line(xml, row);
-    else if (bat_xml_is(xml, "rect"))
-        status = read_rectangle(xml, row);
-    else
-        status = read_ellipse(xml, bat_xml_is(xml, "circle") ? circle : ellipse, row);
+        return read_line(xml, row);
+    if (bat_xml_is(xml, "rect"))
+        return read_rectangle(xml, row);
+    return read_ellipse(xml, bat_xml_is(xml, "circle") ? circle : ellipse, row);
+}
+
+static bat_span text_of(const bat_xml *xml, const char *name)
+{
+    bat_span text = {"", 0};
+    (void)bat_xml_attribute(xml, name, &text);
+    return text;
+}
+
+batten_status bat_svg_shape(const bat_xml *xml, bat_svg_row *row, bat_svg_take *take,
+                            void *context)
+{
+    const bool is_polygon = bat_xml_is(xml, "polygon");
+    row->line = xml->line;
+    if (bat_xml_is(xml, "path"))
+        return bat_svg_path(text_of(xml, "d"), row, take, context);
+    if (bat_xml_is(xml, "polyline") || is_polygon)
+        return read_polyline(text_of(xml, "points"), is_polygon, row, take, context);
+    const batten_status status = read_closed_form(xml, row);
     return status == BATTEN_OK ? take(context, row) : status;
 }

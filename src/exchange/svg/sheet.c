@@ -83,29 +83,43 @@ static fit fit_of(const bat_xml *xml)
     return usual;
 }
 
-bat_svg_map bat_svg_sheet_of(const bat_xml *xml)
+static void note_box(const bat_xml *xml, bat_span text)
 {
-    double width = length_of(xml, "width"), height = length_of(xml, "height");
-    double box[4] = {0, 0, 0, 0};
+    char shown[BAT_SHOWN_SIZE];
+    batten_notes_add(xml->input->notes, xml->input->file, xml->line, "svg",
+                     "the viewBox '%.40s' is not of four numbers, the last two above 0; the "
+                     "width and height stand for it",
+                     bat_shown(text.bytes, text.length, shown));
+}
+
+static bool read_box(const bat_xml *xml, double box[4])
+{
     bat_span text = {"", 0};
     size_t at = 0;
     int count = 0;
-    char shown[BAT_SHOWN_SIZE];
     if (bat_xml_attribute(xml, "viewBox", &text))
         while (count < 4 && bat_svg_number(text, &at, &box[count]))
             count++;
     const bool is_good = count == 4 && box[2] > 0 && box[3] > 0;
     if (text.length > 0 && !is_good)
-        batten_notes_add(
-            xml->input->notes, xml->input->file, xml->line, "svg",
-            "the viewBox '%.40s' is not of four numbers, the last two above 0; the "
-            "width and height stand for it",
-            bat_shown(text.bytes, text.length, shown));
-    if (!is_good) {
-        box[0] = box[1] = 0;
-        box[2] = width > 0 ? width / BAT_SVG_PIXEL : 1;
-        box[3] = height > 0 ? height / BAT_SVG_PIXEL : 0;
-    }
+        note_box(xml, text);
+    return is_good;
+}
+
+/* The box of a drawing that has none, by its width and height. */
+static void make_box(double width, double height, double box[4])
+{
+    box[0] = box[1] = 0;
+    box[2] = width > 0 ? width / BAT_SVG_PIXEL : 1;
+    box[3] = height > 0 ? height / BAT_SVG_PIXEL : 0;
+}
+
+bat_svg_map bat_svg_sheet_of(const bat_xml *xml)
+{
+    double width = length_of(xml, "width"), height = length_of(xml, "height");
+    double box[4] = {0, 0, 0, 0};
+    if (!read_box(xml, box))
+        make_box(width, height, box);
     if (!(width > 0))
         width = height > 0 ? height * box[2] / box[3] : box[2] * BAT_SVG_PIXEL;
     double along = width / box[2], up = height > 0 ? height / box[3] : along;

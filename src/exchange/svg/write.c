@@ -27,14 +27,17 @@ static void put_point(writing *w, char command, double x, double y)
     batten_text_number(w->text, w->scale * (w->top - y));
 }
 
+/* NULL for what stands for itself. */
+static const char *entity_of(char c)
+{
+    return c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : NULL;
+}
+
 static void put_attribute(batten_text *text, const char *name, const char *value)
 {
     batten_text_add(text, " %s=\"", name);
     for (; *value; value++) {
-        const char *entity = *value == '&'   ? "&amp;"
-                             : *value == '<' ? "&lt;"
-                             : *value == '"' ? "&quot;"
-                                             : NULL;
+        const char *entity = entity_of(*value);
         if (entity)
             batten_text_add(text, "%s", entity);
         else
@@ -98,6 +101,17 @@ static void put_arc(writing *w, const bat_svg_elliptical *arc, double x, double 
     put_point(w, ' ', x, y);
 }
 
+static void put_side(writing *w, const bat_vertex *from, const bat_vertex *to)
+{
+    if (from->bulge == 0) {
+        put_point(w, 'L', to->x, to->y);
+    } else {
+        double cx, cy, radius;
+        bat_path_centre(from, to->x, to->y, &cx, &cy, &radius);
+        put_arc(w, &(bat_svg_elliptical){radius, radius, 0, from->bulge < 0}, to->x, to->y);
+    }
+}
+
 static void put_path(writing *w, const bat_path *path)
 {
     bat_vertex from = on_sheet(path, 0);
@@ -105,13 +119,7 @@ static void put_path(writing *w, const bat_path *path)
     put_point(w, 'M', from.x, from.y);
     for (int i = 1; i <= moves; i++) {
         const bat_vertex to = on_sheet(path, i);
-        if (from.bulge == 0) {
-            put_point(w, 'L', to.x, to.y);
-        } else {
-            double cx, cy, radius;
-            bat_path_centre(&from, to.x, to.y, &cx, &cy, &radius);
-            put_arc(w, &(bat_svg_elliptical){radius, radius, 0, from.bulge < 0}, to.x, to.y);
-        }
+        put_side(w, &from, &to);
         from = to;
     }
     if (path->closed)
@@ -298,21 +306,8 @@ static void note_upright(batten_notes *notes)
         "their shapes, and the feature 'rotate' of a design turns them");
 }
 
-static void begin_sheet(writing *w, const batten_model *model)
+static void put_sheet(writing *w, double width, double height)
 {
-    static const double margin = 5; /* millimetres */
-    const double metres = batten_model_unit_metres(model);
-    batten_box box = {{0, 0, 0}, {0, 0, 0}};
-    batten_model_box(model, &box);
-    w->scale = metres > 0 ? 1000 * metres : 1;
-    w->rounding = 16 * DBL_EPSILON *
-                  bat_max(bat_max(fabs(box.low.x), fabs(box.high.x)),
-                          bat_max(fabs(box.low.y), fabs(box.high.y)));
-    w->left = box.low.x - margin / w->scale;
-    w->top = box.high.y + margin / w->scale;
-    w->bottom = box.low.y - margin / w->scale;
-    const double width = w->scale * (box.high.x - box.low.x) + 2 * margin;
-    const double height = w->scale * (box.high.y - box.low.y) + 2 * margin;
     batten_text_add(w->text, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
     batten_text_number(w->text, width);
     batten_text_add(w->text, "mm\" height=\"");
@@ -322,6 +317,31 @@ static void begin_sheet(writing *w, const batten_model *model)
     batten_text_add(w->text, " ");
     batten_text_number(w->text, height);
     batten_text_add(w->text, "\">\n");
+}
+
+static const double margin = 5; /* millimetres */
+
+/* Scale, rounding and edges of a sheet around the box. */
+static void settle_sheet(writing *w, double metres, batten_box box)
+{
+    w->scale = metres > 0 ? 1000 * metres : 1;
+    w->rounding = 16 * DBL_EPSILON *
+                  bat_max(bat_max(fabs(box.low.x), fabs(box.high.x)),
+                          bat_max(fabs(box.low.y), fabs(box.high.y)));
+    w->left = box.low.x - margin / w->scale;
+    w->top = box.high.y + margin / w->scale;
+    w->bottom = box.low.y - margin / w->scale;
+}
+
+static void begin_sheet(writing *w, const batten_model *model)
+{
+    const double metres = batten_model_unit_metres(model);
+    batten_box box = {{0, 0, 0}, {0, 0, 0}};
+    batten_model_box(model, &box);
+    settle_sheet(w, metres, box);
+    const double width = w->scale * (box.high.x - box.low.x) + 2 * margin;
+    const double height = w->scale * (box.high.y - box.low.y) + 2 * margin;
+    put_sheet(w, width, height);
 }
 
 batten_status bat_write_svg(const batten_model *model, const batten_write_options *options,

@@ -1,5 +1,6 @@
 /* Goes through the elements of an XML text. */
 #include "exchange/svg/xml.h"
+#include "exchange/reading/scan.h"
 
 #include <limits.h>
 #include <stdint.h>
@@ -136,6 +137,20 @@ static bool has_number_reference(bat_span text)
     return false;
 }
 
+/* Without the name space before a colon. */
+static void split_element(bat_xml *xml, size_t at, size_t last)
+{
+    const char *data = xml->input->data;
+    size_t begin = at;
+    while (at < last && !bat_is_white(data[at])) {
+        if (data[at] == ':')
+            begin = at + 1;
+        at++;
+    }
+    xml->name = (bat_span){data + begin, at - begin};
+    xml->attributes = (bat_span){data + at, last - at};
+}
+
 static batten_status read_element(bat_xml *xml)
 {
     const char *data = xml->input->data;
@@ -150,14 +165,7 @@ static batten_status read_element(bat_xml *xml)
         xml->kind = BAT_XML_ALONE;
         last--;
     }
-    size_t begin = at;
-    while (at < last && !bat_is_white(data[at])) {
-        if (data[at] == ':')
-            begin = at + 1;
-        at++;
-    }
-    xml->name = (bat_span){data + begin, at - begin};
-    xml->attributes = (bat_span){data + at, last - at};
+    split_element(xml, at, last);
     return has_number_reference(xml->attributes) ? decode_attributes(xml) : BATTEN_OK;
 }
 
@@ -181,32 +189,37 @@ bool bat_xml_is(const bat_xml *xml, const char *name)
 
 /* ---- attributes ---- */
 
+/* The attribute that begins at *i or later. */
+static bool next_attribute(bat_span a, size_t *i, bat_span *name, bat_span *value)
+{
+    while (*i < a.length && bat_is_white(a.bytes[*i]))
+        ++*i;
+    const size_t begin = *i;
+    while (*i < a.length && a.bytes[*i] != '=' && !bat_is_white(a.bytes[*i]))
+        ++*i;
+    *name = (bat_span){a.bytes + begin, *i - begin};
+    while (*i < a.length && (bat_is_white(a.bytes[*i]) || a.bytes[*i] == '='))
+        ++*i;
+    if (*i >= a.length || (a.bytes[*i] != '"' && a.bytes[*i] != '\''))
+        return false;
+    const char quote = a.bytes[(*i)++];
+    const size_t from = *i;
+    while (*i < a.length && a.bytes[*i] != quote)
+        ++*i;
+    *value = (bat_span){a.bytes + from, *i - from};
+    ++*i;
+    return true;
+}
+
 bool bat_xml_attribute(const bat_xml *xml, const char *name, bat_span *value)
 {
-    const bat_span a = xml->attributes;
-    const size_t wanted = strlen(name);
+    bat_span found, text;
     size_t i = 0;
-    while (i < a.length) {
-        while (i < a.length && bat_is_white(a.bytes[i]))
-            i++;
-        const size_t begin = i;
-        while (i < a.length && a.bytes[i] != '=' && !bat_is_white(a.bytes[i]))
-            i++;
-        const size_t length = i - begin;
-        while (i < a.length && (bat_is_white(a.bytes[i]) || a.bytes[i] == '='))
-            i++;
-        if (i >= a.length || (a.bytes[i] != '"' && a.bytes[i] != '\''))
-            return false;
-        const char quote = a.bytes[i++];
-        const size_t from = i;
-        while (i < a.length && a.bytes[i] != quote)
-            i++;
-        if (length == wanted && memcmp(a.bytes + begin, name, wanted) == 0) {
-            *value = (bat_span){a.bytes + from, i - from};
+    while (next_attribute(xml->attributes, &i, &found, &text))
+        if (bat_word_is(found, name)) {
+            *value = text;
             return true;
         }
-        i++;
-    }
     return false;
 }
 
