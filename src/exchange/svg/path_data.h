@@ -1,14 +1,8 @@
-/* What SVG says of shapes in short: numbers, path data, transforms, colours. */
+/* What SVG says of shapes in short: numbers and path data. */
 #ifndef BAT_PATH_DATA_H
 #define BAT_PATH_DATA_H
-#include "exchange/reading/input.h"
+#include "exchange/svg/attributes.h"
 #include <batten/curve.h>
-
-/* x' = a x + c y + e, y' = b x + d y + f */
-typedef struct {
-    double a, b, c, d, e, f;
-} bat_svg_map;
-bat_svg_map bat_svg_compose(bat_svg_map first, bat_svg_map then);
 
 /* Past blanks and commas from `at` on. */
 size_t bat_svg_past_separators(bat_span text, size_t at);
@@ -17,11 +11,6 @@ size_t bat_svg_past_separators(bat_span text, size_t at);
 bool bat_svg_number(bat_span text, size_t *at, double *value);
 /* The same, with a note when it is too small for a double and becomes 0. */
 bool bat_svg_real(const bat_input *input, int line, bat_span text, size_t *at, double *value);
-/* "translate(1 2) rotate(30)" and so on. BAD_FORMAT with a message for a note. */
-batten_status bat_svg_transform(const bat_input *input, int line, bat_span text,
-                                bat_svg_map *map);
-/* "#f80", "#ff8800", "rgb(255, 128, 0)", "red"; false for "none" and what is not known. */
-bool bat_svg_colour(bat_span text, double rgb[3]);
 
 /* A row of Bezier pieces that goes on, in the plane. */
 typedef struct {
