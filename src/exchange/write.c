@@ -133,6 +133,8 @@ static batten_status add_held(void *context, const batten_model *from, int index
                               batten_model *held, const batten_object *object)
 {
     selection *s = context;
+    (void)from;
+    (void)index;
     batten_object shown = *object;
     if (!(s->holds & (1u << object->kind))) {
         leave_out(s, object);
@@ -142,8 +144,7 @@ static batten_status add_held(void *context, const batten_model *from, int index
         batten_notes_add(s->notes, "", 0, object->name, "left out: this mesh has no triangles");
         return BATTEN_OK;
     }
-    if (object->definition && batten_model_count(object->definition) == 0 &&
-        batten_model_count(batten_model_object(from, index)->definition) > 0) {
+    if (object->definition && batten_model_count(object->definition) == 0) {
         batten_notes_add(s->notes, "", 0, object->name,
                          "left out: this instance places nothing that %s files hold",
                          s->row->title);
@@ -296,6 +297,10 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
     batten_status status = find_writer(options, &row);
     if (status == BATTEN_OK)
         status = batten_write_prepare(model, options, notes, &prepared);
+    if (status == BATTEN_OK && batten_model_count(prepared) == 0)
+        status = bat_fail(BATTEN_UNSUPPORTED,
+                          "the model has no objects; a %s file would be empty and is not written",
+                          row->title);
     if (status == BATTEN_OK)
         status = note_losses(row, options, prepared, notes);
     if (status == BATTEN_OK)

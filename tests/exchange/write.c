@@ -53,10 +53,47 @@ TEST(bad_options_are_refused)
     }
     options.tolerance = 0;
     options.name = "";
+    const double origin[3] = {0, 0, 0};
+    CHECK_OK(batten_model_add(
+        model,
+        &(batten_object){.kind = BATTEN_OBJECT_POINTS, .point_count = 1, .points = origin}));
     CHECK_OK(batten_write_memory(model, &options, NULL, &data, &size));
     CHECK_CONTAINS(data, "FILE_NAME('batten','2000-01-01T00:00:00'");
     batten_release(data);
     batten_model_unref(model);
+}
+
+/* A model without objects, and one that only places such a model. */
+static batten_model *empty_model(bool placed)
+{
+    batten_model *model = NULL, *none = NULL;
+    CHECK_OK(batten_model_create(1, &model));
+    if (!placed)
+        return model;
+    CHECK_OK(batten_model_create(1, &none));
+    CHECK_OK(batten_model_add(model, &(batten_object){.kind = BATTEN_OBJECT_INSTANCE,
+                                                      .definition = none,
+                                                      .place = batten_affine_identity()}));
+    batten_model_unref(none);
+    return model;
+}
+
+TEST(a_file_with_nothing_in_it_is_not_written_in_any_format)
+{
+    for (int placed = 0; placed < 2; placed++) {
+        batten_model *model = empty_model(placed);
+        for (int format = 1; format <= BATTEN_FORMAT_OFF; format++) {
+            batten_write_options options = batten_write_defaults();
+            char *data = NULL;
+            size_t size = 0;
+            options.format = (batten_format)format;
+            options.schema = BATTEN_STEP_AP242;
+            CHECK_STATUS(batten_write_memory(model, &options, NULL, &data, &size),
+                         BATTEN_UNSUPPORTED);
+            CHECK(!data);
+        }
+        batten_model_unref(model);
+    }
 }
 
 /* A mesh and a line side by side in what is placed, the instance hidden. */

@@ -12,8 +12,8 @@ double bat_iges_tolerance(const bat_iges_reading *reading, double size)
     /* The largest coordinate that the file names is believed when it may be true. */
     const double extent =
         reading->extent >= size && reading->extent <= 1e4 * size ? reading->extent : size;
-    const double tolerance =
-        bat_min(bat_max(reading->resolution, BAT_WRITTEN * extent), 1e-3 * extent);
+    const double judged = bat_judged_accuracy(reading->resolution, extent, 1e-3, BAT_WRITTEN);
+    const double tolerance = bat_max(judged, BAT_WRITTEN * extent);
     return tolerance > 0 && isfinite(tolerance) ? tolerance : BAT_WRITTEN;
 }
 

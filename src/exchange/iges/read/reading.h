@@ -129,8 +129,8 @@ batten_status bat_iges_decode(bat_iges_reading *reading, const bat_iges_entry *e
 batten_status bat_iges_curve(bat_iges_reading *reading, int id, const batten_curve **out);
 batten_status bat_iges_surface(bat_iges_reading *reading, int id, const batten_surface **out);
 
-/* How far things that should meet may miss each other: the resolution of the file, from 1e-9 to
- * 1e-3 of the size of the model; `size` is that of what is at hand. */
+/* How far things that should meet may miss each other: the resolution of the file as bat_judged_accuracy
+ * judges it, and at least 1e-9 of the size of the model; `size` is that of what is at hand. */
 double bat_iges_tolerance(const bat_iges_reading *reading, double size);
 
 /* A fault of data in another entity: its number before the message. */

@@ -1,4 +1,4 @@
-/* Sorts the 80-column records into sections, and reads the directory and the global section. */
+/* Sorts the 80-column records into sections, and reads the directory. */
 #include "exchange/iges/text/data.h"
 
 #include <limits.h>
@@ -236,61 +236,4 @@ void bat_iges_end(bat_iges_file *file)
     bat_release(file->directory.items);
     bat_release(file->entries.items);
     bat_release(file->runs.items);
-}
-
-/* ---- the global section ---- */
-
-static bool may_delimit(char c)
-{
-    return c > ' ' && c < 127 && !strchr("0123456789+-.DEHde", c);
-}
-
-static size_t past_blanks(bat_span text, size_t at)
-{
-    while (at < text.length && text.bytes[at] == ' ')
-        at++;
-    return at;
-}
-
-/* The first two global parameters, "1Hc" or nothing each, say the delimiters. */
-static batten_status read_delimiters(bat_iges_file *file, bat_span text, size_t *at)
-{
-    char found[2] = {',', ';'};
-    for (int k = 0; k < 2; k++) {
-        *at = past_blanks(text, *at);
-        if (text.length - *at >= 4 && memcmp(text.bytes + *at, "1H", 2) == 0) {
-            found[k] = text.bytes[*at + 2];
-            *at = past_blanks(text, *at + 3);
-        }
-        if (*at >= text.length || text.bytes[*at] != found[0])
-            return bat_input_fail(file->input, BATTEN_BAD_FORMAT, 0,
-                                  "the global section does not begin with its delimiters");
-        (*at)++;
-    }
-    if (!may_delimit(found[0]) || !may_delimit(found[1]) || found[0] == found[1]) {
-        char first[BAT_SHOWN_SIZE], second[BAT_SHOWN_SIZE];
-        return bat_input_fail(file->input, BATTEN_BAD_FORMAT, 0,
-                              "the global section names '%s' and '%s' as delimiters",
-                              bat_shown(&found[0], 1, first), bat_shown(&found[1], 1, second));
-    }
-    file->delimiters = (bat_iges_delimiters){found[0], found[1]};
-    return BATTEN_OK;
-}
-
-batten_status bat_iges_global(bat_iges_file *file)
-{
-    const bat_span text = {file->global.text.items, file->global.text.count};
-    size_t at = 0;
-    bool done = false;
-    if (text.length == 0)
-        return bat_input_fail(file->input, BATTEN_BAD_FORMAT, 0, "there is no global section");
-    batten_status status = read_delimiters(file, text, &at);
-    if (status != BATTEN_OK)
-        return status;
-    status = bat_iges_tokenise(file->input, file->delimiters, &file->global, &at, &done);
-    if (status == BATTEN_OK && !done)
-        status = bat_fail(BATTEN_BAD_FORMAT, "the parameters have no end");
-    if (status != BATTEN_BAD_FORMAT)
-        return status;
-    return bat_input_fail(file->input, status, 0, "global section: %.200s", batten_message());
 }

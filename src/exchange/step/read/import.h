@@ -18,6 +18,7 @@ typedef struct {
     bat_list placed;          /* and with one */
     bat_list occurrences;     /* CONTEXT_DEPENDENT_SHAPE_REPRESENTATION */
     bat_list definitions;     /* SHAPE_DEFINITION_REPRESENTATION */
+    bat_list roots;           /* items that are whole shapes */
 } bat_step_outline;
 
 typedef struct {

@@ -30,6 +30,14 @@ void bat_step_scale_of(bat_step_import *import, bat_step_representation *of,
     bat_step_units_of(&import->file, &import->units, of->context, scale);
 }
 
+void bat_step_first_scale(bat_step_import *import, bat_step_scale *scale)
+{
+    if (import->representations.count)
+        bat_step_scale_of(import, import->representations.items, scale);
+    else
+        bat_step_units_of(&import->file, &import->units, NULL, scale);
+}
+
 batten_status bat_step_items_of(const bat_step_import *import,
                                 const bat_step_representation *of, int *count, size_t *at)
 {

@@ -306,6 +306,7 @@ batten_status bat_step_read_products(bat_step_import *import, batten_model **out
         .import = import, .way = {.size = sizeof(level)}, .parts = {.size = sizeof(part)}};
     bat_list roots = {.size = sizeof(uint32_t)};
     uint32_t *next = NULL;
+    batten_model *model = NULL;
     batten_status status = bat_step_find_representations(import);
     if (status == BATTEN_OK)
         status = bat_step_find_placings(import);
@@ -318,7 +319,13 @@ batten_status bat_step_read_products(bat_step_import *import, batten_model **out
         status = make_all(&m, &roots);
     }
     if (status == BATTEN_OK)
-        status = join_roots(import, &roots, out);
+        status = join_roots(import, &roots, &model);
+    if (status == BATTEN_OK)
+        status = bat_step_read_roots(import, model);
+    if (status == BATTEN_OK)
+        *out = model;
+    else
+        batten_model_unref(model);
     for (size_t k = 0; k < import->representations.count; k++)
         batten_model_unref(definition(import, (uint32_t)k)->model);
     bat_release(next);

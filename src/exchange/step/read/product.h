@@ -40,6 +40,11 @@ void bat_step_scale_of(bat_step_import *import, bat_step_representation *of,
 batten_status bat_step_items_of(const bat_step_import *import,
                                 const bat_step_representation *of, int *count, size_t *at);
 
+/* The scale of the first representation. */
+void bat_step_first_scale(bat_step_import *import, bat_step_scale *scale);
+/* roots.c: add what no product leads to, or leave it out by name. Cost: one pass over the file when something is left. */
+batten_status bat_step_read_roots(bat_step_import *import, batten_model *model);
+
 /* outline.c: find the representations and tie them together */
 batten_status bat_step_find_representations(bat_step_import *import);
 /* assembly.c: find what is placed in what; sorted by parent and instance */

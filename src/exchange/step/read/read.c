@@ -19,34 +19,9 @@ typedef enum {
     REPRESENTATION,
     RELATION,
     PLACED,
-    OCCURRENCE
+    OCCURRENCE,
+    ROOT
 } purpose;
-
-static char upper(char c)
-{
-    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
-}
-
-static bool is_same(const char *bytes, const char *word, size_t length)
-{
-    for (size_t i = 0; i < length; i++)
-        if (upper(bytes[i]) != word[i])
-            return false;
-    return true;
-}
-
-static bool is_word(const bat_step_record *record, const char *word)
-{
-    const size_t length = strlen(word);
-    return record->keyword_length == length && is_same(record->keyword, word, length);
-}
-
-static bool ends_with(const bat_step_record *record, const char *word)
-{
-    const size_t length = strlen(word);
-    return record->keyword_length >= length &&
-           is_same(record->keyword + record->keyword_length - length, word, length);
-}
 
 static purpose purpose_of(const bat_step_record *record)
 {
@@ -65,18 +40,27 @@ static purpose purpose_of(const bat_step_record *record)
                  {"REPRESENTATION_RELATIONSHIP", RELATION},
                  {"REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION", PLACED},
                  {"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", OCCURRENCE}};
-    if (is_word(record, "GROUP"))
+    /* Items that are whole shapes; shells, faces and curves are mostly parts of them. */
+    static const char *const roots[] = {
+        "_BREP",           "BREP_WITH_VOIDS", "_SOLID",
+        "SOLID_REPLICA",   "BOOLEAN_RESULT",  "SURFACE_MODEL",
+        "WIREFRAME_MODEL", "GEOMETRIC_SET",   "GEOMETRIC_CURVE_SET"};
+    if (bat_step_is_keyword(record, "GROUP"))
         return GROUP;
     /* Most of a file are points and such. */
-    if (record->keyword_length < 11 || is_word(record, "CARTESIAN_POINT"))
+    if (record->keyword_length < 11 || bat_step_is_keyword(record, "CARTESIAN_POINT"))
         return NONE;
     for (size_t k = 0; k < sizeof words / sizeof words[0]; k++)
-        if (is_word(record, words[k].word))
+        if (bat_step_is_keyword(record, words[k].word))
             return words[k].purpose;
-    return ends_with(record, "SHAPE_REPRESENTATION") ||
-                   ends_with(record, "WIREFRAME_REPRESENTATION") ||
-                   ends_with(record, "SHAPE_REPRESENTATION_WITH_PARAMETERS") ||
-                   is_word(record, "TESSELLATED_SHAPE_REPRESENTATION_WITH_ACCURACY_PARAMETERS")
+    for (size_t k = 0; k < sizeof roots / sizeof roots[0]; k++)
+        if (bat_step_keyword_ends(record, roots[k]))
+            return ROOT;
+    return bat_step_keyword_ends(record, "SHAPE_REPRESENTATION") ||
+                   bat_step_keyword_ends(record, "WIREFRAME_REPRESENTATION") ||
+                   bat_step_keyword_ends(record, "SHAPE_REPRESENTATION_WITH_PARAMETERS") ||
+                   bat_step_is_keyword(
+                       record, "TESSELLATED_SHAPE_REPRESENTATION_WITH_ACCURACY_PARAMETERS")
                ? REPRESENTATION
                : NONE;
 }
@@ -113,6 +97,8 @@ static batten_status take_note(bat_step_import *import, const bat_step_instance 
         return bat_list_add(import->input, &outline->placed, &index);
     case OCCURRENCE:
         return bat_list_add(import->input, &outline->occurrences, &index);
+    case ROOT:
+        return bat_list_add(import->input, &outline->roots, &index);
     }
     return BATTEN_OK;
 }
@@ -151,7 +137,8 @@ static void note_schema(const bat_step_import *import)
     const char *schema = import->file.schema;
     const size_t length = strlen(schema);
     for (size_t k = 0; k < sizeof known / sizeof known[0]; k++)
-        if (length >= strlen(known[k]) && is_same(schema, known[k], strlen(known[k])))
+        if (length >= strlen(known[k]) &&
+            bat_step_same_word(schema, known[k], strlen(known[k])))
             return;
     batten_notes_add(import->input->notes, import->input->file, 0, "",
                      "unknown schema '%.100s'; the entities that are known are read", schema);
@@ -203,7 +190,8 @@ batten_status bat_read_step(bat_input *input, batten_model **out)
 {
     const bat_list indices = {.size = sizeof(uint32_t)};
     bat_step_import import = {
-        .input = input, .outline = {indices, indices, indices, indices, indices, indices}};
+        .input = input,
+        .outline = {indices, indices, indices, indices, indices, indices, indices}};
     batten_status status = bat_step_begin(input, &import.file);
     if (status != BATTEN_OK)
         return status;
@@ -212,10 +200,15 @@ batten_status bat_read_step(bat_input *input, batten_model **out)
     bat_step_styles_begin(&import.file, &import.styles);
     bat_step_groups_begin(&import.file, &import.groups);
     status = read_all(&import, out);
-    bat_list *lists[] = {&import.outline.representations, &import.outline.maps,
-                         &import.outline.relations,       &import.outline.placed,
-                         &import.outline.occurrences,     &import.outline.definitions,
-                         &import.representations,         &import.placings};
+    bat_list *lists[] = {&import.outline.representations,
+                         &import.outline.maps,
+                         &import.outline.relations,
+                         &import.outline.placed,
+                         &import.outline.occurrences,
+                         &import.outline.definitions,
+                         &import.outline.roots,
+                         &import.representations,
+                         &import.placings};
     for (size_t k = 0; k < sizeof lists / sizeof lists[0]; k++)
         bat_release(lists[k]->items);
     bat_step_topology_close(&import.topology);

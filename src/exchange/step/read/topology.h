@@ -127,7 +127,7 @@ batten_status bat_step_read_bounds(bat_step_topology *topology, const bat_step_i
  * surface, if it is given. */
 batten_status bat_step_put_loops(bat_step_topology *topology, const bat_step_instance *surface);
 
-/* ---- edge_order.c ---- */
+/* ---- edges.c: their order ---- */
 
 batten_status bat_step_sort_edges(bat_step_topology *topology);
 

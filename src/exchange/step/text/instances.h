@@ -78,6 +78,11 @@ const bat_step_record *bat_step_as(const bat_step_file *file, const bat_step_ins
 /* The first of its records: that of a simple instance. */
 const bat_step_record *bat_step_first(const bat_step_file *file,
                                       const bat_step_instance *instance);
+/* Is the keyword of the record this one; does it end so? The word is in upper case, the file's in either. */
+bool bat_step_is_keyword(const bat_step_record *record, const char *word);
+bool bat_step_keyword_ends(const bat_step_record *record, const char *word);
+/* Are so many bytes, in either case, those of the word, which is in upper case? */
+bool bat_step_same_word(const char *bytes, const char *word, size_t length);
 /* Its keyword in upper case, cut to the buffer; of a complex instance the last in the alphabet
  * with B_SPLINE in it, else the first record. Handed back for convenience. */
 #define BAT_STEP_KEYWORD_SIZE 80

@@ -81,6 +81,40 @@ TEST(a_trimmed_surface_keeps_both_families_of_curves_and_a_hole)
     }
 }
 
+/* The resolution, and the tolerance that a face of size 4 sqrt(2) gets. */
+static const struct {
+    const char *stated;
+    double least, most;
+} resolutions[] = {
+    {"0.9", 5e-6, 6e-6},  {"1E99", 5e-6, 6e-6}, {"0.", 5e-6, 1.3e-5},
+    {"1E-4", 1e-4, 1e-4}, {"1E-6", 1e-6, 1e-6}, {"1E-300", 4e-9, 1e-8},
+};
+
+TEST(a_resolution_that_makes_no_sense_at_the_size_is_not_believed)
+{
+    for (int k = 0; k < COUNT(resolutions); k++) {
+        iges_text file = iges_begin();
+        char text[80], global[300];
+        const int surface = iges_add(&file, 128, 0, 0, 0, part, SQUARE);
+        const int outer = add_boundary(&file, surface, 0, 4, true, true, false);
+        const int hole = add_boundary(&file, surface, 1, 3, true, true, true);
+        snprintf(text, sizeof text, "144,%d,1,1,%d,%d;", surface, outer, hole);
+        iges_add(&file, 144, 0, 0, 3, root, text);
+        snprintf(
+            global, sizeof global,
+            "1H,,1H;,1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,1.,6,1HM,1,0.,13H260101.000000,%s,,"
+            ",,11,0,;",
+            resolutions[k].stated);
+        batten_model *model = read_noting(iges_end(&file, global), BATTEN_FORMAT_AUTO, "");
+        const double tolerance =
+            batten_body_view(batten_model_object(model, 0)->body)->tolerance;
+        CHECK(tolerance >= resolutions[k].least * (1 - 1e-12));
+        CHECK(tolerance <= resolutions[k].most * (1 + 1e-12));
+        check_area(model, 12);
+        batten_model_unref(model);
+    }
+}
+
 TEST(without_an_outer_boundary_the_border_of_the_surface_is_it)
 {
     iges_text file = iges_begin();

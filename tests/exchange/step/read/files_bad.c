@@ -247,7 +247,8 @@ TEST(a_surface_of_one_point_is_left_out)
         "#1301=BEZIER_SURFACE('',1,1,((#1,#2),(#3,#4)),.UNSPECIFIED.,.F.,.F.,.F.);\n"};
     for (int k = 0; k < COUNT(surfaces); k++) {
         char text[300];
-        snprintf(text, sizeof text, "#990=SHAPE_REPRESENTATION('',(#1300),#900);\n%s",
+        snprintf(text, sizeof text,
+                 "#1000=BANANA('box',#181);\n#990=SHAPE_REPRESENTATION('',(#1300),#900);\n%s",
                  surfaces[k]);
         check_none(box_with(text));
     }

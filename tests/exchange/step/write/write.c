@@ -105,16 +105,6 @@ TEST(points_are_written_and_tables_are_not)
     batten_model_unref(model);
 }
 
-TEST(an_empty_model_gives_an_empty_product)
-{
-    batten_model *model = NULL;
-    CHECK_OK(batten_model_create(1, &model));
-    const char *text = step_text(model, NULL);
-    step_check(text);
-    CHECK_INT(step_count(text, "SHAPE_REPRESENTATION"), 1);
-    batten_model_unref(model);
-}
-
 /* ISO 10303-46, marker_type: dot, x, plus, asterisk, ring, square, triangle. */
 TEST(coloured_points_have_a_marker_that_the_standard_knows)
 {
