@@ -80,6 +80,34 @@ BATTEN_API batten_status batten_edge_ribbon(const batten_surface *surface, batte
                                             int order, double tolerance, double *error,
                                             batten_curve **curves);
 
+/** How a surface joins another one along an edge. */
+typedef struct batten_edge_join {
+    double gap; /**< the largest distance from the other edge, model units */
+    double
+        angle; /**< the largest angle between both tangent planes, radians; above pi / 2 they turn back */
+    batten_vec3 at; /**< where that is */
+    double
+        curvature; /**< the largest normal curvature of the other across the edge, 1 / length */
+    double curvature_difference; /**< of both across the edge, at most */
+} batten_edge_join;
+
+/**
+ * How far an edge of a surface is from continuing another surface that has an edge along it: what was made to be
+ * smooth with a neighbour is measured against this neighbour itself.
+ *
+ * @param edge  of a surface in space
+ * @param beside  in space; one of its edges, or a part of one, runs along the edge
+ * @param tolerance  model units, above 0: how far both edges may be apart
+ * @param[out] out  the largest of 17 places of every span; places where one of both has no normal do not count
+ * @return BATTEN_OK; BAD_ARGUMENT for surfaces that are not in space, NOT_FOUND with the distance of the nearest edge,
+ * OUT_OF_MEMORY
+ *
+ * Cost: two points and some steps along the other edge for each place.
+ */
+BATTEN_API batten_status batten_surface_edge_join(batten_surface_edge edge,
+                                                  const batten_surface *beside,
+                                                  double tolerance, batten_edge_join *out);
+
 /** One curve's place in a loop. */
 typedef struct batten_loop_place {
     int curve;     /**< which of the given ones */

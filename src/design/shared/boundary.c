@@ -196,8 +196,10 @@ batten_status bat_boundary_along(bat_run *run, const char *parameter, int order,
         return status;
     status = match_sides(&surfaces, tolerance, boundary, matches);
     for (int e = 0; status == BATTEN_OK && e < 4; e++)
-        if (matches[e] >= 0)
+        if (matches[e] >= 0) {
+            boundary->beside[e] = batten_surface_ref(surfaces.at[matches[e]]->surface);
             status = take_slope(run, surfaces.at[matches[e]], e, order, tolerance, boundary);
+        }
     for (int e = 0; e < 4; e++)
         set_side(boundary, e);
     bat_objects_release(&surfaces);
@@ -206,7 +208,9 @@ batten_status bat_boundary_along(bat_run *run, const char *parameter, int order,
 
 void bat_boundary_release(bat_boundary *boundary)
 {
-    for (int e = 0; e < 4; e++)
+    for (int e = 0; e < 4; e++) {
+        batten_surface_unref(boundary->beside[e]);
         for (int k = 0; k < 3; k++)
             batten_curve_unref(boundary->curves[e][k]);
+    }
 }

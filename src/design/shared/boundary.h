@@ -14,6 +14,7 @@
 typedef struct {
     batten_curve *curves[4][3]; /* by batten_edge: curve, slope, curvature */
     batten_ribbon sides[4];
+    batten_surface *beside[4]; /* the surface along each side, or NULL; owned */
 } bat_boundary;
 
 /* The curves of an argument, in space, put into a loop and cut into sides; remarks say which

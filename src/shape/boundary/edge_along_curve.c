@@ -6,8 +6,8 @@
 
 enum { PROBES = 17 };
 
-static batten_status edge_curve(const batten_surface *surface, batten_edge edge,
-                                double tolerance, batten_curve **out)
+batten_status bat_take_edge(const batten_surface *surface, batten_edge edge, double tolerance,
+                            batten_curve **out)
 {
     const bat_edge_place place = bat_edge_of(surface, edge);
     double error;
@@ -64,7 +64,7 @@ batten_status bat_edge_beside(const batten_surface *surface, const batten_curve 
     for (int e = 0; status == BATTEN_OK && e < 4; e++) {
         batten_curve *candidate = NULL;
         double far = 0, places[2] = {0, 0};
-        status = edge_curve(surface, (batten_edge)e, tolerance, &candidate);
+        status = bat_take_edge(surface, (batten_edge)e, tolerance, &candidate);
         if (status == BATTEN_OK)
             status = probe(candidate, points, tolerance, &far, places);
         if (status == BATTEN_OK && far < nearest && places[0] != places[1]) {

@@ -24,6 +24,11 @@ bat_edge_place bat_edge_of(const batten_surface *surface, batten_edge edge);
 batten_status bat_edge_fit(const batten_surface *surface, batten_edge edge, int k,
                            double tolerance, batten_curve **out, double *error);
 
+/* An edge as a curve over the parameter along it, exact or within a quarter of the tolerance, which is above 0 for
+ * surfaces that are no NURBS (edge_along_curve.c). */
+batten_status bat_take_edge(const batten_surface *surface, batten_edge edge, double tolerance,
+                            batten_curve **out);
+
 /*
  * The edge that runs along a curve within `tolerance`, or of which the curve runs along a part,
  * and the places of the curve's two ends on it (edge_along_curve.c). A surface that is no NURBS

@@ -25,7 +25,7 @@ static const batten_parameter parameters[] = {
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far corners may be open, and curves be from surfaces; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.01 deg", NULL,
-     "with 'along': how far the spline may leave the tangent planes taken over"},
+     "with 'along': how far the result may leave the tangent planes taken over"},
 };
 
 /* What a run takes and holds. */
@@ -143,19 +143,13 @@ static batten_status advise(const work *w, const batten_surface_coons_report *fo
                     batten_message());
 }
 
-/* The slopes that gave way: how far from smooth the joins are now. */
+/* The slopes that gave way; how far from smooth the joins are now is measured later. */
 static void report_repair(const work *w, const batten_surface_coons_report *found)
 {
-    int worst = 0;
-    for (int e = 1; e < 4; e++)
-        if (found->angle[e] > found->angle[worst])
-            worst = e;
     bat_note(w->run,
              "slope and boundary curve differ by %.3g per unit of the parameter at corner %d, "
-             "where the curve leaves the tangent plane at %.3g degrees; corrected: the patch "
-             "is up to %.3g degrees off the tangent planes along %s",
-             found->slope_gap, found->slope_corner, found->slope_angle * DEGREES,
-             found->angle[worst] * DEGREES, edge_name(worst));
+             "where the curve leaves the tangent plane at %.3g degrees; the slope is corrected",
+             found->slope_gap, found->slope_corner, found->slope_angle * DEGREES);
 }
 
 /* What did not fit, and what became of it. */
@@ -214,14 +208,21 @@ static batten_status run_coons(bat_run *run)
     batten_surface *surface = NULL;
     work w = {.run = run, .options = batten_surface_coons_defaults()};
     batten_status status = make_coons(&w, &surface);
-    bat_smooth_wish wish = {{NULL}, bat_tolerance(run), bat_number(run, "angle")};
-    for (int e = 0; e < 4; e++)
+    bat_smooth_wish wish = {.within = bat_tolerance(run),
+                            .angle = bat_number(run, "angle"),
+                            .curvature = w.options.order > 2,
+                            .gives_way =
+                                w.options.repair || w.options.twist != BATTEN_TWIST_GREGORY};
+    for (int e = 0; e < 4; e++) {
         wish.names[e] = w.boundary.sides[e].slope ? edge_name(e) : NULL;
+        wish.beside[e] = w.boundary.beside[e];
+    }
+    status = bat_has(run, "along") ? bat_put_smooth_surface(run, status, surface, &wish)
+                                   : bat_put_surface(run, status, surface);
     bat_boundary_release(&w.boundary);
     for (int i = 0; i < 6; i++)
         batten_curve_unref(w.functions[i]);
-    return bat_has(run, "along") ? bat_put_smooth_surface(run, status, surface, &wish)
-                                 : bat_put_surface(run, status, surface);
+    return status;
 }
 
 const bat_feature bat_feature_coons = {
@@ -239,8 +240,9 @@ const bat_feature bat_feature_coons = {
          "surface) and 'blend' between them with continuity G1; 'repair: yes' corrects the slopes\n"
          "instead and reports by how many degrees the patch then leaves the tangent planes. Gaps\n"
          "between slopes are vectors per unit of the parameter. Unless curves are rational, or\n"
-         "twists differ under the policy 'gregory', the result is exact; otherwise a spline, whose\n"
-         "tangent planes are measured along every side and stay within 'angle'.",
+         "twists differ under the policy 'gregory', the result is exact; otherwise a spline. Tangent\n"
+         "planes, and curvatures of the kind 'third', are measured along every side against the\n"
+         "surfaces given; more than 'angle' is noted, or refused when you state the angle.",
          "features:\n"
          "  keel: {line: [[0, 0, 0], [4, 0, 0]]}\n"
          "  stern: {conic: [[0, 0, 0], [0, 1, 0.2], [0, 1, 1.5]], weight: 1}\n"

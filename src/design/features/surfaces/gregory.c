@@ -29,8 +29,9 @@ static batten_status run_gregory(bat_run *run)
                    : BATTEN_OUT_OF_MEMORY;
     bat_release(sides);
     bat_objects_release(&curves);
-    const bat_smooth_wish wish = {
-        {"v = 0", "u = 1", "v = 1", "u = 0"}, within, bat_number(run, "angle")};
+    const bat_smooth_wish wish = {.names = {"v = 0", "u = 1", "v = 1", "u = 0"},
+                                  .within = within,
+                                  .angle = bat_number(run, "angle")};
     return bat_put_smooth_surface(run, status, patch, &wish);
 }
 

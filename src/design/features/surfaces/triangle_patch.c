@@ -23,15 +23,18 @@ static const batten_parameter parameters[] = {
 typedef struct {
     batten_ribbon ribbons[3];
     batten_curve *owned[3][2];
+    batten_surface *beside[3];
     batten_loop_place places[3];
     double within;
 } sides;
 
 static void sides_release(sides *all)
 {
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
+        batten_surface_unref(all->beside[i]);
         for (int k = 0; k < 2; k++)
             batten_curve_unref(all->owned[i][k]);
+    }
 }
 
 /* A plane curve is one of space. */
@@ -174,6 +177,7 @@ static batten_status take_slope(bat_run *run, neighbours *beside, int place, sid
             all->owned[i][c] = ribbon[c];
         }
         all->ribbons[i] = (batten_ribbon){ribbon[0], ribbon[1], NULL};
+        all->beside[i] = batten_surface_ref(beside->surfaces[k]);
         if (error > 0)
             bat_report_error(run, error, error);
         break;
@@ -199,11 +203,12 @@ static batten_status take_slopes(bat_run *run, sides *all)
 static bat_smooth_wish smooth_wish(const bat_run *run, const bat_objects *curves,
                                    const sides *all)
 {
-    bat_smooth_wish wish = {{NULL}, all->within, bat_number(run, "angle")};
+    bat_smooth_wish wish = {.within = all->within, .angle = bat_number(run, "angle")};
     static const batten_edge edges[3] = {BATTEN_EDGE_U1, BATTEN_EDGE_V1, BATTEN_EDGE_V0};
     for (int place = 0; place < 3; place++) {
         const int i = all->places[place].curve;
         wish.names[edges[place]] = all->ribbons[i].slope ? curves->at[i]->name : NULL;
+        wish.beside[edges[place]] = all->beside[i];
     }
     return wish;
 }

@@ -251,6 +251,56 @@ TEST(a_repair_says_by_how_many_degrees_it_misses_the_neighbour)
     /* Level in both corners of the strip, which rises by 45 degrees. */
     if (batten_notes_dropped(notes) == 0)
         CHECK(has_note(notes, "up to 45 degrees off the tangent planes along the first side"));
+    CHECK(!has_note(notes, "are kept to"));
+    batten_notes_free(notes);
+    batten_design_free(design);
+}
+
+TEST(an_angle_that_is_asked_for_is_met_by_the_given_planes_or_refused)
+{
+    /* The arc leaves the plane by 0.02 degrees, whose slope differs by less than the tolerance of 1 cm. */
+    static const char text[] =
+        "batten: 1\nunits: m\nfeatures:\n"
+        "  s: {line: [[0, 0, 0], [1, 0, 0]]}\n  e: {line: [[1, 0, 0], [1, 1, 0.00035]]}\n"
+        "  n: {line: [[0, 1, 0], [1, 1, 0.00035]]}\n  w: {line: [[0, 0, 0], [0, 1, 0]]}\n"
+        "  strip: {extrude: s, along: [0, -1, 0]}\n"
+        "  a: {coons: [s, e, n, w], along: strip, within: 1 cm%s}\n";
+    static const char *const more[] = {"", ", angle: 0.03 deg", ", angle: 0.01 deg"};
+    static const char *const words[] = {"up to 0.0201 degrees off", "kept to 0.02 degrees",
+                                        "up to 0.0201 degrees off the tangent planes"};
+    for (int i = 0; i < COUNT(more); i++) {
+        char given[2000];
+        batten_notes *notes = NULL;
+        batten_design *design = NULL;
+        CHECK_OK(batten_notes_create(100, &notes));
+        snprintf(given, sizeof given, text, more[i]);
+        CHECK_STATUS(evaluate(given, notes, &design),
+                     i < 2 ? BATTEN_OK : BATTEN_TOLERANCE_NOT_MET);
+        if (i == 2)
+            CHECK_MESSAGE(words[i]);
+        else
+            CHECK(batten_notes_dropped(notes) > 0 || has_note(notes, words[i]));
+        batten_notes_free(notes);
+        batten_design_free(design);
+    }
+}
+
+TEST(a_patch_of_the_third_kind_says_how_far_curvatures_are_off)
+{
+    /* Straight sides that leave a tube of radius 1 along its tangent plane. */
+    static const char text[] =
+        "batten: 1\nunits: m\nfeatures:\n"
+        "  arc: {arc: 1 m, angle: 90 deg, axis: y, from: x}\n"
+        "  tube: {extrude: arc, along: [0, 1, 0]}\n"
+        "  s: {line: [[1, 0, 0], [1, 1, 0]]}\n  w: {line: [[1, 0, 0], [1, 0, 1]]}\n"
+        "  e: {move: w, by: [0, 1, 0]}\n  n: {move: s, by: [0, 0, 1]}\n"
+        "  a: {coons: [s, e, n, w], along: tube, kind: third, repair: yes}\n";
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    CHECK_OK(batten_notes_create(100, &notes));
+    CHECK_OK(evaluate(text, notes, &design));
+    CHECK(batten_notes_dropped(notes) > 0 ||
+          has_note(notes, "curvatures across the edges differ by up to 1 per unit of length"));
     batten_notes_free(notes);
     batten_design_free(design);
 }

@@ -35,7 +35,7 @@ TEST(gregory_patches_of_three_and_four_curves_become_splines)
         bool said = batten_notes_dropped(notes) > 0; /* for lack of memory */
         for (int k = 0; k < batten_notes_count(notes); k++)
             said |= strstr(batten_notes_at(notes, k)->text,
-                           "tangent planes along the edges are kept to") != NULL;
+                           "keeps the tangent planes of the patch along its edges to") != NULL;
         CHECK(said);
         batten_design_free(design);
         batten_notes_free(notes);
