@@ -11,16 +11,20 @@ static int run_help(const arguments *given);
 
 static const option help_options[] = {
     {"as", 0, OPTION_VALUE, "FORM",
-     "print the whole manual as man, man-design, completion, or the schema of designs"},
+     "print the whole manual as man, man-design, completion, literature, or the schema of designs"},
 };
 
 /* The manual is made from the table of commands, so it is the one command that belongs here. */
 static const command command_help = {
     .name = "help",
-    .usage = "[TOPIC]",
+    .usage = "[TOPIC | WORD ...]",
     .summary = "the manual, offline",
-    .manual = "TOPIC is a command, a feature, 'features', 'design', 'formats' or 'files'.",
-    .most_files = 1,
+    .manual =
+        "TOPIC is a command, a feature, 'features', 'design', 'formats' or 'files'. Any other\n"
+        "WORDs are looked for in the whole manual, with accents or without: names that books\n"
+        "and other programs use, authors, parameters, places in the literature ('batten help\n"
+        "section III.6', 'batten help paper 10', 'batten help formula 12.7.14').",
+    .most_files = 16,
     .option_count = 1,
     .options = help_options,
     .run = run_help,

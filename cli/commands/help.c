@@ -1,6 +1,8 @@
 /* `batten help`: what is printed about commands, features, designs, files and formats. */
 #include "commands/help.h"
+#include "commands/literature.h"
 #include "commands/manual.h"
+#include "commands/search.h"
 #include "formats.h"
 
 #include <batten/design.h>
@@ -119,9 +121,33 @@ static const char *kind_name(const batten_parameter *p)
     return (size_t)p->kind < sizeof names / sizeof names[0] ? names[p->kind] : "a value";
 }
 
+static void add_other_names(batten_text *text, const char *also)
+{
+    batten_text line = BATTEN_TEXT;
+    char *words = NULL;
+    batten_text_add(&line, "Also known as: %s.", also);
+    if (batten_text_take(&line, &words, NULL) == BATTEN_OK)
+        literature_wrap(text, "", words);
+    batten_text_add(text, "\n");
+    batten_release(words);
+}
+
+static void add_formula(batten_text *text, const batten_feature *f)
+{
+    batten_text_add(text, "Formula:\n\n%s\n\n", f->formula);
+    literature_wrap(text, "", f->promise);
+    batten_text_add(text, "\n");
+}
+
 static void add_feature(batten_text *text, const batten_feature *f)
 {
-    batten_text_add(text, "%s: %s\n\n%s\n\nParameters:\n", f->name, f->summary, f->manual);
+    batten_text_add(text, "%s: %s\n\n", f->name, f->summary);
+    if (f->also)
+        add_other_names(text, f->also);
+    batten_text_add(text, "%s\n\n", f->manual);
+    if (f->formula)
+        add_formula(text, f);
+    batten_text_add(text, "Parameters:\n");
     for (int i = 0; i < f->parameter_count; i++) {
         const batten_parameter *p = &f->parameters[i];
         batten_text_add(text, "  %-14s %s%s", p->name, kind_name(p),
@@ -134,8 +160,10 @@ static void add_feature(batten_text *text, const batten_feature *f)
                         p->summary);
     }
     batten_text_add(text, "\nExample:\n\n%s\n\nIn C: %s\n", f->example, f->function);
-    if (f->source && *f->source)
-        batten_text_add(text, "Source: %s\n", f->source);
+    if (f->source && *f->source) {
+        batten_text_add(text, "Sources:\n");
+        literature_add_sources(text, f);
+    }
 }
 
 static const char design_manual[] =
@@ -212,6 +240,8 @@ static int print_as(const char *form, const command_table *table)
         manual_design_page(&text);
     } else if (strcmp(form, "completion") == 0) {
         manual_completion(&text, table);
+    } else if (strcmp(form, "literature") == 0) {
+        literature_page(&text);
     } else if (strcmp(form, "schema") == 0) {
         char *json = NULL;
         const batten_status status = batten_design_schema(&json);
@@ -220,8 +250,9 @@ static int print_as(const char *form, const command_table *table)
         batten_text_add(&text, "%s\n", json);
         batten_release(json);
     } else {
-        complain("batten help: --as knows man, man-design, completion and schema, not '%s'",
-                 form);
+        complain(
+            "batten help: --as knows man, man-design, completion, literature and schema, not '%s'",
+            form);
         return EXIT_USAGE;
     }
     return output_print(&text);
@@ -257,13 +288,31 @@ static const command *find_command(const command_table *table, const char *topic
     return NULL;
 }
 
-int help_show(const arguments *given, const command_table *table)
+/* The words that are given, with blanks between them; NULL for none. Yours to batten_release. */
+static char *take_topic(const arguments *given)
+{
+    batten_text words = BATTEN_TEXT;
+    char *topic = NULL;
+    for (int i = 0; i < given->file_count; i++)
+        batten_text_add(&words, "%s%s", i ? " " : "", given->files[i]);
+    if (given->file_count > 0)
+        (void)batten_text_take(&words, &topic, NULL);
+    return topic;
+}
+
+/* There is neither a topic of that name nor anything that has the words in it. */
+static int complain_of_topic(const char *topic)
+{
+    const char *near = batten_feature_nearest(topic);
+    complain("batten help: there is no topic '%s'%s%s%s; see 'batten help' and 'batten "
+             "help features'",
+             topic, near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
+    return EXIT_USAGE;
+}
+
+static int show_topic(const char *topic, const command_table *table)
 {
     batten_text text = BATTEN_TEXT;
-    const char *form = arguments_get(given, "as");
-    if (form)
-        return print_as(form, table);
-    const char *topic = given->file_count ? given->files[0] : NULL;
     const command *c = topic ? find_command(table, topic) : NULL;
     const batten_feature *f = topic ? find_feature(topic) : NULL;
     if (!topic)
@@ -285,10 +334,22 @@ int help_show(const arguments *given, const command_table *table)
         add_feature(&text, f);
     if (text.length > 0)
         return output_print(&text);
-
     const char *near = batten_feature_nearest(topic);
-    complain("batten help: there is no topic '%s'%s%s%s; see 'batten help' and 'batten "
-             "help features'",
-             topic, near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
-    return EXIT_USAGE;
+    if (search_add(&text, topic, table)) {
+        if (near)
+            batten_text_add(&text, "Or did you mean '%s'?\n", near);
+        return output_print(&text);
+    }
+    return complain_of_topic(topic);
+}
+
+int help_show(const arguments *given, const command_table *table)
+{
+    const char *form = arguments_get(given, "as");
+    if (form)
+        return print_as(form, table);
+    char *topic = take_topic(given);
+    const int status = show_topic(topic, table);
+    batten_release(topic);
+    return status;
 }

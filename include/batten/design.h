@@ -64,12 +64,19 @@ typedef struct batten_feature {
     const char *manual;  /**< paragraphs of plain text */
     const char *example; /**< sections of a design file, without the line "batten: 1"; it works.
                               Files that it reads: a table of offsets "offsets.csv" */
-    const char *source;  /**< keys of the bibliography */
+    const char
+        *source; /**< keys of the bibliography with places: "[SL section VI.3], [LF73]" */
     const char *function; /**< the C function */
     int parameter_count;
     const batten_parameter *parameters; /**< the first is the principal input; it has the
                                              name of the operation: {skin: frames} */
     bool is_output;                     /**< stands under outputs: makes a file, not a value */
+    const char
+        *also; /**< its other names, of books, authors and programs, with commas; or NULL */
+    const char *
+        formula; /**< lines of plain Unicode that define it, letters as in the source; or NULL */
+    const char
+        *promise; /**< what it minimises or guarantees, a sentence; NULL where formula is */
 } batten_feature;
 
 /** Features first, then outputs, in the order of the manual. */
@@ -95,6 +102,31 @@ BATTEN_API const char *batten_feature_nearest(const char *name);
  * Cost: linear in the table of features.
  */
 BATTEN_API batten_status batten_design_schema(char **json);
+
+/* ---- the literature ---- */
+
+/** A book or an article on which methods stand. */
+typedef struct batten_source {
+    const char *key;      /**< as in batten_feature.source, without brackets: "Akima70" */
+    const char *citation; /**< author, title, place and year, spelt out */
+} batten_source;
+/** NULL when there is none of that key. */
+BATTEN_API const batten_source *batten_source_find(const char *key);
+
+/** A place in a source whose places are all listed: which features stand on it can be asked. */
+typedef struct batten_source_place {
+    const char *key;     /**< of the source */
+    const char *place;   /**< "section VI.3", "paper 10", "formula 12.7.14" */
+    const char *subject; /**< what stands there */
+    const char *without; /**< why no feature stands on it, or what does instead; or NULL */
+} batten_source_place;
+/** All places, source after source, in the order of their pages. */
+BATTEN_API int batten_source_place_count(void);
+/** The place of this index, 0 .. batten_source_place_count() - 1. */
+BATTEN_API const batten_source_place *batten_source_place_at(int index);
+/** Does the feature name this place, or a range of formulas around it, among its sources? */
+BATTEN_API bool batten_feature_has_place(const batten_feature *feature,
+                                         const batten_source_place *place);
 
 /* ---- the document ---- */
 

@@ -61,7 +61,7 @@ typedef struct batten_surface_swung_report {
  * within one line; BAD_ARGUMENT, NOT_FINITE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
  *
  * Cost: linear in the control points of the result: the product of those of both.
- * Source: [PT97] 8.5 and 10.1; [Woodward87].
+ * Source: [PT97] 8.5 and 10.2; [Woodward87].
  */
 BATTEN_API batten_status batten_surface_swung(const batten_curve *profile,
                                               const batten_curve *trajectory, double factor,

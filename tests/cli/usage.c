@@ -145,12 +145,13 @@ TEST(help_shows_the_tables_that_are_read)
 TEST(help_finds_names_without_their_hyphens)
 {
     CHECK_CONTAINS(RUN("batten", "help", "gcode").out, "g-code: ");
-    CHECK_INT(RUN("batten", "help", "gcod").exit, 2);
+    CHECK_INT(RUN("batten", "help", "gcxode").exit, 2);
 }
 
 TEST(help_about_nothing_known_names_the_nearest)
 {
-    check_usage(RUN("batten", "help", "skinn"), "did you mean 'skin'");
+    check_usage(RUN("batten", "help", "skjn"), "did you mean 'skin'");
+    CHECK_CONTAINS(RUN("batten", "help", "skinn").out, "Or did you mean 'skin'?");
 }
 
 TEST(without_a_word_the_help_is_shown_and_the_status_is_that_of_wrong_usage)

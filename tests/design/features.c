@@ -172,7 +172,7 @@ static void check_keys(const char *bibliography, const char *feature, const char
 {
     for (const char *at = source; (at = strchr(at, '[')); at++) {
         char entry[60];
-        snprintf(entry, sizeof entry, "{%.*s,", (int)strcspn(at + 1, "]"), at + 1);
+        snprintf(entry, sizeof entry, "{%.*s,", (int)strcspn(at + 1, " ]"), at + 1);
         if (times_in(bibliography, entry) != 1)
             printf("%s: %s\n", feature, entry);
         CHECK_INT(times_in(bibliography, entry), 1);
@@ -189,6 +189,78 @@ TEST(every_source_is_in_the_bibliography_once)
         if (f->source)
             check_keys(bibliography, f->name, f->source);
     }
+}
+
+/* The groups whose operations follow from a formula. */
+static bool has_methods(const char *group)
+{
+    static const char *const begin[] = {"Curves ", "Arcs ", "Exact ", "Fairing", "Surfaces "};
+    for (size_t i = 0; i < sizeof begin / sizeof begin[0]; i++)
+        if (strncmp(group, begin[i], strlen(begin[i])) == 0)
+            return true;
+    return false;
+}
+
+TEST(every_curve_and_surface_method_has_its_formula_and_what_it_promises)
+{
+    for (int i = 0; i < batten_feature_count(); i++) {
+        const batten_feature *f = batten_feature_at(i);
+        const bool wanted = has_methods(batten_feature_group(i));
+        if (wanted && (!f->formula || !f->promise))
+            printf("%s has no formula, or no promise\n", f->name);
+        CHECK(!wanted || (f->formula && f->promise));
+        CHECK(!f->formula == !f->promise);
+        CHECK(!f->formula || strncmp(f->formula, "    ", 4) == 0);
+        CHECK(!f->promise || f->promise[strlen(f->promise) - 1] == '.');
+    }
+}
+
+TEST(every_operation_is_known_by_other_names)
+{
+    for (int i = 0; i < batten_feature_count(); i++) {
+        const batten_feature *f = batten_feature_at(i);
+        if (!f->also || !*f->also)
+            printf("%s has no other names\n", f->name);
+        CHECK(f->also && *f->also);
+    }
+}
+
+static bool has_feature(const batten_source_place *place)
+{
+    for (int i = 0; i < batten_feature_count(); i++)
+        if (batten_feature_has_place(batten_feature_at(i), place))
+            return true;
+    return false;
+}
+
+TEST(every_place_of_the_literature_has_a_feature_or_a_reason)
+{
+    CHECK(batten_source_place_count() > 70);
+    for (int i = 0; i < batten_source_place_count(); i++) {
+        const batten_source_place *place = batten_source_place_at(i);
+        CHECK(batten_source_find(place->key) != NULL);
+        if (has_feature(place) == (place->without != NULL))
+            printf("%s %s\n", place->key, place->place);
+        CHECK(has_feature(place) == (place->without == NULL));
+    }
+    CHECK(batten_source_find("Nobody00") == NULL);
+}
+
+static bool stands_on(const char *name, const char *key, const char *place)
+{
+    return batten_feature_has_place(batten_feature_find(name),
+                                    &(batten_source_place){key, place, "", NULL});
+}
+
+TEST(a_range_of_formulas_holds_those_within_it_and_no_others)
+{
+    CHECK(stands_on("interpolate-grid", "LN12", "formula 12.7.14"));
+    CHECK(stands_on("interpolate-grid", "LN12", "formula 12.7.30"));
+    CHECK(!stands_on("interpolate-grid", "LN12", "formula 12.7.31"));
+    CHECK(!stands_on("interpolate-grid", "LN12", "formula 12.8.14"));
+    CHECK(stands_on("interpolate", "SL", "section III.6"));
+    CHECK(!stands_on("interpolate", "SL", "section III.7"));
+    CHECK(!stands_on("interpolate", "Utah74", "section III.6"));
 }
 
 TEST(a_misspelt_operation_has_a_nearest_name)

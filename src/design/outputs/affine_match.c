@@ -175,5 +175,7 @@ const bat_feature bat_feature_affine_match = {
          "  other: {scale: frame, by: [2, 1, 1]}\n"
          "outputs:\n"
          "  same.txt: {affine-match: [frame, other], within: 1 um}\n",
-         "[SL] [SuXin80]", "batten_curve_affine_match", BAT_PARAMETERS(parameters), true},
+         "[SL section VIII.3] [SL section VIII.4] [SuXin80]", "batten_curve_affine_match",
+         BAT_PARAMETERS(parameters), true,
+         .also = "affine equivalence, same curve up to an affine map"},
     .run = run_affine_match};

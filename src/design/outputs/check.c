@@ -110,6 +110,9 @@ const bat_feature bat_feature_check = {
          "outputs:\n"
          "  report.txt: {check: sheer}\n"
          "  report.json: {check: sheer, within: 1 cm}\n",
-         "[SL]", "batten_curve_fairness", BAT_PARAMETERS(parameters), true},
+         "[SL section VII.1] [SL section VII.3]", "batten_curve_fairness",
+         BAT_PARAMETERS(parameters), true,
+         .also =
+             "verdict, fairness, report, continuity check, deviation, G0 G1 G2, curvature, inflections, quality"},
     .run = run_check,
     .takes_file = is_json};

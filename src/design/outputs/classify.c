@@ -388,6 +388,8 @@ const bat_feature bat_feature_classify = {
          "outputs:\n"
          "  spans.txt: {classify: sheer}\n"
          "  spans.json: {classify: sheer, within: 1e-6}\n",
-         "[SL] [Wang81] [SD89] [SWP08]", "batten_curve_census", BAT_PARAMETERS(parameters),
-         true},
+         "[SL section I.3] [SL section III.2] [SL section VIII.1] [SL section VIII.2] [SL section VIII.3] [Wang81] [SD89] [SWP08]",
+         "batten_curve_census", BAT_PARAMETERS(parameters), true,
+         .also =
+             "affine invariants, inflections, cusps, double points, loop, cubic classification"},
     .run = run_classify};

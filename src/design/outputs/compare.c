@@ -304,5 +304,6 @@ const bat_feature bat_feature_compare = {
          "outputs:\n"
          "  curves.svg: {compare: [chord, natural]}\n"
          "  curves.txt: {compare: [chord, natural]}\n",
-         "[SL] ch. VI", "batten_draw_panels", BAT_PARAMETERS(parameters), true},
+         "[SL chapter VI]", "batten_draw_panels", BAT_PARAMETERS(parameters), true,
+         .also = "comparison of methods, curvature comb, bending energy table"},
     .run = run_compare};

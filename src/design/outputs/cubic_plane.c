@@ -54,5 +54,7 @@ const bat_feature bat_feature_cubic_plane = {
          "  sheer: {interpolate: ducks}\n"
          "outputs:\n"
          "  plane.svg: {cubic-plane: sheer}\n",
-         "[SL] [Liu81]", "batten_draw_cubic_plane", BAT_PARAMETERS(parameters), true},
+         "[SL section III.3] [SL section III.4] [SL section III.5] [Liu81]",
+         "batten_draw_cubic_plane", BAT_PARAMETERS(parameters), true,
+         .also = "lambda mu plane, characteristic diagram, region R"},
     .run = run_cubic_plane};

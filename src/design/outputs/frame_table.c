@@ -66,5 +66,6 @@ const bat_feature bat_feature_frame_table = {
          "  pipe: {interpolate: ducks}\n"
          "outputs:\n"
          "  pipe.csv: {frame-table: pipe, count: 50}\n",
-         "[WJZL08]", "batten_curve_frames", BAT_PARAMETERS(parameters), true},
+         "[WJZL08]", "batten_curve_frames", BAT_PARAMETERS(parameters), true,
+         .also = "frames as table, robot path, CSV"},
     .run = run_frame_table};

@@ -59,5 +59,6 @@ const bat_feature bat_feature_gcode = {
          "  frame: {polyline: [[0, 0], [80, 0], [80, 50], [0, 50], [0, 0]]}\n"
          "outputs:\n"
          "  frame.nc: {g-code: frame, depth: -2, feed: 600}\n",
-         "", "batten_write_gcode", BAT_PARAMETERS(parameters), true},
+         "", "batten_write_gcode", BAT_PARAMETERS(parameters), true,
+         .also = "gcode, CNC, NC program, toolpath, router, G2 G3"},
     .run = run_gcode};

@@ -107,5 +107,7 @@ const bat_feature bat_feature_lines_plan = {
          "  hull: {skin: stations}\n"
          "outputs:\n"
          "  lines.svg: {lines-plan: hull, waterlines: 0.25 m, buttocks: 0.2 m, data: offsets}\n",
-         "", "batten_draw_lines_plan", BAT_PARAMETERS(parameters), true},
+         "", "batten_draw_lines_plan", BAT_PARAMETERS(parameters), true,
+         .also =
+             "lines drawing, body plan, half-breadth plan, sheer plan, waterlines, buttocks, hull drawing"},
     .run = run_lines_plan};

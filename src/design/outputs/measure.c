@@ -537,5 +537,7 @@ const bat_feature bat_feature_measure = {
          "outputs:\n"
          "  oval.txt: {measure: oval}\n"
          "  oval.json: {measure: oval}\n",
-         "[Toussaint83]", "batten_curve_region", BAT_PARAMETERS(parameters), true},
+         "[Toussaint83]", "batten_curve_region", BAT_PARAMETERS(parameters), true,
+         .also =
+             "length, area, volume, centroid, moments of inertia, curvature, inflections, bounding box, mass properties"},
     .run = run_measure};

@@ -173,6 +173,8 @@ const bat_feature bat_feature_picture = {
          "  sheer.svg: {picture: sheer, comb: yes, points: yes}\n"
          "  tank.png: {picture: tank, shading: zebra, width: 120, height: 80}\n"
          "  tank.svg: {picture: tank, hidden: dropped, silhouettes: yes}\n",
-         "", "batten_draw", BAT_PARAMETERS(parameters), true},
+         "[Utah74 paper 5]", "batten_draw", BAT_PARAMETERS(parameters), true,
+         .also =
+             "render, zebra, curvature comb, porcupine, shaded, plot, draw, isophotes, hidden lines, view"},
     .run = run_picture,
     .takes_file = is_picture};

@@ -83,6 +83,7 @@ const bat_feature bat_feature_write = {
          "  ducks: {points: [[0, 0, 0], [1 m, 20 cm, 0], [2 m, 30 cm, 0]]}\n"
          "outputs:\n"
          "  ducks.xyz: {write: ducks}\n",
-         "", "batten_write_memory", BAT_PARAMETERS(parameters), true},
+         "", "batten_write_memory", BAT_PARAMETERS(parameters), true,
+         .also = "export, save, STEP, IGES, DXF, STL, OBJ, SVG"},
     .run = run_write,
     .takes_file = is_any};

@@ -21,7 +21,7 @@ TEST(help_has_a_topic_for_every_command_and_feature)
          "line: The straight line between two points\n|  line           a point, or several, required\n                 both ends\n",
          ""},
         {"$BATTEN help circle", 0,
-         "  form           a word: square-9 triangle-7 square-7 (square-9)\n|Source: [PT97]\n",
+         "  form           a word: square-9 triangle-7 square-7 (square-9)\n|Sources:|Les Piegl and Wayne Tiller, The NURBS Book",
          "!usage"},
         {"$BATTEN help bspline", 0, "b-spline: ", ""},
         {"$BATTEN help features", 0,
@@ -39,7 +39,7 @@ TEST(help_has_a_topic_for_every_command_and_feature)
          "batten help: there is no topic 'cricle'; did you mean 'circle'; see"},
         {"$BATTEN help zzzzzzzzzz", 2, "", "there is no topic 'zzzzzzzzzz'; see 'batten help'"},
         {"$BATTEN help --as nothing", 2, "",
-         "--as knows man, man-design, completion and schema, not 'nothing'"},
+         "--as knows man, man-design, completion, literature and schema, not 'nothing'"},
         {"$BATTEN help --as schema > s.json && head -c 1 s.json", 0, "{", ""},
         {"$BATTEN help --as man", 0,
          ".TH BATTEN 1 |.SH NAME\nbatten \\- from points|.SS \"batten build DESIGN|.B \\-\\-output, \\-o DIR\n|.B \\-\\-json\nprint|.SH EXIT STATUS\n.TP\n.B \"0\"\ndone\n",
@@ -53,13 +53,72 @@ TEST(help_has_a_topic_for_every_command_and_feature)
          0, "=--allow-outside\n", ""},
         {"bash -c '. ./c.sh; COMP_WORDS=(batten help conic-p); COMP_CWORD=2; _batten; echo \"${COMPREPLY[@]}\"'",
          0, "=conic-pair\n", ""},
-        {"for f in $($BATTEN help features | sed -n 's/^  \\([a-z][a-z0-9-]*\\) .*/\\1/p'); do $BATTEN help $f | grep -q \"^$f: \" || echo $f; done",
+        {"for f in $($BATTEN help features | sed -n 's/^  \\([a-z][a-z0-9-]*\\) .*/\\1/p'); do $BATTEN help $f | grep \"^$f: \" > /dev/null || echo $f; done",
          0, "", ""},
         {"for c in build convert info; do $BATTEN help $c | sed -n 's/^\\(  --.*\\)/\\1/p' | cut -c27-28 | sort -u; done",
          0, "=  \n  \n  \n", ""},
         {"$BATTEN build --help | head -1", 0,
          "=usage: batten build DESIGN [-o DIR] [--set NAME=VALUE] [--only FEATURE]\n", ""},
         {"$BATTEN --version", 0, "batten ", ""},
+    };
+    RUN_LINES(rows);
+}
+
+/* What is looked for, and the feature that stands first. */
+static const struct {
+    const char *words, *first;
+} searches[] = {
+    {"mechanical spline", "elastica"},
+    {"Cornu spiral", "euler-spiral"},
+    {"Wielinga", "constrained"},
+    {"unisurf", "bezier"},
+    {"Ferguson", "interpolate"},
+    {"Overhauser", "bessel"},
+    {"cumulative chord", "interpolate"},
+    {"loft", "skin"},
+    {"rail", "two-rails"},
+    {"zebra", "contours"},
+    {"comb", "picture"},
+    {"dxf", "read"},
+    {"NURBS", "b-spline-surface"},
+    {"KURGLA", "mehlum"},
+    {"Metafont", "hobby"},
+    {"Bézier patch", "bezier-surface"},
+    {"bridge curve", "blend"},
+    {"birail", "two-rails"},
+    {"n-sided", "gregory"},
+    {"oriented bounding box", "box"},
+    {"PCHIP", "fritsch-butland"},
+    {"shading", "picture"},
+    {"Remez", "minimax"},
+    {"section III.6", "interpolate"},
+    {"formula 12.7.14", "help"},
+    {"Douglas-Peucker", "thin-points"},
+};
+
+TEST(words_of_books_authors_and_other_programs_lead_to_a_feature)
+{
+    for (size_t i = 0; i < sizeof searches / sizeof searches[0]; i++) {
+        char command[80], first[80];
+        snprintf(command, sizeof command, "$BATTEN help %s", searches[i].words);
+        snprintf(first, sizeof first, "' is found in:\n\n  %s ", searches[i].first);
+        const line_row row[] = {{command, 0, first, ""}};
+        RUN_LINES(row);
+    }
+}
+
+TEST(a_place_in_the_literature_leads_to_the_features_that_stand_on_it)
+{
+    static const line_row rows[] = {
+        {"$BATTEN help Su and Liu III.7", 0,
+         "  section III.7 (|: cornered-spline, directed-spline, tangents-and-curvatures\n|of Su Buqing and Liu Dingyuan, ",
+         ""},
+        {"$BATTEN help paper 10", 0, "  paper 10 (Nielson|: nu-spline, directed-spline, ", ""},
+        {"$BATTEN help paper 2", 0, "a survey: its methods are those of the other papers", ""},
+        {"$BATTEN help formula 12.7.14", 0, "  formula 12.7.14 (|: interpolate-grid\n", ""},
+        {"$BATTEN help elastica", 0,
+         "Also known as: mechanical spline, |Formula:\n\n    2 κ″ + κ³ = 0 |Sources:\n  Su Buqing and Liu Dingyuan, |, section VI.3\n",
+         ""},
     };
     RUN_LINES(rows);
 }

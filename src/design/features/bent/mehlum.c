@@ -51,5 +51,11 @@ const bat_feature bat_feature_mehlum = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
          "  frame: {mehlum: ducks, within: 1 mm}\n",
-         "[Mehlum64]", "batten_chain_mehlum", BAT_PARAMETERS(parameters), false},
+         "[SL section VI.3] [Utah74 paper 9] [Mehlum64] [Mehlum74]", "batten_chain_mehlum",
+         BAT_PARAMETERS(parameters), false,
+         .also = "KURGLA, AUTOKON, nonlinear spline, stepped curvature",
+         .formula =
+             "    arcs of equal length h along the elastica 2 κ″ + κ³ = 0, tangent to one another;  curvature a step function",
+         .promise =
+             "Points and directions there are those of the elastica; the distance from it falls with h³."},
     .run = run_mehlum};

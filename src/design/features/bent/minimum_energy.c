@@ -41,5 +41,10 @@ const bat_feature bat_feature_minimum_energy = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
          "  strip: {minimum-energy: ducks}\n",
-         "[Horn83], [MS92]", "batten_curve_minimum_energy", BAT_PARAMETERS(parameters), false},
+         "[Horn83], [MS92]", "batten_curve_minimum_energy", BAT_PARAMETERS(parameters), false,
+         .also = "MEC, minimal energy curve, least bending, Horn",
+         .formula =
+             "    ∫ |κ|² ds + tension · length → minimum,  S(t_i) = P_i,  curvature continuous",
+         .promise =
+             "The least of quintics with continuous curvature near the start, measured on what is delivered."},
     .run = bat_least_energy};

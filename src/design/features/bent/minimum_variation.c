@@ -17,5 +17,9 @@ const bat_feature bat_feature_minimum_variation = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 10 cm]]}\n"
          "  strip: {minimum-variation: ducks}\n",
-         "[MS92]", "batten_curve_minimum_energy", BAT_PARAMETERS(parameters), false},
+         "[MS92]", "batten_curve_minimum_energy", BAT_PARAMETERS(parameters), false,
+         .also = "MVC, minimum variation curve, Moreton Sequin, fair curve",
+         .formula = "    ∫ (dκ/ds)² ds → minimum in the plane;  ∫ (κ′² + κ² τ²) ds in space",
+         .promise =
+             "Points of a circle give the circle; the least of quintics with continuous curvature near the start."},
     .run = bat_least_energy};

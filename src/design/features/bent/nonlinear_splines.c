@@ -43,7 +43,14 @@ const bat_feature bat_feature_elastica = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
          "  batten: {elastica: ducks}\n",
-         "[LF73]", "batten_chain_nonlinear", BAT_PARAMETERS(elastica_parameters), false},
+         "[SL section VI.3] [Utah74 paper 9] [LF73]", "batten_chain_nonlinear",
+         BAT_PARAMETERS(elastica_parameters), false,
+         .also =
+             "mechanical spline, minimal energy curve, thin beam, physical spline, nonlinear spline, Euler elastica, duck, batten, strip",
+         .formula =
+             "    2 κ″ + κ³ = 0 along the arc length on each span;  κ continuous at the points",
+         .promise =
+             "The bending energy ∫ κ² ds is stationary among all curves through the points."},
     .run = draw_nonlinear,
     .family = BATTEN_FAMILY_ELASTICA};
 
@@ -60,7 +67,12 @@ const bat_feature bat_feature_euler_spiral = {
          "features:\n"
          "  stakes: {points: [[0, 0], [60 m, 25 m], [130 m, 20 m], [200 m, 60 m]]}\n"
          "  road: {euler-spiral: stakes, ends: circular}\n",
-         "[BF15]", "batten_chain_nonlinear", BAT_PARAMETERS(euler_spiral_parameters), false},
+         "[BF15]", "batten_chain_nonlinear", BAT_PARAMETERS(euler_spiral_parameters), false,
+         .also = "clothoid, Cornu spiral, transition curve, railway spiral, Bertolazzi Frego",
+         .formula =
+             "    θ(s) = θ_i + κ_i s + κ′_i s²/2,  P(s) = P_i + ∫ (cos θ, sin θ) ds on each span;  κ continuous at the points",
+         .promise =
+             "Curvature is linear in arc length on each span and continuous; points of a circle give the circle."},
     .run = draw_nonlinear,
     .family = BATTEN_FAMILY_EULER_SPIRAL};
 
@@ -74,7 +86,13 @@ const bat_feature bat_feature_geometric_spline = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
          "  batten: {geometric-spline: ducks}\n",
-         "[SL]", "batten_chain_nonlinear", BAT_PARAMETERS(geometric_spline_parameters), false},
+         "[SL section VI.1]", "batten_chain_nonlinear",
+         BAT_PARAMETERS(geometric_spline_parameters), false,
+         .also = "linear curvature along the chord",
+         .formula =
+             "    κ(ξ) = a + b ξ along the chord, 0 ≤ ξ ≤ l;  sin(θ − φ) = sin α + a ξ + b ξ²/2;  κ continuous at the points",
+         .promise =
+             "Curvature is continuous and linear in the abscissa of each chord; points of a circle give the circle."},
     .run = draw_nonlinear,
     .family = BATTEN_FAMILY_GEOMETRIC};
 
@@ -89,7 +107,12 @@ const bat_feature bat_feature_hobby = {
          "features:\n"
          "  nodes: {points: [[0, 0], [1 m, 60 cm], [2 m, 40 cm], [1.5 m, -30 cm]]}\n"
          "  letter: {hobby: nodes, closed: yes}\n",
-         "[Hobby86]", "batten_chain_nonlinear", BAT_PARAMETERS(hobby_parameters), false},
+         "[Hobby86]", "batten_chain_nonlinear", BAT_PARAMETERS(hobby_parameters), false,
+         .also = "Metafont, MetaPost, mock curvature, Knuth, TikZ curve",
+         .formula =
+             "    (2 α_{i−1} + 4 β_{i−1})/l_{i−1} + (4 α_i + 2 β_i)/l_i = 0,  legs l ρ(α, −β) and l ρ(−β, α)\n"
+             "    ρ(θ, φ) = (2 + √2 (sin θ − sin φ/16) (sin φ − sin θ/16) (cos θ − cos φ)) / (3 + (3/2)(√5 − 1) cos θ + (3/2)(3 − √5) cos φ)",
+         .promise = "Tangents are continuous; the linearised curvature is, too."},
     .run = draw_nonlinear,
     .family = BATTEN_FAMILY_HOBBY};
 
@@ -103,7 +126,12 @@ const bat_feature bat_feature_arc_spline = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 80 cm], [3 m, 30 cm]]}\n"
          "  template: {arc-spline: ducks, ends: circular}\n",
-         "[SL]", "batten_chain_nonlinear", BAT_PARAMETERS(arc_spline_parameters), false},
+         "[SL section VI.6]", "batten_chain_nonlinear", BAT_PARAMETERS(arc_spline_parameters),
+         false, .also = "circular spline, arc spline, one arc at each point",
+         .formula =
+             "    k0 = −(4/l) sin((3α + β)/4) cos((α − β)/4),  k1 = (4/l) sin((α + 3β)/4) cos((α − β)/4)\n"
+             "    k1 of span i − 1 = k0 of span i: one arc at each point, joints on the bisectors of the chords",
+         .promise = "Tangents are continuous; points of a circle give the circle."},
     .run = draw_nonlinear,
     .family = BATTEN_FAMILY_ARCS};
 
@@ -120,6 +148,10 @@ const bat_feature bat_feature_local_cubic = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm]]}\n"
          "  batten: {local-cubic: ducks}\n",
-         "[SL]", "batten_chain_nonlinear", BAT_PARAMETERS(local_cubic_parameters), false},
+         "[SL section VI.2]", "batten_chain_nonlinear", BAT_PARAMETERS(local_cubic_parameters),
+         false, .also = "local cubic spline, local coordinates, secant frame",
+         .formula =
+             "    η = ξ (1 − t) (tan α (1 − t) − tan β · t),  t = ξ/l, over the chord;  κ continuous at the points",
+         .promise = "Curvature is continuous; the shape does not depend on the axes."},
     .run = draw_nonlinear,
     .family = BATTEN_FAMILY_LOCAL_CUBIC};

@@ -123,5 +123,10 @@ const bat_feature bat_feature_spiro = {
          "features:\n"
          "  points: {points: [[0, 0], [3, 0], [4.5, 0.5], [5, 2], [4, 3.2], [1, 4]]}\n"
          "  handle: {spiro: points, left: [1], right: [4]}\n",
-         "[Levien09]", "batten_chain_spiro", BAT_PARAMETERS(parameters), false},
+         "[Levien09]", "batten_chain_spiro", BAT_PARAMETERS(parameters), false,
+         .also = "Levien, Raph Levien, G4 spline, font outlines, type design",
+         .formula =
+             "    κ(s) = k0 + k1 s + k2 s²/2 + k3 s³/6 on each span;  κ, κ′, κ″ continuous at ordinary points",
+         .promise =
+             "Curvature and its first two derivatives are continuous at ordinary points; points of a circle give the circle."},
     .run = run_spiro};

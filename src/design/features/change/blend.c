@@ -155,5 +155,6 @@ const bat_feature bat_feature_blend = {
          "  fore: {line: [[4 m, 1.5 m], [5 m, 3 m]]}\n"
          "  bilge: {blend: [aft, fore], first: G3, bulge: [1, 0.8]}\n",
          "[BD89], [Filip89]", "batten_curves_blend, batten_surfaces_blend",
-         BAT_PARAMETERS(parameters), false},
+         BAT_PARAMETERS(parameters), false,
+         .also = "bridge curve, transition, connect, G1 G2 G3, join smoothly, blend surface"},
     .run = run_blend};

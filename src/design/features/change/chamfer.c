@@ -81,5 +81,6 @@ const bat_feature bat_feature_chamfer = {
          "features:\n"
          "  plan: {polyline: [[0, 0], [4 m, 0], [4 m, 3 m], [1 m, 3 m]]}\n"
          "  plate: {chamfer: plan, by: [0.2 m, 0.4 m]}\n",
-         "[PT97]", "batten_curve_chamfer", BAT_PARAMETERS(parameters), false},
+         "[PT97]", "batten_curve_chamfer", BAT_PARAMETERS(parameters), false,
+         .also = "bevel, break corners"},
     .run = run_chamfer};

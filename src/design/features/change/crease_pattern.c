@@ -146,6 +146,8 @@ const bat_feature bat_feature_crease_pattern = {
          "  sheet: {crease-pattern: edge, angle: 30 deg, left: 40 cm, right: 30 cm}\n"
          "outputs:\n"
          "  sheet.dxf: sheet\n",
-         "[Huffman76], [DuncanDuncan82]", "batten_fold_create", BAT_PARAMETERS(parameters),
-         false},
+         "[Utah74 paper 12] [Huffman76] [DuncanDuncan82]", "batten_fold_create",
+         BAT_PARAMETERS(parameters), false, .also = "flat sheet of a fold, origami pattern",
+         .formula = "    flat curvature κ_g = κ cos α,  x′ = cos φ,  y′ = sin φ,  φ′ = κ_g",
+         .promise = "Lengths and angles on the sheet are those in space."},
     .run = run_crease_pattern};

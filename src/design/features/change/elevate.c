@@ -38,5 +38,6 @@ const bat_feature bat_feature_elevate = {
               "features:\n"
               "  keel: {line: [[0, 0], [3 m, 0]]}\n"
               "  cubic: {elevate: keel, by: 2}\n",
-              "[PT97]", "batten_curve_elevate", BAT_PARAMETERS(parameters), false},
+              "[PT97 section 5.5]", "batten_curve_elevate", BAT_PARAMETERS(parameters), false,
+              .also = "degree elevation, raise degree"},
     .run = run_elevate};

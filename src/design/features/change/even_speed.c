@@ -40,5 +40,8 @@ const bat_feature bat_feature_even_speed = {
          "features:\n"
          "  oval: {ellipse: 2 m, b: 1 m}\n"
          "  track: {even-speed: oval, within: 0.1 mm}\n",
-         "[PT97]", "batten_curve_even_speed", BAT_PARAMETERS(parameters), false},
+         "[PT97]", "batten_curve_even_speed", BAT_PARAMETERS(parameters), false,
+         .also = "arc length parametrisation, constant speed, feed rate, reparametrise",
+         .formula = "    |C′(s)| = 1:  s the arc length",
+         .promise = "The curve is met within the tolerance at equal lengths."},
     .run = run_even_speed};

@@ -165,5 +165,5 @@ const bat_feature bat_feature_extend = {
          "  rail: {interpolate: d, ends: circle}\n"
          "  longer: {extend: rail, start: 0.2 m, end: 0.5 m, shape: spiral}\n",
          "[PT97]", "batten_curve_extend, batten_surface_extend", BAT_PARAMETERS(parameters),
-         false},
+         false, .also = "lengthen, extrapolate, prolong"},
     .run = run_extend};

@@ -303,5 +303,12 @@ const bat_feature bat_feature_fair = {
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"
          "  faired: {fair: sheer, within: 1 cm}\n",
-         "[SL]", "batten_fair_points", BAT_PARAMETERS(parameters), false},
+         "[SL section VII.2] [SL section VII.3] [NW06]", "batten_fair_points",
+         BAT_PARAMETERS(parameters), false,
+         .also =
+             "fairing, smoothing of points, springback, ducks, remove bumps, lines fairing, Kjellander",
+         .formula =
+             "    ∫ |z″|² dt → minimum over points |z_i − y_i| ≤ within,  z the natural cubic spline through them",
+         .promise =
+             "No point moves farther than the bound; within the bounds the energy is the least."},
     .run = run_fair};

@@ -122,5 +122,6 @@ const bat_feature bat_feature_fillet = {
          "  wall: {line: [[0, 0], [4 m, 0]]}\n"
          "  apse: {arc: 1.5 m, at: [2 m, 1 m], start: -50 deg, angle: 140 deg}\n"
          "  both: {fillet: [wall, apse], radius: 0.3 m, ends: end-start}\n",
-         "[PT97]", "batten_curve_fillet", BAT_PARAMETERS(parameters), false},
+         "[PT97]", "batten_curve_fillet", BAT_PARAMETERS(parameters), false,
+         .also = "round corners, radius"},
     .run = run_fillet};

@@ -88,5 +88,6 @@ const bat_feature bat_feature_fillet_surfaces = {
          "  deck: {bilinear: [[0, 0, 0], [4 m, 0, 0], [4 m, 3 m, 0], [0, 3 m, 0]]}\n"
          "  wall: {bilinear: [[0, 0, 0], [0.5 m, 0, 2 m], [0.5 m, 3 m, 2 m], [0, 3 m, 0]]}\n"
          "  cove: {fillet-surfaces: [deck, wall], radius: 0.3 m, sides: [left, right]}\n",
-         "[PM02]", "batten_surfaces_fillet", BAT_PARAMETERS(parameters), false},
+         "[PM02]", "batten_surfaces_fillet", BAT_PARAMETERS(parameters), false,
+         .also = "rolling ball, rounding, blend between surfaces, constant radius fillet"},
     .run = run_fillet_surfaces};

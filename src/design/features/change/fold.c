@@ -116,6 +116,10 @@ const bat_feature bat_feature_fold = {
          "features:\n"
          "  edge: {arc: 1 m, angle: 120 deg}\n"
          "  roof: {fold: edge, angle: 30 deg, left: 40 cm, right: 30 cm}\n",
-         "[Huffman76], [DuncanDuncan82], [FuchsTabachnikov99]", "batten_fold_create",
-         BAT_PARAMETERS(parameters), false},
+         "[Utah74 paper 12] [Huffman76] [DuncanDuncan82] [FuchsTabachnikov99]",
+         "batten_fold_create", BAT_PARAMETERS(parameters), false,
+         .also = "curved crease, origami, curved folding, Resch, Huffman, folded edge",
+         .formula =
+             "    cot β± = (τ ± α′)/(κ sin α),  rulings at β± to the crease;  flat curvature κ cos α",
+         .promise = "Both sheets are developable and unfold to the same plane curve."},
     .run = run_fold};

@@ -90,5 +90,6 @@ const bat_feature bat_feature_join = {
               "  aft: {line: [[0, 0], [2 m, 0]]}\n"
               "  fore: {line: [[2 m, 0], [4 m, 1 m]]}\n"
               "  keel: {join: [aft, fore]}\n",
-              "[PT97]", "batten_curve_join", BAT_PARAMETERS(parameters), false},
+              "[PT97]", "batten_curve_join", BAT_PARAMETERS(parameters), false,
+              .also = "concatenate, merge curves, composite curve, chain"},
     .run = run_join};

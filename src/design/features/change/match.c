@@ -105,5 +105,6 @@ const bat_feature bat_feature_match = {
          "  aft: {interpolate: a}\n"
          "  fore: {interpolate: f}\n"
          "  sheer: {match: [aft, fore], continuity: G1, moves: both}\n",
-         "[BD89]", "batten_curves_match", BAT_PARAMETERS(parameters), false},
+         "[BD89]", "batten_curves_match", BAT_PARAMETERS(parameters), false,
+         .also = "align surfaces, continuity, make G1, make G2, join conditions"},
     .run = run_match};

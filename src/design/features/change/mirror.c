@@ -62,5 +62,6 @@ const bat_feature bat_feature_mirror = {
          "features:\n"
          "  side: {line: [[0, 1 m, 0], [3 m, 1 m, 1 m]]}\n"
          "  both: {mirror: side, plane: centre}\n",
-         "", "batten_affine_mirror", BAT_PARAMETERS(parameters), false},
+         "", "batten_affine_mirror", BAT_PARAMETERS(parameters), false,
+         .also = "symmetry, reflect, port and starboard, other half"},
     .run = run_mirror};

@@ -19,5 +19,6 @@ const bat_feature bat_feature_move = {
               "features:\n"
               "  mast: {circle: 6 cm}\n"
               "  mizzen: {move: mast, by: [-3 m, 0, 0]}\n",
-              "", "batten_affine_translation", BAT_PARAMETERS(parameters), false},
+              "", "batten_affine_translation", BAT_PARAMETERS(parameters), false,
+              .also = "translate, shift, displace"},
     .run = run_move};

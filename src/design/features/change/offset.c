@@ -131,5 +131,9 @@ const bat_feature bat_feature_offset = {
          "  floor: {interpolate: corners, periodic: yes}\n"
          "  walls: {offset: floor, by: 0.3 m, side: both}\n",
          "[TH84], [PM02]", "batten_curve_offset, batten_surface_offset",
-         BAT_PARAMETERS(parameters), false},
+         BAT_PARAMETERS(parameters), false,
+         .also = "parallel curve, tool radius, thicken, shell distance, equidistant",
+         .formula = "    C_d(t) = C(t) + d N(t);  S_d(u, v) = S(u, v) + d n(u, v)",
+         .promise =
+             "The true offset is met within the tolerance; arcs, lines and quadrics are exact."},
     .run = run_offset};

@@ -52,5 +52,6 @@ const bat_feature bat_feature_refine = {
               "features:\n"
               "  keel: {line: [[0, 0], [3 m, 0]]}\n"
               "  finer: {refine: keel, knots: [0.25, 0.5, 0.75]}\n",
-              "[PT97]", "batten_curve_refine", BAT_PARAMETERS(parameters), false},
+              "[PT97 section 5.3]", "batten_curve_refine", BAT_PARAMETERS(parameters), false,
+              .also = "knot insertion, Boehm, Oslo algorithm, add control points"},
     .run = run_refine};

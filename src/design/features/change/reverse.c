@@ -35,5 +35,6 @@ const bat_feature bat_feature_reverse = {
               "features:\n"
               "  keel: {line: [[0, 0], [3 m, 0]]}\n"
               "  astern: {reverse: keel}\n",
-              "", "batten_curve_reverse", BAT_PARAMETERS(parameters), false},
+              "[PT97 section 6.5]", "batten_curve_reverse", BAT_PARAMETERS(parameters), false,
+              .also = "flip direction, invert"},
     .run = run_reverse};

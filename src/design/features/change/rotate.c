@@ -26,5 +26,6 @@ const bat_feature bat_feature_rotate = {
               "features:\n"
               "  rib: {line: [[1 m, 0], [2 m, 0]]}\n"
               "  next: {rotate: rib, by: 15 deg}\n",
-              "", "batten_affine_rotation", BAT_PARAMETERS(parameters), false},
+              "", "batten_affine_rotation", BAT_PARAMETERS(parameters), false,
+              .also = "turn, spin"},
     .run = run_rotate};

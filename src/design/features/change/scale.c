@@ -32,5 +32,6 @@ const bat_feature bat_feature_scale = {
               "features:\n"
               "  port: {circle: 10 cm}\n"
               "  oval: {scale: port, by: [2, 1, 1]}\n",
-              "", "batten_affine_scaling", BAT_PARAMETERS(parameters), false},
+              "", "batten_affine_scaling", BAT_PARAMETERS(parameters), false,
+              .also = "resize, enlarge, shrink, stretch"},
     .run = run_scale};

@@ -122,5 +122,6 @@ const bat_feature bat_feature_split = {
          "  halves: {split: keel, parameter: 0.5}\n"
          "  oval: {ellipse: 2 m, b: 1 m}\n"
          "  quarters: {split: oval, pieces: spiral}\n",
-         "[PT97]", "batten_curve_split", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 5.2]", "batten_curve_split", BAT_PARAMETERS(parameters), false,
+         .also = "subdivide, cut in two, de Casteljau, monotone pieces, spans"},
     .run = run_split};

@@ -23,5 +23,6 @@ const bat_feature bat_feature_swap = {
               "features:\n"
               "  buoy: {sphere: 30 cm}\n"
               "  turned: {swap: buoy}\n",
-              "", "batten_surface_swap", BAT_PARAMETERS(parameters), false},
+              "", "batten_surface_swap", BAT_PARAMETERS(parameters), false,
+              .also = "transpose, exchange u and v, flip normal"},
     .run = run_swap};

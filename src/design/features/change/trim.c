@@ -166,5 +166,6 @@ const bat_feature bat_feature_trim = {
          "  quarter: {trim: rim, points: [[0, -1 m], [1 m, 0]]}\n"
          "  line: {line: [[0, 0], [3 m, 0]]}\n"
          "  inner: {trim: line, lengths: [0.2 m, -0.2 m]}\n",
-         "[PT97]", "batten_curve_trim", BAT_PARAMETERS(parameters), false},
+         "[PT97]", "batten_curve_trim", BAT_PARAMETERS(parameters), false,
+         .also = "cut a curve, clip"},
     .run = run_trim};

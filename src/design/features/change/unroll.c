@@ -330,5 +330,8 @@ const bat_feature bat_feature_unroll = {
          "  sheet: {unroll: funnel}\n"
          "outputs:\n"
          "  sheet.dxf: sheet\n",
-         "[PW01]", "batten_surface_unroll", BAT_PARAMETERS(parameters), false},
+         "[PW01]", "batten_surface_unroll", BAT_PARAMETERS(parameters), false,
+         .also = "unfold, flatten, development, plate expansion, flat pattern, lay flat",
+         .formula = "    triangles between rulings laid flat with their lengths in space",
+         .promise = "Developable surfaces keep every length; else the distortion is reported."},
     .run = run_unroll};

@@ -30,5 +30,9 @@ const bat_feature bat_feature_arc = {
          "horizontal plane.",
          "features:\n"
          "  bilge: {arc: 0.6 m, start: 270 deg, angle: 90 deg, axis: x, from: y}\n",
-         "[PT97]", "batten_curve_arc_in", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 7.3]", "batten_curve_arc_in", BAT_PARAMETERS(parameters), false,
+         .also = "circular arc",
+         .formula =
+             "    C(t) = (B0 P0 + w B1 P1 + B2 P2)/(B0 + w B1 + B2),  w = cos(half the angle) of each piece",
+         .promise = "It is exact: |C(t) − centre| = radius."},
     .run = run_arc};

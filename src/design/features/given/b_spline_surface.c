@@ -42,6 +42,9 @@ const bat_feature bat_feature_b_spline_surface = {
          "             [0, 3, 0], [1, 3, 1], [2, 3, 1], [3, 3, 0]]\n"
          "    columns: 4\n"
          "  hood: {b-spline-surface: net, ends-v: free}\n",
-         "[Coons74], [Riesenfeld73]", "batten_surface_uniform", BAT_PARAMETERS(parameters),
-         false},
+         "[SL section V.4] [Utah74 paper 1] [Utah74 paper 6] [Coons74] [Riesenfeld73]",
+         "batten_surface_uniform", BAT_PARAMETERS(parameters), false,
+         .also = "NURBS surface, control net, uniform B-spline surface",
+         .formula = "    S(u, v) = Σ Σ d_ij N_{i,k}(u) N_{j,l}(v), uniform knots",
+         .promise = "A point changes the surface only nearby."},
     .run = run_b_spline_surface};

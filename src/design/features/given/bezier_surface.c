@@ -68,6 +68,9 @@ const bat_feature bat_feature_bezier_surface = {
          "             [0, 2, 0], [1, 2, 1], [2, 2, 1], [3, 2, 0]]\n"
          "    columns: 4\n"
          "  hood: {bezier-surface: net}\n",
-         "[Bezier74], [Farin02]", "batten_surface_from_bezier", BAT_PARAMETERS(parameters),
-         false},
+         "[SL section V.3] [Utah74 paper 7] [Bezier74] [Farin02]", "batten_surface_from_bezier",
+         BAT_PARAMETERS(parameters), false,
+         .also = "UNISURF, Bézier patch, bicubic patch, control net",
+         .formula = "    S(u, v) = Σ Σ b_ij B_i^m(u) B_j^n(v)",
+         .promise = "The surface lies in the convex hull of its net."},
     .run = run_bezier_surface};

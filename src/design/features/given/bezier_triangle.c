@@ -127,5 +127,8 @@ const bat_feature bat_feature_bezier_triangle = {
          "features:\n"
          "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
          "  sail: {bezier-triangle: net}\n",
-         "[Farin86], [Hu96]", "batten_triangles_create", BAT_PARAMETERS(parameters), false},
+         "[Farin86], [Hu96]", "batten_triangles_create", BAT_PARAMETERS(parameters), false,
+         .also = "Bernstein-Bézier triangle, triangular patch",
+         .formula = "    b(b1, b2, b3) = Σ n!/(i! j! k!) b1^i b2^j b3^k c_ijk,  i + j + k = n",
+         .promise = "The surface lies in the convex hull of its net."},
     .run = run_bezier_triangle};

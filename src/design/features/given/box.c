@@ -132,5 +132,6 @@ const bat_feature bat_feature_box = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 80 cm], [3 m, 2 m]]}\n"
          "  rib: {interpolate: ducks}\n"
          "  stock: {box: rib, axes: turned}\n",
-         "[Toussaint83]", "batten_curve_oriented_box", BAT_PARAMETERS(parameters), false},
+         "[Toussaint83]", "batten_curve_oriented_box", BAT_PARAMETERS(parameters), false,
+         .also = "bounding box, extent, oriented bounding box, stock"},
     .run = run_box};

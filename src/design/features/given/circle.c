@@ -25,5 +25,9 @@ const bat_feature bat_feature_circle = {
          "forms differ in their control points and in how evenly the parameter runs.",
          "features:\n"
          "  mast: {circle: 6 cm, at: [4 m, 0, 2 m]}\n",
-         "[PT97]", "batten_curve_circle", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 7.5]", "batten_curve_circle", BAT_PARAMETERS(parameters), false,
+         .also = "full circle",
+         .formula =
+             "    C(t) = (B0 P0 + w B1 P1 + B2 P2)/(B0 + w B1 + B2),  w = cos(half the angle) of each piece",
+         .promise = "It is exact: |C(t) − centre| = radius."},
     .run = run_circle};

@@ -26,5 +26,9 @@ const bat_feature bat_feature_cone = {
               "From 'at' up along 'axis'; u runs around, v up. One of the radii may be 0.",
               "features:\n"
               "  funnel: {cone: 1 m, top: 0.6 m, height: 2 m}\n",
-              "[PT97]", "batten_surface_cone", BAT_PARAMETERS(parameters), false},
+              "[PT97]", "batten_surface_cone", BAT_PARAMETERS(parameters), false,
+              .also = "circular cone, frustum",
+              .formula =
+                  "    S(u, v) = at + r(v) (cos u · x + sin u · y) + v · z,  r linear in v",
+              .promise = "It is exact."},
     .run = run_cone};

@@ -76,5 +76,9 @@ const bat_feature bat_feature_conic = {
          "through them.",
          "features:\n"
          "  stem: {conic: [[0, 0], [1 m, 0], [1.4 m, 1 m]], weight: 0.8}\n",
-         "[PT97]", "batten_curve_conic", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 7.3]", "batten_curve_conic", BAT_PARAMETERS(parameters), false,
+         .also = "parabola, hyperbola, ellipse arc, rho, shoulder point, five points",
+         .formula =
+             "    C(t) = (B0 P0 + w B1 P1 + B2 P2)/(B0 + w B1 + B2);  w < 1 ellipse, w = 1 parabola, w > 1 hyperbola",
+         .promise = "It is exact."},
     .run = run_conic};

@@ -25,5 +25,8 @@ const bat_feature bat_feature_cylinder = {
               "From 'at' up along 'axis'; u runs around, v up. It has no end caps.",
               "features:\n"
               "  tank: {cylinder: 0.4 m, height: 1.2 m, axis: x}\n",
-              "[PT97]", "batten_surface_cylinder", BAT_PARAMETERS(parameters), false},
+              "[PT97 section 8.3]", "batten_surface_cylinder", BAT_PARAMETERS(parameters),
+              false, .also = "circular cylinder, tube",
+              .formula = "    S(u, v) = at + r (cos u · x + sin u · y) + v · z",
+              .promise = "It is exact."},
     .run = run_cylinder};

@@ -28,5 +28,8 @@ const bat_feature bat_feature_ellipse = {
          "The point at angle t is (a cos t, b sin t) in the plane at right angles to 'axis'.",
          "features:\n"
          "  port: {ellipse: 20 cm, b: 12 cm, axis: y}\n",
-         "[PT97]", "batten_curve_ellipse", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 7.6]", "batten_curve_ellipse", BAT_PARAMETERS(parameters), false,
+         .also = "elliptic arc",
+         .formula = "    C = at + a cos t · x + b sin t · y, as rational quadratics",
+         .promise = "It is exact."},
     .run = run_ellipse};

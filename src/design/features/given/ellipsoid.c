@@ -24,5 +24,7 @@ const bat_feature bat_feature_ellipsoid = {
               "About 'at'; the last half axis lies along 'axis', the first along 'from'.",
               "features:\n"
               "  pebble: {ellipsoid: [30 cm, 20 cm, 10 cm]}\n",
-              "[PT97]", "batten_surface_ellipsoid", BAT_PARAMETERS(parameters), false},
+              "[PT97]", "batten_surface_ellipsoid", BAT_PARAMETERS(parameters), false,
+              .also = "quadric", .formula = "    x²/a² + y²/b² + z²/c² = 1",
+              .promise = "It is exact."},
     .run = run_ellipsoid};

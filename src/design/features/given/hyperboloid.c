@@ -31,5 +31,7 @@ const bat_feature bat_feature_hyperboloid = {
          "along its straight lines.",
          "features:\n"
          "  tower: {hyperboloid: [20 m, 20 m, 30 m], heights: [-60 m, 20 m]}\n",
-         "[PT97]", "batten_surface_hyperboloid", BAT_PARAMETERS(parameters), false},
+         "[PT97]", "batten_surface_hyperboloid", BAT_PARAMETERS(parameters), false,
+         .also = "quadric, cooling tower, one sheet",
+         .formula = "    x²/a² + y²/b² − z²/c² = 1", .promise = "It is exact."},
     .run = run_hyperboloid};

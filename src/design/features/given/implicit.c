@@ -179,5 +179,6 @@ const bat_feature bat_feature_implicit = {
          "  legs: {points: [[0, 0], [3 m, 2 m], [-1 m, 2 m], [2 m, 0]]}\n"
          "  loop: {bezier: legs}\n"
          "  whole: {implicit: loop}\n",
-         "[SAG84] [BG04]", "batten_implicit_from_curve", BAT_PARAMETERS(parameters), false},
+         "[SAG84] [BG04]", "batten_implicit_from_curve", BAT_PARAMETERS(parameters), false,
+         .also = "implicit equation, implicitization, algebraic curve, resultant, Bezout"},
     .run = run_implicit};

@@ -23,5 +23,7 @@ const bat_feature bat_feature_line = {
               "A curve of degree 1 from the first point to the second.",
               "features:\n"
               "  keel: {line: [[0, 0, 0], [12 m, 0, 0]]}\n",
-              "", "batten_curve_line", BAT_PARAMETERS(parameters), false},
+              "", "batten_curve_line", BAT_PARAMETERS(parameters), false,
+              .also = "segment, straight", .formula = "    C(t) = (1 − t) A + t B",
+              .promise = "It is exact."},
     .run = run_line};

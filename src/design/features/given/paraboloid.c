@@ -29,5 +29,8 @@ const bat_feature bat_feature_paraboloid = {
               "From its pole at 'at' along 'axis' up to an elliptic rim.",
               "features:\n"
               "  dish: {paraboloid: 1 m, height: 25 cm}\n",
-              "[PT97]", "batten_surface_paraboloid", BAT_PARAMETERS(parameters), false},
+              "[PT97]", "batten_surface_paraboloid", BAT_PARAMETERS(parameters), false,
+              .also = "quadric, dish",
+              .formula = "    z/h = x²/a² + y²/b²,  a, b the half axes of the rim at height h",
+              .promise = "It is exact."},
     .run = run_paraboloid};

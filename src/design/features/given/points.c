@@ -50,5 +50,6 @@ const bat_feature bat_feature_points = {
          "interpolate-grid takes.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n",
-         "", "batten_model_add", BAT_PARAMETERS(parameters), false},
+         "", "batten_model_add", BAT_PARAMETERS(parameters), false,
+         .also = "point list, data points, ducks"},
     .run = run_points};

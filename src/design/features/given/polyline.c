@@ -58,5 +58,8 @@ const bat_feature bat_feature_polyline = {
          "features with points each row becomes a polyline.",
          "features:\n"
          "  chine: {polyline: [[0, 0], [2 m, 0.5 m], [5 m, 0.6 m]]}\n",
-         "", "batten_curve_polyline", BAT_PARAMETERS(parameters), false},
+         "", "batten_curve_polyline", BAT_PARAMETERS(parameters), false,
+         .also = "polygon, chain of lines, linear spline",
+         .formula = "    C(t) = P_i + (t − t_i) (P_{i+1} − P_i)/|P_{i+1} − P_i|,  t the length",
+         .promise = "It is exact; its parameter is arc length."},
     .run = run_polyline};

@@ -76,8 +76,7 @@ static batten_status add_object(bat_run *run, const batten_object *object, doubl
     const batten_affine map = batten_affine_scaling(factor, factor, factor);
     if (object->kind == BATTEN_OBJECT_OFFSET_TABLE)
         return add_offsets(run, object, factor);
-    return factor == 1 ? bat_add(run, object)
-                       : bat_transform_object(run, &map, object);
+    return factor == 1 ? bat_add(run, object) : bat_transform_object(run, &map, object);
 }
 
 static batten_status read_file(bat_run *run, const char *path, batten_model **out)
@@ -142,5 +141,7 @@ const bat_feature bat_feature_read = {
          "formats' lists the formats; those that are only written are refused.",
          "features:\n"
          "  offsets: {read: offsets.csv, z: [0, 2 m], trim-centre: yes}\n",
-         "", "batten_read_file", BAT_PARAMETERS(parameters), false},
+         "", "batten_read_file", BAT_PARAMETERS(parameters), false,
+         .also =
+             "import, load, open file, STEP, IGES, DXF, OBJ, STL, PLY, G2, SVG, aerofoil, airfoil, point cloud, table of offsets"},
     .run = run_read};

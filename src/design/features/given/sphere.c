@@ -23,5 +23,8 @@ const bat_feature bat_feature_sphere = {
               "About 'at', with its poles along 'axis'; u runs around, v from pole to pole.",
               "features:\n"
               "  buoy: {sphere: 30 cm, at: [5 m, 2 m, 0]}\n",
-              "[PT97]", "batten_surface_sphere", BAT_PARAMETERS(parameters), false},
+              "[PT97 section 8.5]", "batten_surface_sphere", BAT_PARAMETERS(parameters), false,
+              .also = "ball",
+              .formula = "    S(u, v) = at + r (cos v (cos u · x + sin u · y) + sin v · z)",
+              .promise = "It is exact: |S − at| = r."},
     .run = run_sphere};

@@ -26,5 +26,9 @@ const bat_feature bat_feature_torus = {
               "About 'axis' through 'at'; u runs around the axis, v around the tube.",
               "features:\n"
               "  ring: {torus: 1 m, minor: 0.2 m}\n",
-              "[PT97]", "batten_surface_torus", BAT_PARAMETERS(parameters), false},
+              "[PT97 section 8.5]", "batten_surface_torus", BAT_PARAMETERS(parameters), false,
+              .also = "ring, doughnut",
+              .formula =
+                  "    S(u, v) = at + (R + r cos v) (cos u · x + sin u · y) + r sin v · z",
+              .promise = "It is exact."},
     .run = run_torus};

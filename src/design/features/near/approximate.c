@@ -57,5 +57,6 @@ const bat_feature bat_feature_approximate = {
          "features:\n"
          "  rim: {circle: 1 m}\n"
          "  plain: {approximate: rim, within: 0.1 mm}\n",
-         "[LM88]", "batten_curve_approximate", BAT_PARAMETERS(parameters), false},
+         "[LM88]", "batten_curve_approximate", BAT_PARAMETERS(parameters), false,
+         .also = "convert to B-spline, rebuild, simplify, change degree"},
     .run = run_approximate};

@@ -163,5 +163,9 @@ const bat_feature bat_feature_arcs = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 40 cm], [3 m, 1 m]]}\n"
          "  edge: {interpolate: ducks}\n"
          "  path: {arcs: edge, within: 0.5 mm}\n",
-         "[MW95]", "batten_arcs_from_curve", BAT_PARAMETERS(parameters), false},
+         "[MW95] [Bolton75]", "batten_arcs_from_curve", BAT_PARAMETERS(parameters), false,
+         .also = "arc fitting, arc approximation, G2 G3 moves, CNC, toolpath, post-processing",
+         .formula =
+             "    dist(C, arcs) ≤ within, with the fewest arcs;  their number tends to ∫ |dκ/ds|^⅓ ds/(72 √3 within)^⅓",
+         .promise = "No place is farther than the tolerance, on one side if so asked."},
     .run = run_arcs};

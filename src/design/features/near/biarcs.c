@@ -70,5 +70,10 @@ const bat_feature bat_feature_biarcs = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 40 cm], [3 m, 1 m]]}\n"
          "  template: {biarcs: ducks, joint: equal-chord}\n",
-         "[Bolton75]", "batten_chain_biarcs", BAT_PARAMETERS(parameters), false},
+         "[SL section VI.4] [Bolton75]", "batten_chain_biarcs", BAT_PARAMETERS(parameters),
+         false, .also = "biarc, Bolton, double arcs, arc pairs",
+         .formula = "    V·V − 2 d0 V·T0 − 2 d1 V·T1 + 2 d0 d1 (T0·T1 − 1) = 0,  V = P1 − P0\n"
+                    "    J = (d1 (P0 + d0 T0) + d0 (P1 − d1 T1))/(d0 + d1)",
+         .promise =
+             "Tangents are continuous; with the joint at equal chords the step of curvature is the least of all joints."},
     .run = run_biarcs};

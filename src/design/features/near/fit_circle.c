@@ -49,5 +49,8 @@ const bat_feature bat_feature_fit_circle = {
          "features:\n"
          "  marks: {points: [[1 m, 0], [71 cm, 70 cm], [0, 1.01 m], [-70 cm, 71 cm]]}\n"
          "  rim: {fit-circle: marks}\n",
-         "[Taubin91], [Pratt87]", "batten_circle_fit", BAT_PARAMETERS(parameters), false},
+         "[Taubin91], [Pratt87]", "batten_circle_fit", BAT_PARAMETERS(parameters), false,
+         .also = "best circle, Taubin, Pratt, Kåsa, hole, radius of points",
+         .formula = "    Σ (|Q_j − c| − r)² → minimum;  kasa: Σ (|Q_j − c|² − r²)²",
+         .promise = "With distances the sum of squared distances is a minimum."},
     .run = run_fit_circle};

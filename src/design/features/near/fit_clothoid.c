@@ -43,5 +43,8 @@ const bat_feature bat_feature_fit_clothoid = {
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 1 cm], [2 m, 7 cm], [3 m, 22 cm], [4 m, 53 cm]]}\n"
          "  ramp: {fit-clothoid: marks}\n",
-         "[ARW01]", "batten_clothoid_fit", BAT_PARAMETERS(parameters), false},
+         "[ARW01]", "batten_clothoid_fit", BAT_PARAMETERS(parameters), false,
+         .also = "best spiral, transition curve, Cornu spiral",
+         .formula = "    Σ dist(Q_j, C)² → minimum over C with κ(s) = κ0 + κ1 s",
+         .promise = "The sum of squared distances at right angles is a minimum."},
     .run = run_fit_clothoid};

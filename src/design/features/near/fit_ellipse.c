@@ -76,5 +76,9 @@ const bat_feature bat_feature_fit_ellipse = {
          "features:\n"
          "  marks: {points: [[2 m, 0], [1.4 m, 0.7 m], [0, 1 m], [-1.4 m, 0.7 m], [-2 m, 0], [0, -1 m]]}\n"
          "  arch: {fit-ellipse: marks}\n",
-         "[FPF99], [HF98]", "batten_ellipse_fit", BAT_PARAMETERS(parameters), false},
+         "[FPF99], [HF98]", "batten_ellipse_fit", BAT_PARAMETERS(parameters), false,
+         .also = "best ellipse, Fitzgibbon, Halir Flusser",
+         .formula = "    Σ dist(Q_j, E)² → minimum over ellipses E",
+         .promise =
+             "The sum of squared distances at right angles is a minimum; never another conic."},
     .run = run_fit_ellipse};

@@ -55,5 +55,8 @@ const bat_feature bat_feature_fit_line = {
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 11 cm], [2 m, 19 cm], [3 m, 31 cm]]}\n"
          "  keel: {fit-line: marks}\n",
-         "[GVL13]", "batten_line_fit", BAT_PARAMETERS(parameters), false},
+         "[GVL13]", "batten_line_fit", BAT_PARAMETERS(parameters), false,
+         .also = "regression line, total least squares, orthogonal regression",
+         .formula = "    Σ |(Q_j − c) × d|² → minimum,  |d| = 1",
+         .promise = "The sum of squared distances at right angles is the least of all lines."},
     .run = run_fit_line};

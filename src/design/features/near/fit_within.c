@@ -90,5 +90,10 @@ const bat_feature bat_feature_fit_within = {
          "features:\n"
          "  scan: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 40 cm], [4 m, 39 cm], [5 m, 30 cm], [6 m, 19 cm]]}\n"
          "  edge: {fit-within: scan, within: 1 cm}\n",
-         "[LM88], [Schneider90]", "batten_curve_within", BAT_PARAMETERS(parameters), false},
+         "[LM88], [Schneider90]", "batten_curve_within", BAT_PARAMETERS(parameters), false,
+         .also = "tolerance fit, Lyche Mørken, data reduction, Schneider, digitised curve",
+         .formula =
+             "    max_j |C(t_j) − Q_j| ≤ within, with as few control points as are found",
+         .promise =
+             "No point is farther from the curve than the bound, or it is refused with what was reached."},
     .run = run_fit_within};

@@ -97,5 +97,10 @@ const bat_feature bat_feature_least_squares = {
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], [5 m, 33 cm], [6 m, 22 cm]]}\n"
          "  sheer: {least-squares: marks, points: 4}\n"
          "  crown: {least-squares: marks, points: 5, as: function, shape: concave, pass: [[3 m, 42 cm]]}\n",
-         "[PT97]", "batten_curve_least_squares", BAT_PARAMETERS(parameters), false},
+         "[SL section I.2] [PT97 section 9.4]", "batten_curve_least_squares",
+         BAT_PARAMETERS(parameters), false,
+         .also = "regression spline, approximation, fitting, robust fit, outliers",
+         .formula = "    Σ w_j |C(t_j) − Q_j|² → minimum,  C(t) = Σ d_i N_{i,k}(t)",
+         .promise =
+             "The sum of squares is least for these knots and parameters, under the conditions that are given."},
     .run = run_least_squares};

@@ -42,5 +42,9 @@ const bat_feature bat_feature_minimax = {
          "features:\n"
          "  table: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm], [4 m, 5 cm]]}\n"
          "  near: {minimax: table, degree: 2}\n",
-         "[Remez34]", "batten_curve_minimax", BAT_PARAMETERS(parameters), false},
+         "[Remez34]", "batten_curve_minimax", BAT_PARAMETERS(parameters), false,
+         .also = "Chebyshev approximation, Remez, uniform approximation, best approximation",
+         .formula = "    max_j |p(x_j) − y_j| → minimum over the polynomials p of the degree",
+         .promise =
+             "The largest distance is the least possible; it is taken with alternating signs at degree + 2 points."},
     .run = run_minimax};

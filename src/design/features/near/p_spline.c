@@ -42,5 +42,9 @@ const bat_feature bat_feature_p_spline = {
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], [5 m, 33 cm], [6 m, 22 cm]]}\n"
          "  sheer: {p-spline: marks, spans: 8, rms: 1 cm}\n",
-         "[EM96]", "batten_curve_p_spline", BAT_PARAMETERS(parameters), false},
+         "[EM96]", "batten_curve_p_spline", BAT_PARAMETERS(parameters), false,
+         .also = "penalised spline, Eilers Marx, cross validation",
+         .formula =
+             "    Σ w_j |C(t_j) − Q_j|² + λ Σ |Δ^m d_i|² → minimum,  C = Σ d_i N_i on equal spans",
+         .promise = "The least for these spans; λ = ∞ gives the polynomial of degree m − 1."},
     .run = run_p_spline};

@@ -49,5 +49,9 @@ const bat_feature bat_feature_quasi_interpolant = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  near: {quasi-interpolant: ducks}\n",
-         "[LS75]", "batten_curve_quasi_interpolate", BAT_PARAMETERS(parameters), false},
+         "[LS75]", "batten_curve_quasi_interpolate", BAT_PARAMETERS(parameters), false,
+         .also = "Lyche Schumaker, local approximation, blossom",
+         .formula =
+             "    C(t) = Σ λ_i N_{i,k}(t),  λ_i = p_i[t_{i+1}, …, t_{i+k}],  the blossom of the polynomial p_i through k + 1 points around",
+         .promise = "Polynomials of degree k are reproduced; the error falls with h^{k+1}."},
     .run = run_quasi_interpolant};

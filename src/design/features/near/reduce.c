@@ -37,5 +37,6 @@ const bat_feature bat_feature_reduce = {
          "  keel: {line: [[0, 0], [3 m, 0]]}\n"
          "  cubic: {elevate: keel, by: 2}\n"
          "  again: {reduce: cubic, degree: 1, within: 0.1 mm}\n",
-         "[PT97]", "batten_curve_reduce", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 5.6]", "batten_curve_reduce", BAT_PARAMETERS(parameters), false,
+         .also = "degree reduction, lower degree"},
     .run = run_reduce};

@@ -31,5 +31,6 @@ const bat_feature bat_feature_remove_knots = {
          "features:\n"
          "  keel: {polyline: [[0, 0], [1 m, 1 mm], [3 m, 0]]}\n"
          "  bare: {remove-knots: keel, within: 2 mm}\n",
-         "[LM87], [LM88]", "batten_curve_remove_knots", BAT_PARAMETERS(parameters), false},
+         "[LM87], [LM88]", "batten_curve_remove_knots", BAT_PARAMETERS(parameters), false,
+         .also = "knot removal, simplify, fewer control points"},
     .run = run_remove_knots};

@@ -53,5 +53,9 @@ const bat_feature bat_feature_schoenberg = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  calm: {schoenberg: ducks}\n",
-         "[Schoenberg67]", "batten_curve_schoenberg", BAT_PARAMETERS(parameters), false},
+         "[Schoenberg67]", "batten_curve_schoenberg", BAT_PARAMETERS(parameters), false,
+         .also = "variation diminishing, Greville, shape preserving approximation",
+         .formula =
+             "    C(t) = Σ P(ξ_i) N_{i,k}(t),  ξ_i = (t_{i+1} + … + t_{i+k})/k,  P the polyline through the points",
+         .promise = "No line or plane meets the curve more often than the polyline."},
     .run = run_schoenberg};

@@ -56,5 +56,10 @@ const bat_feature bat_feature_sequential_arcs = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 50 cm], [2 m, 60 cm], [3 m, 30 cm]]}\n"
          "  edge: {sequential-arcs: ducks}\n",
-         "[SL]", "batten_chain_sequential_arcs", BAT_PARAMETERS(parameters), false},
+         "[SL section VI.6]", "batten_chain_sequential_arcs", BAT_PARAMETERS(parameters), false,
+         .also = "arc after arc, compass",
+         .formula =
+             "    θ_{i+1} = 2 φ_i − θ_i,  κ_i = 2 sin(φ_i − θ_i)/l_i   (φ_i, l_i direction and length of chord i)",
+         .promise =
+             "Tangents are continuous; without a start angle Σ (κ_{i+1} − κ_i)² is least."},
     .run = run_sequential_arcs};

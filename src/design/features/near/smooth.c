@@ -40,5 +40,9 @@ const bat_feature bat_feature_smooth = {
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], [5 m, 33 cm], [6 m, 22 cm]]}\n"
          "  sheer: {smooth: marks, rms: 1 cm}\n",
-         "[Reinsch67]", "batten_curve_smooth", BAT_PARAMETERS(parameters), false},
+         "[Reinsch67]", "batten_curve_smooth", BAT_PARAMETERS(parameters), false,
+         .also = "smoothing spline, Reinsch, cross validation, noise, penalty",
+         .formula = "    Σ w_j |S(t_j) − Q_j|² + λ ∫ |S^(m)|² dt → minimum,  m = order",
+         .promise =
+             "The least of all curves: a natural spline of degree 2m − 1 with a knot at every parameter."},
     .run = run_smooth};

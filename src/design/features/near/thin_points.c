@@ -117,5 +117,6 @@ const bat_feature bat_feature_thin_points = {
          "features:\n"
          "  scan: {points: [[0, 0], [1 m, 1 mm], [2 m, 0], [3 m, 1 mm], [3 m, 1 m]]}\n"
          "  edge: {thin-points: scan, within: 2 mm}\n",
-         "[Ramer72], [DP73]", "batten_points_thin", BAT_PARAMETERS(parameters), false},
+         "[Ramer72], [DP73]", "batten_points_thin", BAT_PARAMETERS(parameters), false,
+         .also = "Douglas-Peucker, Ramer, decimate, simplify polyline, data reduction"},
     .run = run_thin_points};

@@ -31,5 +31,8 @@ const bat_feature bat_feature_bilinear = {
          "its lines are straight. u runs from the first corner to the second.",
          "features:\n"
          "  sail: {bilinear: [[0, 0, 0], [4 m, 0, 2 m], [4 m, 4 m, 0], [0, 4 m, 2 m]]}\n",
-         "[PT97]", "batten_surface_bilinear", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 8.2]", "batten_surface_bilinear", BAT_PARAMETERS(parameters), false,
+         .also = "hyperbolic paraboloid, four corners, hypar",
+         .formula = "    S(u, v) = (1−u)(1−v) P00 + u (1−v) P10 + (1−u) v P01 + u v P11",
+         .promise = "It is exact; both families of lines are straight."},
     .run = run_bilinear};

@@ -52,5 +52,8 @@ const bat_feature bat_feature_catmull_rom_surface = {
          "             [0, 2, 0], [1, 2, 0.1], [2, 2, 0]]\n"
          "    columns: 3\n"
          "  hill: {catmull-rom-surface: grid}\n",
-         "[CR74]", "batten_surface_catmull_rom", BAT_PARAMETERS(parameters), false},
+         "[Utah74 paper 15] [CR74]", "batten_surface_catmull_rom", BAT_PARAMETERS(parameters),
+         false, .also = "local surface, cardinal surface",
+         .formula = "    S(u, v) = Σ Σ P_ij F_i(u) F_j(v),  F_i of catmull-rom",
+         .promise = "A point changes the surface only nearby."},
     .run = run_catmull_rom_surface};

@@ -31,5 +31,7 @@ const bat_feature bat_feature_cone_to = {
          "features:\n"
          "  oval: {ellipse: 2 m, b: 1 m}\n"
          "  tent: {cone-to: oval, apex: [1 m, 0, 3 m]}\n",
-         "[PT97]", "batten_surface_conical", BAT_PARAMETERS(parameters), false},
+         "[PT97]", "batten_surface_conical", BAT_PARAMETERS(parameters), false,
+         .also = "general cone, apex", .formula = "    S(u, v) = (1 − v) C(u) + v A",
+         .promise = "It is exact."},
     .run = run_cone_to};

@@ -249,5 +249,13 @@ const bat_feature bat_feature_coons = {
          "  sheer: {conic: [[0, 1, 1.5], [2, 1.6, 1.2], [4, 0.4, 1.6]], weight: 1}\n"
          "  bow: {conic: [[4, 0.4, 1.6], [4, 0.2, 0.6], [4, 0, 0]], weight: 1}\n"
          "  side: {coons: [keel, bow, stern, sheer], kind: twists}\n",
-         "[Coons67], [Coons74]", "batten_surface_coons", BAT_PARAMETERS(parameters), false},
+         "[SL section V.2] [Utah74 paper 1] [Utah74 paper 4] [Coons67] [Coons74] [PT97 section 10.6]",
+         "batten_surface_coons", BAT_PARAMETERS(parameters), false,
+         .also =
+             "Coons patch, boundary patch, transfinite, four-sided patch, bilinearly blended, flat spot, twist",
+         .formula =
+             "    S = Σ F_i(u) d_i(v) + Σ c_j(u) F_j(v) − Σ Σ F_i(u) r_ij F_j(v)   (first kind)\n"
+             "    second kind: with G_i times the slopes across the sides;  twists: + Σ Σ G_i(u) T_ij G_j(v)",
+         .promise =
+             "The sides are met exactly; slopes and curvatures of the kinds second and third are measured on what is delivered."},
     .run = run_coons};

@@ -162,5 +162,10 @@ const bat_feature bat_feature_coons_network = {
          "             [0, 2, 0], [1, 2, 0.1], [2, 2, 0]]\n"
          "    columns: 3\n"
          "  roof: {coons-network: grid, twists: energy}\n",
-         "[Coons74]", "batten_surface_coons_grid", BAT_PARAMETERS(parameters), false},
+         "[SL section V.2] [Utah74 paper 1] [Coons74]", "batten_surface_coons_grid",
+         BAT_PARAMETERS(parameters), false, .also = "composite Coons, net of patches, twists",
+         .formula =
+             "    S = Σ F_i(u) d_i(v) + Σ c_j(u) F_j(v) − Σ Σ F_i(u) r_ij F_j(v) + Σ Σ G_i(u) T_ij G_j(v)  on each face",
+         .promise =
+             "All curves are met; with cubic blends tangents, with quintic or coons curvatures are continuous where those of the curves are."},
     .run = run_coons_network};

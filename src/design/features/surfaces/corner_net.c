@@ -117,5 +117,12 @@ const bat_feature bat_feature_corner_net = {
          "    points: [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]]\n"
          "    columns: 3\n"
          "  sheet: {corner-net: grid, tangents-u: [1, 0, 0.5], tangents-v: [0, 1, 0], twists: [0, 0, 1]}\n",
-         "[Coons67], [SL]", "batten_surface_from_hermite", BAT_PARAMETERS(parameters), false},
+         "[SL section V.2] [Utah74 paper 13] [Coons67]", "batten_surface_from_hermite",
+         BAT_PARAMETERS(parameters), false,
+         .also =
+             "bicubic patch, Ferguson patch, Hermite patch, twist vectors, parametric bicubic",
+         .formula =
+             "    S(u, v) = F(u) [r r_v; r_u r_uv] F(v)ᵀ,  F = (F0, F1, G0, G1) cubic, over each face",
+         .promise =
+             "Points, tangents and twists of the corners are met; neighbours join with one tangent plane."},
     .run = run_corner_net};

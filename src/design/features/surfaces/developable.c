@@ -83,5 +83,10 @@ const bat_feature bat_feature_developable = {
          "  chine: {interpolate: c}\n"
          "  bottom: {developable: [keel, chine]}\n"
          "  sheet: {unroll: bottom}\n",
-         "[PW01], [Aumann91]", "batten_surface_developable", BAT_PARAMETERS(parameters), false},
+         "[PW01], [Aumann91]", "batten_surface_developable", BAT_PARAMETERS(parameters), false,
+         .also = "developable surface, plate, torse, single curvature, sheet metal, hull plate",
+         .formula =
+             "    det(c1′(s), c2′(t), c2(t) − c1(s)) = 0 along each ruling from c1(s) to c2(t)",
+         .promise =
+             "Where the edges allow it one plane touches along each ruling; else the warp is near the least and reported."},
     .run = run_developable};

@@ -31,5 +31,7 @@ const bat_feature bat_feature_extrude = {
          "features:\n"
          "  deck-edge: {polyline: [[0, 1 m, 1 m], [4 m, 1.2 m, 1 m]]}\n"
          "  bulwark: {extrude: deck-edge, along: [0, 0, 30 cm]}\n",
-         "[PT97]", "batten_surface_extruded", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 8.3]", "batten_surface_extruded", BAT_PARAMETERS(parameters), false,
+         .also = "extrusion, prism, pad, general cylinder",
+         .formula = "    S(u, v) = C(u) + v d", .promise = "It is exact."},
     .run = run_extrude};

@@ -292,5 +292,11 @@ const bat_feature bat_feature_fill = {
          "  b: {polyline: [[2 m, 0, 0.2 m], [1 m, 1.8 m, 0]]}\n"
          "  c: {polyline: [[1 m, 1.8 m, 0], [0, 0, 0]]}\n"
          "  patch: {fill: [a, b, c]}\n",
-         "[CK83]", "batten_surface_fill", BAT_PARAMETERS(parameters), false},
+         "[Utah74 paper 11] [CK83]", "batten_surface_fill", BAT_PARAMETERS(parameters), false,
+         .also =
+             "N-sided patch, hole filling, n-sided, patch, cap, Kato, Charrot Gregory, surface fill",
+         .formula =
+             "    ∫∫ |third derivatives|² + the squared jumps of second derivatives between the surfaces → minimum over what the sides and the planes along them leave free",
+         .promise =
+             "Tangent planes are the same where the surfaces meet each other and their neighbours; what is left is noted."},
     .run = run_fill};

@@ -208,5 +208,10 @@ const bat_feature bat_feature_fit_grid = {
          "             [0, 2, 0], [1, 2, 0.1], [2, 2, 0], [3, 2, 0.1], [4, 2, 0]]\n"
          "    columns: 5\n"
          "  calm: {fit-grid: grid, points-u: 4, points-v: 3}\n",
-         "[PT97]", "batten_surface_fit_grid", BAT_PARAMETERS(parameters), false},
+         "[SL section I.2] [PT97 section 9.4.3]", "batten_surface_fit_grid",
+         BAT_PARAMETERS(parameters), false,
+         .also = "surface approximation, smoothing surface, regression surface",
+         .formula =
+             "    Σ w_rq |S(ū_r, v̄_q) − p_rq|² (+ λ × roughness) → minimum,  S(u, v) = Σ Σ d_ij N_{i,k}(u) N_{j,l}(v)",
+         .promise = "The sum is least for these knots."},
     .run = run_fit_grid};

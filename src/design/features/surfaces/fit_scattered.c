@@ -177,5 +177,11 @@ const bat_feature bat_feature_fit_scattered = {
          "features:\n"
          "  soundings: {points: [[0, 0, 1], [4, 0, 2], [0, 3, 1], [4, 3, 0], [2, 1, 2], [1, 2, 1], [3, 2, 1]]}\n"
          "  bed: {fit-scattered: soundings, as: function, rms: 0.1}\n",
-         "[Dierckx93], [LWS97]", "batten_surface_scattered", BAT_PARAMETERS(parameters), false},
+         "[Dierckx93], [LWS97]", "batten_surface_scattered", BAT_PARAMETERS(parameters), false,
+         .also =
+             "point cloud, reverse engineering, multilevel B-splines, Hayes Halliday, terrain",
+         .formula =
+             "    Σ w_j |S(u_j, v_j) − Q_j|² + λ ∫∫ (S_uu² + 2 S_uv² + S_vv²) du dv → minimum",
+         .promise =
+             "The sum is least for these knots; with within every distance is bounded or it is refused."},
     .run = run_fit_scattered};

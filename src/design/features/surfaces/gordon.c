@@ -272,5 +272,11 @@ const bat_feature bat_feature_gordon = {
          "  left: {interpolate: q}\n"
          "  right: {polyline: [[3 m, 0, 1 m], [3 m, 2 m, 0.5 m]]}\n"
          "  shell: {gordon: [a, b], guides: [left, right]}\n",
-         "[Gordon71]", "batten_surface_gordon", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 10.5] [Gordon71]", "batten_surface_gordon", BAT_PARAMETERS(parameters),
+         false,
+         .also =
+             "network surface, curve network, boundary surface, transfinite interpolation, guides, curves in two directions",
+         .formula =
+             "    S = Σ L_i(u) f_i(v) + Σ M_j(v) g_j(u) − Σ Σ L_i(u) M_j(v) X_ij,  L_i(u_k) = δ_ik,  M_j(v_l) = δ_jl",
+         .promise = "All curves are met, but for gaps between them, which are reported."},
     .run = run_gordon};

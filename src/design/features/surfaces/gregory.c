@@ -50,5 +50,10 @@ const bat_feature bat_feature_gregory = {
          "  b: {bezier: q}\n"
          "  c: {bezier: r}\n"
          "  patch: {gregory: [a, b, c]}\n",
-         "[CK83], [WM96]", "batten_surface_gregory_between", BAT_PARAMETERS(parameters), false},
+         "[Utah74 paper 4] [CK83] [WM96]", "batten_surface_gregory_between",
+         BAT_PARAMETERS(parameters), false,
+         .also = "Gregory patch, Chiyokura-Kimura, twist incompatibility, N-sided mesh",
+         .formula =
+             "    S = Σ Σ b_ij(u, v) B_i³(u) B_j³(v),  b_11 = (u b_11ᵛ + v b_11ᵘ)/(u + v), the other inner points alike",
+         .promise = "Patches on both sides of a cubic have one tangent plane along it."},
     .run = run_gregory};

@@ -47,5 +47,8 @@ const bat_feature bat_feature_helical = {
          "features:\n"
          "  tread: {line: [[0.3, 0, 0], [1, 0, 0]]}\n"
          "  stair: {helical: tread, pitch: 2.6 m, turns: 1.5}\n",
-         "[PT97]", "batten_surface_helical", BAT_PARAMETERS(parameters), false},
+         "[PT97]", "batten_surface_helical", BAT_PARAMETERS(parameters), false,
+         .also = "helix surface, screw, thread, helicoid, stairs, propeller, spring",
+         .formula = "    S(u, v) = R(v) C(u) + pitch · v/(2π) · axis",
+         .promise = "It is exact along the curve and within the tolerance along the screw."},
     .run = run_helical};

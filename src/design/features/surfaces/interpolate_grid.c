@@ -136,5 +136,10 @@ const bat_feature bat_feature_interpolate_grid = {
          "             [0, 2, 0], [1, 2, 0.1], [2, 2, 0]]\n"
          "    columns: 3\n"
          "  roof: {interpolate-grid: grid, degree-u: 2, degree-v: 2}\n",
-         "[PT97]", "batten_surface_interpolate", BAT_PARAMETERS(parameters), false},
+         "[SL section V.1] [SL section I.5] [SL section VII.4] [Utah74 paper 13] [LN12 formula 12.7.1-30] [LN12 section 12.7] [PT97 section 9.2.5]",
+         "batten_surface_interpolate", BAT_PARAMETERS(parameters), false,
+         .also =
+             "bicubic spline, inversion of a B-spline surface, tensor product, Ferguson surface, parametric bicubic",
+         .formula = "    S(u, v) = Σ Σ d_ij N_{i,k}(u) N_{j,l}(v),  S(ū_r, v̄_q) = p_rq",
+         .promise = "The points are met; rows are solved first, then columns."},
     .run = run_interpolate_grid};

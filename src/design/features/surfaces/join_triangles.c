@@ -89,5 +89,9 @@ const bat_feature bat_feature_join_triangles = {
          "  a: {bezier-triangle: low}\n"
          "  b: {bezier-triangle: high}\n"
          "  both: {join-triangles: [a, b]}\n",
-         "[Farin02]", "batten_triangles_join_tangents", BAT_PARAMETERS(parameters), false},
+         "[Farin02]", "batten_triangles_join_tangents", BAT_PARAMETERS(parameters), false,
+         .also = "G1 join of triangles, smooth edge",
+         .formula =
+             "    D2 = α(t) D1 + β(t) C′ along the edge C: the derivative across it in the second from that in the first",
+         .promise = "One tangent plane along the edge."},
     .run = run_join_triangles};

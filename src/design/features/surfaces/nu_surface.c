@@ -54,5 +54,9 @@ const bat_feature bat_feature_nu_surface = {
          "             [0, 2, 0], [1, 2, 1], [2, 2, 0]]\n"
          "    columns: 3\n"
          "  ridge: {nu-surface: grid, nu-u: [0, 30, 0]}\n",
-         "[Nielson74]", "batten_surface_nu", BAT_PARAMETERS(parameters), false},
+         "[Utah74 paper 10] [Nielson74]", "batten_surface_nu", BAT_PARAMETERS(parameters),
+         false, .also = "ν-spline surface, knuckle lines",
+         .formula =
+             "    S(u, v) = Σ Σ P_ij L_i(u) M_j(v),  L_i, M_j nu-splines:  L″(u_i+) − L″(u_i−) = ν_i L′(u_i)",
+         .promise = "Tangents are continuous across every line, curvature along the lines."},
     .run = run_nu_surface};

@@ -47,5 +47,9 @@ const bat_feature bat_feature_patches_of = {
          "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
          "  sail: {bezier-triangle: net}\n"
          "  panels: {patches-of: sail}\n",
-         "[Hu96]", "batten_model_with_patches", BAT_PARAMETERS(parameters), false},
+         "[Hu96]", "batten_model_with_patches", BAT_PARAMETERS(parameters), false,
+         .also = "triangle to NURBS, degenerate patch, three patches",
+         .formula =
+             "    the same points b(b1, b2, b3), in patches of the degree of the triangle in u and v",
+         .promise = "It is exactly the same surface."},
     .run = run_patches_of};

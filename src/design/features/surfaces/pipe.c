@@ -51,5 +51,8 @@ const bat_feature bat_feature_pipe = {
          "  way: {points: [[0, 0, 0], [2, 0, 0], [3, 1, 0], [3, 2, 1]]}\n"
          "  axis: {interpolate: way}\n"
          "  tube: {pipe: axis, radius: 15 cm}\n",
-         "[PT97] [BR91]", "batten_surfaces_pipe", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 10.4] [BR91]", "batten_surfaces_pipe", BAT_PARAMETERS(parameters),
+         false, .also = "tube, hose, canal surface of constant radius",
+         .formula = "    S(u, v) = γ(v) + r (cos u · x(v) + sin u · y(v))",
+         .promise = "It is exact around and within the tolerance along."},
     .run = run_pipe};

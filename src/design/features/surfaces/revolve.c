@@ -37,5 +37,8 @@ const bat_feature bat_feature_revolve = {
          "features:\n"
          "  profile: {line: [[1 m, 0, 0], [0.6 m, 0, 2 m]]}\n"
          "  mast: {revolve: profile, axis: z}\n",
-         "[PT97]", "batten_surface_revolved", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 8.5]", "batten_surface_revolved", BAT_PARAMETERS(parameters), false,
+         .also = "surface of revolution, lathe, turned part, rotate a profile",
+         .formula = "    S(u, v) = R(u) C(v),  R(u) the turn by the angle at u about the axis",
+         .promise = "It is exact."},
     .run = run_revolve};

@@ -50,5 +50,8 @@ const bat_feature bat_feature_ruled = {
          "  chine: {polyline: [[0, 0.5 m, 0], [4 m, 0.6 m, 0.1 m]]}\n"
          "  sheer: {polyline: [[0, 0.7 m, 0.6 m], [4 m, 0.9 m, 0.8 m]]}\n"
          "  plank: {ruled: [chine, sheer]}\n",
-         "[PT97]", "batten_surface_ruled", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 8.4]", "batten_surface_ruled", BAT_PARAMETERS(parameters), false,
+         .also = "ruled surface, straight lines between curves, lofted between two",
+         .formula = "    S(u, v) = (1 − v) C0(u) + v C1(u)",
+         .promise = "It is exact when points of equal parameter are joined."},
     .run = run_ruled};

@@ -110,5 +110,10 @@ const bat_feature bat_feature_scattered_surface = {
          "  spots: {points: [[0, 0, 1], [4, 0, 2], [0, 3, 1], [4, 3, 0], [2, 1, 2], [1, 2, 1], [3, 2, 1]]}\n"
          "  ground: {scattered-surface: spots, method: powell-sabin}\n",
          "[CT65], [PS77], [Nielson83], [DLR90]", "batten_triangles_scattered",
-         BAT_PARAMETERS(parameters), false},
+         BAT_PARAMETERS(parameters), false,
+         .also =
+             "Clough-Tocher, Powell-Sabin, Delaunay, triangulation, height field, minimum norm network",
+         .formula =
+             "    z(x_i, y_i) = z_i;  cubic (Clough-Tocher) or quadratic (Powell-Sabin) pieces over triangles,  ∇z continuous",
+         .promise = "Every point is met and the tangent plane is continuous."},
     .run = run_scattered_surface};

@@ -282,6 +282,13 @@ const bat_feature bat_feature_skin = {
          "  mid: {arc: 1.4 m, angle: 180 deg, axis: x, from: y, at: [2 m, 0, 0]}\n"
          "  fore: {arc: 0.8 m, angle: 180 deg, axis: x, from: y, at: [4 m, 0, 0]}\n"
          "  hull: {skin: [aft, mid, fore], ends: natural}\n",
-         "[PT97]", "batten_surface_skin", BAT_PARAMETERS(parameters), false},
+         "[LN12 section 12.8] [PT97 section 10.3]", "batten_surface_skin",
+         BAT_PARAMETERS(parameters), false,
+         .also =
+             "loft, lofting, skinning, through sections, blend surface of sections, multi-section surface, frames, hull surface, wing",
+         .formula =
+             "    S(u, v) = Σ Σ d_ij N_i(u) N_j(v),  S(u, v_q) = C_q(u) for every section C_q",
+         .promise =
+             "The sections are isoparametric lines; with within no section moves farther."},
     .run = run_skin,
     .displacing = "spine"};

@@ -135,5 +135,10 @@ const bat_feature bat_feature_skin_rows = {
          "  b: {points: [[1, 0, 0.2], [1, 0.7, 0.6], [1, 1.4, 0.7], [1, 2.2, 0.4], [1, 3, 0]]}\n"
          "  c: {points: [[2, 0, 0], [2, 1.5, 0.4], [2, 3, 0.1]]}\n"
          "  roof: {skin-rows: [a, b, c]}\n",
-         "[PT00]", "batten_surface_skin_rows", BAT_PARAMETERS(parameters), false},
+         "[PT00]", "batten_surface_skin_rows", BAT_PARAMETERS(parameters), false,
+         .also = "lofting of rows, uneven rows, contours",
+         .formula =
+             "    S(u, v) = Σ Σ d_ij N_i(u) N_j(v),  S(u_qr, v_q) = p_qr for the points r of each row q",
+         .promise =
+             "Every point is met; what is left open has the least ∫ |S″|² along its row."},
     .run = run_skin_rows};

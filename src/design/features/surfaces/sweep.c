@@ -134,5 +134,11 @@ const bat_feature bat_feature_sweep = {
          "  spine: {interpolate: way}\n"
          "  oval: {ellipse: 0.4 m, b: 0.2 m}\n"
          "  horn: {sweep: oval, spine: spine, scale: [1, 0.8, 0.3], twist: [0, 90 deg]}\n",
-         "[PT97] [BR91] [WJZL08]", "batten_surfaces_sweep", BAT_PARAMETERS(parameters), false},
+         "[LN12 section 12.8] [PT97 section 10.4] [BR91] [WJZL08]", "batten_surfaces_sweep",
+         BAT_PARAMETERS(parameters), false,
+         .also =
+             "rail, one rail, spine, guide, path, swept surface, moving frame, rotation-minimising frame",
+         .formula =
+             "    S(u, v) = γ(v) + s(v) F(v) R(θ(v)) C(u),  F the moving frame, s scale, θ twist",
+         .promise = "The true sweep is met within the tolerance."},
     .run = run_sweep};

@@ -57,5 +57,9 @@ const bat_feature bat_feature_swing = {
          "  profile: {line: [[1, 0, 0], [0.6, 0, 2]]}\n"
          "  plan: {ellipse: 1.5 m, b: 1 m}\n"
          "  vase: {swing: profile, along: plan}\n",
-         "[PT97]", "batten_surface_swung", BAT_PARAMETERS(parameters), false},
+         "[LN12 section 12.8] [PT97 section 10.2]", "batten_surface_swung",
+         BAT_PARAMETERS(parameters), false,
+         .also = "swung surface, Woodward, pseudo-revolution",
+         .formula = "    S(u, v) = (α Px(u) Tx(v), α Px(u) Ty(v), Pz(u))",
+         .promise = "It is exact."},
     .run = run_swing};

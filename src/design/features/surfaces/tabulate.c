@@ -40,5 +40,7 @@ const bat_feature bat_feature_tabulate = {
          "features:\n"
          "  seam: {arc: 1 m, angle: 120 deg, axis: x, from: y}\n"
          "  plate: {tabulate: seam, direction: [2, 0, 1], from: -50 cm, to: 80 cm}\n",
-         "[PT97]", "batten_surface_tabulated", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 8.3]", "batten_surface_tabulated", BAT_PARAMETERS(parameters), false,
+         .also = "tabulated cylinder", .formula = "    S(u, v) = C(u) + v d,  |d| = 1",
+         .promise = "It is exact; v is the distance from the curve."},
     .run = run_tabulate};

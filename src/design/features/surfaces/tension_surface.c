@@ -56,5 +56,9 @@ const bat_feature bat_feature_tension_surface = {
          "             [0, 2, 0], [1, 2, 0], [2, 2, 1], [3, 2, 1]]\n"
          "    columns: 4\n"
          "  ramp: {tension-surface: grid, amount-u: [8, 0, 8]}\n",
-         "[Cline74]", "batten_surface_tension", BAT_PARAMETERS(parameters), false},
+         "[Utah74 paper 10] [Cline74]", "batten_surface_tension", BAT_PARAMETERS(parameters),
+         false, .also = "surface in tension, exponential spline surface",
+         .formula =
+             "    S(u, v) = Σ Σ P_ij L_i(u) M_j(v),  L_i, M_j splines in tension:  L⁗ = σ² L″ on each strip",
+         .promise = "Tangent planes and curvatures are continuous."},
     .run = run_tension_surface};

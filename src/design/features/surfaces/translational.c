@@ -36,5 +36,7 @@ const bat_feature bat_feature_translational = {
          "  rib: {arc: 2 m, angle: 120 deg, axis: y, from: x}\n"
          "  ridge: {arc: 6 m, angle: 60 deg, axis: x, from: z}\n"
          "  roof: {translational: rib, path: ridge}\n",
-         "[PT97]", "batten_surface_translational", BAT_PARAMETERS(parameters), false},
+         "[LN12 section 12.8] [PT97 section 10.4]", "batten_surface_translational",
+         BAT_PARAMETERS(parameters), false, .also = "translational sweep, moved along",
+         .formula = "    S(u, v) = C(u) + D(v) − D(a)", .promise = "It is exact."},
     .run = run_translational};

@@ -255,6 +255,12 @@ const bat_feature bat_feature_triangle_patch = {
          "  b: {polyline: [[2 m, 0, 0.2 m], [1 m, 1.8 m, 0]]}\n"
          "  c: {polyline: [[1 m, 1.8 m, 0], [0, 0, 0]]}\n"
          "  sail: {triangle-patch: [a, b, c]}\n",
-         "[Nielson79], [BarnhillBirkhoffGordon73], [CharrotGregory80]", "batten_triangle_patch",
-         BAT_PARAMETERS(parameters), false},
+         "[Utah74 paper 3] [Utah74 paper 11] [Nielson79] [BarnhillBirkhoffGordon73] [CharrotGregory80]",
+         "batten_triangle_patch", BAT_PARAMETERS(parameters), false,
+         .also =
+             "Nielson, side-vertex, Barnhill, three-sided patch, Barnhill-Birkhoff-Gordon, Charrot-Gregory",
+         .formula =
+             "    side-vertex: P = (b2² b3² D1 + b3² b1² D2 + b1² b2² D3)/(b2² b3² + b3² b1² + b1² b2²),  D_i cubics of Hermite from corner to side",
+         .promise =
+             "The sides are met, with along also the tangent planes; cubics are reproduced."},
     .run = run_triangle_patch};

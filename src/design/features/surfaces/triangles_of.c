@@ -30,5 +30,9 @@ const bat_feature bat_feature_triangles_of = {
          "  sheer: {polyline: [[0, 0.7 m, 0.6 m], [4 m, 0.9 m, 0.8 m]]}\n"
          "  plank: {ruled: [chine, sheer]}\n"
          "  halves: {triangles-of: plank}\n",
-         "[Farin86]", "batten_triangles_from_surface", BAT_PARAMETERS(parameters), false},
+         "[Farin86]", "batten_triangles_from_surface", BAT_PARAMETERS(parameters), false,
+         .also = "split patches into triangles",
+         .formula =
+             "    b(b1, b2, b3) = Σ n!/(i! j! k!) b1^i b2^j b3^k c_ijk,  n = sum of the degrees of the patch",
+         .promise = "It is exactly the same surface."},
     .run = run_triangles_of};

@@ -68,5 +68,9 @@ const bat_feature bat_feature_two_rails = {
          "  right: {interpolate: right points}\n"
          "  bow: {conic: [[0, 0], [0.5, 1], [1, 0]], weight: 1}\n"
          "  roof: {two-rails: [left, right], section: bow}\n",
-         "[PT97]", "batten_surface_two_rails", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 10.4]", "batten_surface_two_rails", BAT_PARAMETERS(parameters), false,
+         .also = "birail, two rails, sweep two, double rail",
+         .formula =
+             "    S(u, v) = γ1(v) + |γ2(v) − γ1(v)|/|B − A| · F(v) (C(u) − A),  A, B the ends of the section",
+         .promise = "Both rails are met within the tolerance."},
     .run = run_two_rails};

@@ -38,5 +38,6 @@ const bat_feature bat_feature_collect = {
               "  low: {points: [[0, 0], [1, 0]]}\n"
               "  high: {points: [[0, 1], [1, 1]]}\n"
               "  all: {collect: [low, high]}\n",
-              "", "batten_model_add", BAT_PARAMETERS(parameters), false},
+              "", "batten_model_add", BAT_PARAMETERS(parameters), false,
+              .also = "group, combine, assemble"},
     .run = run_collect};

@@ -290,5 +290,7 @@ const bat_feature bat_feature_contours = {
          "  ring: {torus: 3 m, minor: 1 m}\n"
          "  waterlines: {contours: ring, levels: [0, 0.5 m]}\n"
          "  shade: {contours: ring, of: isophote, direction: [1, 1, 2], spacing: 0.25}\n",
-         "[BeiChen94]", "batten_surface_contours", BAT_PARAMETERS(parameters), false},
+         "[BeiChen94]", "batten_surface_contours", BAT_PARAMETERS(parameters), false,
+         .also =
+             "isophotes, zebra, reflection lines, highlight lines, silhouette, level curves, curvature lines, draft, parting line, waterlines"},
     .run = run_contours};

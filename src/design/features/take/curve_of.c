@@ -57,5 +57,6 @@ const bat_feature bat_feature_curve_of = {
               "features:\n"
               "  tank: {cylinder: 0.4 m, height: 1 m}\n"
               "  rims: {curve-of: tank, v: [0, 1]}\n",
-              "[PT97]", "batten_surface_isocurve", BAT_PARAMETERS(parameters), false},
+              "[PT97]", "batten_surface_isocurve", BAT_PARAMETERS(parameters), false,
+              .also = "isoparametric curve, isocurve, edge of a surface, isoline"},
     .run = run_curve_of};

@@ -118,5 +118,7 @@ const bat_feature bat_feature_divide = {
          "  rim: {circle: 1 m}\n"
          "  bolts: {divide: rim, count: 12}\n"
          "  sides: {divide: rim, chords: 7}\n",
-         "[PT97] [Blaschke23]", "batten_curve_divide", BAT_PARAMETERS(parameters), false},
+         "[PT97] [Blaschke23]", "batten_curve_divide", BAT_PARAMETERS(parameters), false,
+         .also =
+             "equal parts, equal chords, subdivide, points along, array along curve, dividers"},
     .run = run_divide};

@@ -94,5 +94,6 @@ const bat_feature bat_feature_edges = {
          "features:\n"
          "  tank: {cylinder: 0.4 m, height: 1 m}\n"
          "  rims: {edges: tank, which: free}\n",
-         "[Part42]", "batten_body_view", BAT_PARAMETERS(parameters), false},
+         "[Part42]", "batten_body_view", BAT_PARAMETERS(parameters), false,
+         .also = "border, boundary curves, extract edges"},
     .run = run_edges};

@@ -125,9 +125,8 @@ static batten_status run_faces(bat_run *run)
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i < shapes.count && status == BATTEN_OK; i++)
-        status = shapes.at[i]->kind == BATTEN_OBJECT_BODY
-                     ? add_faces(run, shapes.at[i])
-                     : bat_add(run, shapes.at[i]);
+        status = shapes.at[i]->kind == BATTEN_OBJECT_BODY ? add_faces(run, shapes.at[i])
+                                                          : bat_add(run, shapes.at[i]);
     bat_objects_release(&shapes);
     return status;
 }
@@ -141,5 +140,6 @@ const bat_feature bat_feature_faces = {
          "features:\n"
          "  block: {read: block.step}\n"
          "  sides: {faces: block}\n",
-         "[Part42]", "batten_body_view", BAT_PARAMETERS(parameters), false},
+         "[Part42]", "batten_body_view", BAT_PARAMETERS(parameters), false,
+         .also = "extract faces, explode, untrim"},
     .run = run_faces};

@@ -181,5 +181,7 @@ const bat_feature bat_feature_frames = {
          "  ducks: {points: [[0, 0, 0], [1 m, 0, 0], [1 m, 1 m, 50 cm], [0, 1 m, 1 m]]}\n"
          "  pipe: {interpolate: ducks}\n"
          "  strip: {frames: pipe, as: ribbon, size: 10 cm}\n",
-         "[WJZL08]", "batten_curve_frames", BAT_PARAMETERS(parameters), false},
+         "[WJZL08]", "batten_curve_frames", BAT_PARAMETERS(parameters), false,
+         .also =
+             "Frenet, rotation-minimising frame, RMF, Bishop frame, double reflection, parallel transport"},
     .run = run_frames};

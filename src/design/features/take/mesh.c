@@ -95,5 +95,6 @@ const bat_feature bat_feature_mesh = {
          "features:\n"
          "  ball: {sphere: 1 m}\n"
          "  facets: {mesh: ball, chord: 1 cm}\n",
-         "[FMM86]", "batten_mesh_from_body", BAT_PARAMETERS(parameters), false},
+         "[FMM86]", "batten_mesh_from_body", BAT_PARAMETERS(parameters), false,
+         .also = "tessellate, triangulate, STL, facets"},
     .run = run_mesh};

@@ -40,5 +40,6 @@ const bat_feature bat_feature_part = {
          "features:\n"
          "  keel: {line: [[0, 0], [3 m, 0]]}\n"
          "  fore: {part: keel, from: 0.5, to: 1}\n",
-         "[PT97]", "batten_curve_subrange", BAT_PARAMETERS(parameters), false},
+         "[PT97 section 5.2]", "batten_curve_subrange", BAT_PARAMETERS(parameters), false,
+         .also = "subcurve, subpatch, segment of a curve, trim by parameters"},
     .run = run_part};

@@ -32,5 +32,6 @@ const bat_feature bat_feature_select = {
               "features:\n"
               "  ducks: {points: [[0, 0], [1, 0], [0, 1], [1, 1]], columns: 2}\n"
               "  upper: {select: ducks, names: row 2}\n",
-              "", "batten_model_find", BAT_PARAMETERS(parameters), false},
+              "", "batten_model_find", BAT_PARAMETERS(parameters), false,
+              .also = "pick, filter by name, extract"},
     .run = run_select};

@@ -40,6 +40,10 @@ const bat_feature bat_feature_akima = {
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {akima: tank, as: function}\n",
-         "[Akima70], [Akima72], [Ionita19]", "batten_slopes", BAT_PARAMETERS(parameters),
-         false},
+         "[SL section VI.8] [Akima70] [Akima72] [Ionita19]", "batten_slopes",
+         BAT_PARAMETERS(parameters), false, .also = "Akima spline, makima, modified Akima",
+         .formula =
+             "    s_i = (w1 d_{i−1} + w2 d_i)/(w1 + w2),  w1 = |d_{i+1} − d_i|,  w2 = |d_{i−1} − d_{i−2}|\n"
+             "    as a curve the weights are areas:  w1 = |q_i × q_{i+1}|,  w2 = |q_{i−2} × q_{i−1}|,  q_i = P_{i+1} − P_i",
+         .promise = "Three points in line give that line; the first derivative is continuous."},
     .run = run_akima};

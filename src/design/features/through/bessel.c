@@ -33,5 +33,9 @@ const bat_feature bat_feature_bessel = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  sheer: {bessel: ducks}\n",
-         "[deBoor01]", "batten_tangents", BAT_PARAMETERS(parameters), false},
+         "[SL section VI.8] [deBoor01]", "batten_tangents", BAT_PARAMETERS(parameters), false,
+         .also = "Overhauser, parabolic blending, three-point parabola",
+         .formula =
+             "    T_i = (h_i d_{i−1} + h_{i−1} d_i)/(h_{i−1} + h_i),  d_i = (P_{i+1} − P_i)/h_i;  cubics of Hermite between",
+         .promise = "Parabolas are reproduced; a point changes four spans."},
     .run = run_bessel};

@@ -44,5 +44,9 @@ const bat_feature bat_feature_beta_spline = {
          "features:\n"
          "  cage: {points: [[0, 0], [1 m, 2 m], [3 m, 1 m], [4 m, 0]]}\n"
          "  soft: {beta-spline: cage, beta2: 5}\n",
-         "[Barsky88]", "batten_curve_beta", BAT_PARAMETERS(parameters), false},
+         "[Barsky88]", "batten_curve_beta", BAT_PARAMETERS(parameters), false,
+         .also = "Barsky, bias and tension",
+         .formula = "    S′(t_i+) = β1 S′(t_i−),  S″(t_i+) = β1² S″(t_i−) + β2 S′(t_i−)",
+         .promise =
+             "Tangent and curvature are continuous at the joints; β1 = 1, β2 = 0 is the uniform cubic B-spline."},
     .run = run_beta_spline};

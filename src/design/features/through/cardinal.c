@@ -48,6 +48,10 @@ const bat_feature bat_feature_cardinal = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  sheer: {cardinal: ducks, tension: 0.3}\n",
-         "[CR74], [KB84]", "batten_tangents_kochanek_bartels", BAT_PARAMETERS(parameters),
-         false},
+         "[Utah74 paper 15] [CR74] [KB84]", "batten_tangents_kochanek_bartels",
+         BAT_PARAMETERS(parameters), false,
+         .also = "cardinal spline, tension parameter, drawing programs, canonical spline",
+         .formula =
+             "    T_i = (1 − c) (h_i d_{i−1} + h_{i−1} d_i)/(h_{i−1} + h_i);  equal steps: (1 − c) (P_{i+1} − P_{i−1})/2",
+         .promise = "The tangent is continuous; a point changes four spans."},
     .run = run_cardinal};

@@ -64,6 +64,11 @@ const bat_feature bat_feature_catmull_rom = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [1.2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  sheer: {catmull-rom: ducks}\n",
-         "[CR74], [BG88], [YSK11]", "batten_curve_catmull_rom", BAT_PARAMETERS(parameters),
-         false},
+         "[Utah74 paper 15] [CR74] [BG88] [YSK11]", "batten_curve_catmull_rom",
+         BAT_PARAMETERS(parameters), false,
+         .also = "Overhauser, cardinal blending, local interpolating spline, camera path",
+         .formula =
+             "    F(t) = Σ L_j(t) N_j(t),  N_j B-splines of degree blend,  L_j polynomials of degree local through the points around",
+         .promise =
+             "Polynomials of degree max(local, blend) are reproduced; with alpha 1/2 the default has no cusp and no loop within a span."},
     .run = run_catmull_rom};

@@ -55,5 +55,11 @@ const bat_feature bat_feature_conic_pair = {
          "features:\n"
          "  ends: {points: [[0, 0], [3 m, 0]]}\n"
          "  bilge: {conic-pair: ends, start-angle: 60 deg, end-angle: -30 deg}\n",
-         "[SL]", "batten_curve_conics", BAT_PARAMETERS(parameters), false},
+         "[SL section VI.5]", "batten_curve_conics", BAT_PARAMETERS(parameters), false,
+         .also = "quadratic curve pair, two conics, closing a gap",
+         .formula =
+             "    A = P0 + λ (T − P0),  B = P3 + μ (T − P3),  J = (1 − ν) A + ν B;  conics (P0, A, J; w1), (J, B, P3; w2)\n"
+             "    with curvatures: w1² = |(A − P0) × (J − A)|/(2 κ0 |A − P0|³), w2 alike, ν as in conic-spline;  without: w = 1, parabolas",
+         .promise =
+             "Directions, and curvatures where they are given, are met at both ends; the curve stays in the triangle P0 T P3."},
     .run = run_conic_pair};

@@ -55,5 +55,11 @@ const bat_feature bat_feature_conic_spline = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [3.2 m, -40 cm]]}\n"
          "  rim: {conic-spline: ducks}\n",
-         "[SL]", "batten_curve_conics", BAT_PARAMETERS(parameters), false},
+         "[SL section VI.5]", "batten_curve_conics", BAT_PARAMETERS(parameters), false,
+         .also = "quadratic curve pair, G2 conics, rational quadratics",
+         .formula =
+             "    A = P0 + λ (T − P0),  B = P3 + μ (T − P3),  J = (1 − ν) A + ν B;  conics (P0, A, J; w1), (J, B, P3; w2)\n"
+             "    w1² = |(A − P0) × (J − A)|/(2 κ0 |A − P0|³),  w2 alike;  ν = κ0^⅓ a/(κ0^⅓ a + κ3^⅓ b),  a = |A − P0|,  b = |P3 − B|",
+         .promise =
+             "Curvature is continuous at the points and at J, but where a span bends both ways."},
     .run = run_conic_spline};

@@ -209,5 +209,12 @@ const bat_feature bat_feature_constrained = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1, 0], [2, 0.05], [3, 1], [4, 1.05], [5, 1.1]]}\n"
          "  ramp: {constrained: ducks, lines: [[0, 0]], sides: [[0, 1]], forward: [[0, 1]]}\n",
-         "[Wielinga74] [GI83]", "batten_curve_constrained", BAT_PARAMETERS(parameters), false},
+         "[Utah74 paper 8] [Wielinga74] [GI83]", "batten_curve_constrained",
+         BAT_PARAMETERS(parameters), false,
+         .also =
+             "Wielinga, constrained interpolation, convex spline, monotone spline, one-sided, obstacle",
+         .formula =
+             "    S(t_i) = P_i;  n·(S − a) ≥ 0 beside a line,  f·S′ ≥ 0 forward,  b·S″ ≥ 0 bent, for all t",
+         .promise =
+             "∫ |S^(r)|² dt is least of all splines of its degree and knots that obey the conditions; r = 1, 2, 3 is stretching, bending, variation."},
     .run = run_constrained};

@@ -62,5 +62,10 @@ const bat_feature bat_feature_cornered_spline = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 1], [5, 0.5], [6, 0.6], [6.6, 1.2]]}\n"
          "  keel: {cornered-spline: ducks, lines: [3], corners: [1], transition: curvature}\n",
-         "[SL]", "batten_curve_cornered", BAT_PARAMETERS(parameters), false},
+         "[SL section III.7]", "batten_curve_cornered", BAT_PARAMETERS(parameters), false,
+         .also = "corners, knuckles, straight runs, piecewise spline",
+         .formula =
+             "    on each run between corners: S(t_i) = P_i, S″ continuous;  at a line: S′ ∥ the line, with transition curvature also κ = 0",
+         .promise =
+             "The second derivative is continuous on each smooth run; straight runs are straight exactly."},
     .run = run_cornered_spline};

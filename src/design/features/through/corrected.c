@@ -100,5 +100,7 @@ const bat_feature bat_feature_corrected = {
          "  ducks: {points: [[0, 0], [3 m, 0.4 m], [3.3 m, 1 m], [3.4 m, 2 m], [2.2 m, 3 m]]}\n"
          "  loopy: {interpolate: ducks, parameters: uniform}\n"
          "  simple: {corrected: loopy}\n",
-         "[SL] [dBHS87]", "batten_curve_correct_tangents", BAT_PARAMETERS(parameters), false},
+         "[SL section III.5] [SL section III.6] [dBHS87]", "batten_curve_correct_tangents",
+         BAT_PARAMETERS(parameters), false,
+         .also = "remove loops, remove cusps, excess inflections"},
     .run = run_corrected};

@@ -68,8 +68,12 @@ const bat_feature bat_feature_circle_tangents = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  sheer: {circle-tangents: ducks}\n",
-         "[McConalogue70], [SL]", "batten_tangents", BAT_PARAMETERS(circle_tangents_parameters),
-         false},
+         "[SL section VI.8] [McConalogue70]", "batten_tangents",
+         BAT_PARAMETERS(circle_tangents_parameters), false,
+         .also = "circle through three points, osculating circle",
+         .formula =
+             "    T_i ∥ q_{i−1}/|q_{i−1}|² + q_i/|q_i|²,  q_i = P_{i+1} − P_i,  |T_i| = 1;  cubics of Hermite between",
+         .promise = "Points of a circle get its tangents exactly; a point changes four spans."},
     .run = draw_cubics,
     .family = BATTEN_TANGENT_CIRCLE};
 
@@ -85,7 +89,13 @@ const bat_feature bat_feature_mcconalogue = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  sheer: {mcconalogue: ducks}\n",
-         "[McConalogue70]", "batten_tangents", BAT_PARAMETERS(mcconalogue_parameters), false},
+         "[SL section VI.8] [McConalogue70]", "batten_tangents",
+         BAT_PARAMETERS(mcconalogue_parameters), false,
+         .also = "McConalogue, plotter curve, quasi-intrinsic",
+         .formula =
+             "    T_i ∥ q_{i−1}/|q_{i−1}|² + q_i/|q_i|²,  |T_i| = 1;  step h:  |3 q_i/(2 h) − (T_i + T_{i+1})/4| = 1",
+         .promise =
+             "Each span has speed 1 at its ends and in its middle: the parameter is the arc length by the rule of Simpson."},
     .run = draw_cubics,
     .family = BATTEN_TANGENT_CIRCLE};
 
@@ -101,6 +111,12 @@ const bat_feature bat_feature_renner = {
          "features:\n"
          "  plate: {points: [[0, 0], [1 m, 0], [2 m, 0], [2.6 m, 0.4 m], [2.6 m, 1 m], [2.6 m, 2 m]]}\n"
          "  outline: {renner: plate}\n",
-         "[Renner82], [PT97]", "batten_tangents", BAT_PARAMETERS(renner_parameters), false},
+         "[SL section VI.8] [Renner82] [PT97 section 9.3.1]", "batten_tangents",
+         BAT_PARAMETERS(renner_parameters), false, .also = "straight runs, even speed",
+         .formula =
+             "    T_i ∥ (1 − a) q_{i−1} + a q_i,  a = |q_{i−2} × q_{i−1}| / (|q_{i−2} × q_{i−1}| + |q_i × q_{i+1}|),  q_i = P_{i+1} − P_i\n"
+             "    |T_i| = 1, and the step h with |S′| = 1 in the middle of the span",
+         .promise =
+             "Three points in line give exactly that line; each span has speed 1 at its ends and in its middle."},
     .run = draw_cubics,
     .family = BATTEN_TANGENT_RENNER};

@@ -99,5 +99,11 @@ const bat_feature bat_feature_directed_spline = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 0.6], [4, 0]]}\n"
          "  crown: {directed-spline: ducks, at: [0, 2], directions: [[0, 1], [1, 0]]}\n",
-         "[SL] [Nielson74]", "batten_curve_directed", BAT_PARAMETERS(parameters), false},
+         "[SL section III.7] [Utah74 paper 10] [Nielson74]", "batten_curve_directed",
+         BAT_PARAMETERS(parameters), false,
+         .also = "clamped spline, given tangents, tangent constraint, direction constraint",
+         .formula =
+             "    S(t_i) = P_i,  S′(t_k) = λ_k d_k,  λ_k > 0,  for the directions d_k that are given",
+         .promise =
+             "∫ |S″|² dt + Σ ν_i |S′(t_i)|² is least of all such curves, but where a λ_k would not be positive."},
     .run = run_directed_spline};

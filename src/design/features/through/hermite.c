@@ -114,5 +114,13 @@ const bat_feature bat_feature_hermite = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 0]]}\n"
          "  bow: {hermite: ducks, tangents: [[0, 1], [1, 0], [0, -1]], lengths: middle}\n",
-         "[PT97]", "batten_curve_from_tangents", BAT_PARAMETERS(parameters), false},
+         "[SL section VI.8] [PT97 section 9.3]", "batten_curve_from_tangents",
+         BAT_PARAMETERS(parameters), false,
+         .also =
+             "Hermite interpolation, Ferguson curve, cubic Hermite, quintic Hermite, osculating",
+         .formula =
+             "    S = P_i F0(t) + P_{i+1} F1(t) + h_i (T_i G0(t) + T_{i+1} G1(t)),  0 ≤ t ≤ 1\n"
+             "    F0 = 1 − 3t² + 2t³,  F1 = 3t² − 2t³,  G0 = t − 2t² + t³,  G1 = t³ − t²   (cubic)",
+         .promise =
+             "Points and derivatives are met exactly; the first derivative is continuous, of quintics the second too."},
     .run = run_hermite};

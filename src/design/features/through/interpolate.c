@@ -272,5 +272,14 @@ const bat_feature bat_feature_interpolate = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  sheer: {interpolate: ducks, parameters: chord, ends: natural}\n",
-         "[PT97]", "batten_curve_interpolate", BAT_PARAMETERS(parameters), false},
+         "[SL section II.1] [SL section III.6] [SL section I.5] [SL section VII.4] [PT97 section 9.2]",
+         "batten_curve_interpolate", BAT_PARAMETERS(parameters), false,
+         .also =
+             "cubic spline, parametric spline, cumulative chord length, centripetal parametrisation, Foley-Nielson, Ferguson curve, not-a-knot, natural spline, periodic spline, inversion of a B-spline, through points",
+         .formula =
+             "    S(t_i) = P_i,  t_{i+1} − t_i = |P_{i+1} − P_i|^e  (e = 1 cumulative chord, 1/2 centripetal, 0 uniform)\n"
+             "    degree 3, h_i = t_{i+1} − t_i, M_i = S″(t_i), d_i = (P_{i+1} − P_i)/h_i:\n"
+             "    h_{i−1} M_{i−1} + 2 (h_{i−1} + h_i) M_i + h_i M_{i+1} = 6 (d_i − d_{i−1})",
+         .promise =
+             "Of all curves with S(t_i) = P_i the cubic with natural ends has the least ∫ |S″|² dt; its second derivative is continuous."},
     .run = run_interpolate};

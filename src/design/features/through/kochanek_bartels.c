@@ -55,5 +55,11 @@ const bat_feature bat_feature_kochanek_bartels = {
          "features:\n"
          "  keys: {points: [[0, 0], [1 m, 60 cm], [2 m, 0], [3 m, 60 cm], [4 m, 0]]}\n"
          "  path: {kochanek-bartels: keys, tension: [0, 0.5, 0, 0, 0], continuity: [0, 0, -1, 0, 0]}\n",
-         "[KB84]", "batten_tangents_kochanek_bartels", BAT_PARAMETERS(parameters), false},
+         "[KB84]", "batten_tangents_kochanek_bartels", BAT_PARAMETERS(parameters), false,
+         .also = "TCB spline, tension continuity bias, keyframe, animation path",
+         .formula =
+             "    T_i⁺ = ½ (1−τ) ((1+c)(1+b) (P_i − P_{i−1}) + (1−c)(1−b) (P_{i+1} − P_i))   (equal steps)\n"
+             "    T_i⁻ = ½ (1−τ) ((1−c)(1+b) (P_i − P_{i−1}) + (1+c)(1−b) (P_{i+1} − P_i))",
+         .promise =
+             "Where c is 0 the tangent is continuous; a point and its numbers change four spans."},
     .run = run_kochanek_bartels};

@@ -46,5 +46,11 @@ const bat_feature bat_feature_local_conics = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm]]}\n"
          "  section: {local-conics: ducks, weight: 0.8}\n",
-         "[PT97]", "batten_curve_conics", BAT_PARAMETERS(parameters), false},
+         "[SL section VI.5] [PT97 section 9.3.3]", "batten_curve_conics",
+         BAT_PARAMETERS(parameters), false,
+         .also = "Liming, conic lofting, rho conics, fuselage sections, second degree curves",
+         .formula =
+             "    C(t) = (B0 P0 + w B1 T + B2 P3)/(B0 + w B1 + B2),  B_i = Bernstein polynomials of degree 2",
+         .promise =
+             "Tangents are continuous and each span stays in the triangle of its tangents; points of a circle give the circle."},
     .run = run_local_conics};

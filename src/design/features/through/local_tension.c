@@ -50,5 +50,10 @@ const bat_feature bat_feature_local_tension = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 1 cm], [2 m, 4 cm], [3 m, 30 cm], [4 m, 150 cm]]}\n"
          "  batten: {local-tension: ducks}\n",
-         "[SL]", "batten_chain_nonlinear", BAT_PARAMETERS(parameters), false},
+         "[SL section VI.7]", "batten_chain_nonlinear", BAT_PARAMETERS(parameters), false,
+         .also = "local spline in tension, secant frame",
+         .formula =
+             "    η⁗ = σ² η″ over the chord,  η(0) = η(l) = 0,  η′(0) = tan α,  η′(l) = tan β;  κ continuous at the points",
+         .promise =
+             "Curvature is continuous; without a given tension each span gets what keeps it bent to one side where its data are."},
     .run = run_local_tension};

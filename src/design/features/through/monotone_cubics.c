@@ -40,7 +40,11 @@ const bat_feature bat_feature_fritsch_carlson = {
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {fritsch-carlson: tank}\n",
-         "[FC80]", "batten_slopes", BAT_PARAMETERS(fritsch_carlson_parameters), false},
+         "[FC80]", "batten_slopes", BAT_PARAMETERS(fritsch_carlson_parameters), false,
+         .also = "monotone cubic, no overshoot, monotone interpolation",
+         .formula =
+             "    s_i from the parabola through three points, both slopes of a span times τ = min(1, 3/√(α² + β²)),  α = s_i/d_i,  β = s_{i+1}/d_i",
+         .promise = "Monotone where the data are; extrema lie at points."},
     .run = draw_function,
     .family = BATTEN_SLOPE_FRITSCH_CARLSON};
 
@@ -55,7 +59,11 @@ const bat_feature bat_feature_fritsch_butland = {
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {fritsch-butland: tank}\n",
-         "[FB84]", "batten_slopes", BAT_PARAMETERS(fritsch_butland_parameters), false},
+         "[FB84]", "batten_slopes", BAT_PARAMETERS(fritsch_butland_parameters), false,
+         .also = "PCHIP, monotone cubic, no overshoot, harmonic mean",
+         .formula =
+             "    (w1 + w2)/s_i = w1/d_{i−1} + w2/d_i,  w1 = 2 h_i + h_{i−1},  w2 = h_i + 2 h_{i−1};  0 where d changes sign",
+         .promise = "Monotone where the data are; extrema lie at points."},
     .run = draw_function,
     .family = BATTEN_SLOPE_FRITSCH_BUTLAND};
 
@@ -68,6 +76,11 @@ const bat_feature bat_feature_steffen = {
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {steffen: tank}\n",
-         "[Steffen90]", "batten_slopes", BAT_PARAMETERS(steffen_parameters), false},
+         "[Steffen90]", "batten_slopes", BAT_PARAMETERS(steffen_parameters), false,
+         .also = "monotone cubic, no overshoot",
+         .formula =
+             "    s_i = (sgn d_{i−1} + sgn d_i) min(|d_{i−1}|, |d_i|, ½ |p_i|),  p_i = (d_{i−1} h_i + d_i h_{i−1})/(h_{i−1} + h_i)",
+         .promise =
+             "No extremum between points; smooth data keep the slope of their parabola."},
     .run = draw_function,
     .family = BATTEN_SLOPE_STEFFEN};

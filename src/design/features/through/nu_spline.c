@@ -46,5 +46,11 @@ const bat_feature bat_feature_nu_spline = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 1 m], [3 m, 1 m]]}\n"
          "  knuckle: {nu-spline: ducks, nu: [0, 30, 0, 0]}\n",
-         "[Nielson74]", "batten_curve_weighted", BAT_PARAMETERS(parameters), false},
+         "[Utah74 paper 10] [Nielson74]", "batten_curve_weighted", BAT_PARAMETERS(parameters),
+         false,
+         .also = "ν-spline, Nielson, tension at points, alternative to splines under tension",
+         .formula =
+             "    S″(t_i+) − S″(t_i−) = ν_i S′(t_i),  S(t_i) = P_i,  S cubic on each span;  ν_i = nu / mean step",
+         .promise =
+             "With natural ends ∫ |S″|² dt + Σ ν_i |S′(t_i)|² is least (ν_i ≥ 0); tangent and curvature are continuous."},
     .run = run_nu_spline};

@@ -50,5 +50,11 @@ const bat_feature bat_feature_quadratic_spline = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 1 m], [2 m, 1 m], [3 m, 0]]}\n"
          "  low: {quadratic-spline: ducks}\n",
-         "[Marsden74]", "batten_curve_quadratic", BAT_PARAMETERS(parameters), false},
+         "[SL section II.2] [Marsden74]", "batten_curve_quadratic", BAT_PARAMETERS(parameters),
+         false, .also = "parabolic spline, piecewise parabolas, Marsden",
+         .formula =
+             "    S quadratic between knots τ_i, S and S′ continuous, S(t_i) = P_i\n"
+             "    between: τ_i midway between the points;  midpoints: t_i = (τ_{i−1} + τ_i)/2;  sequential: τ_i = t_i",
+         .promise =
+             "The tangent is continuous and parabolas are reproduced; the error falls with h³ (sequential: only with the right slope)."},
     .run = run_quadratic_spline};

@@ -36,5 +36,10 @@ const bat_feature bat_feature_rational_monotone = {
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {rational-monotone: tank}\n",
-         "[GD82]", "batten_curve_rational_monotone", BAT_PARAMETERS(parameters), false},
+         "[GD82]", "batten_curve_rational_monotone", BAT_PARAMETERS(parameters), false,
+         .also = "Gregory Delbourgo, rational quadratic, no overshoot",
+         .formula =
+             "    s(x) = (d y_{i+1} θ² + (y_i s_{i+1} + y_{i+1} s_i) θ (1−θ) + d y_i (1−θ)²)/(d θ² + (s_i + s_{i+1}) θ (1−θ) + d (1−θ)²)\n"
+             "    θ = (x − x_i)/h_i,  d = (y_{i+1} − y_i)/h_i",
+         .promise = "Monotone where the data are, for any slopes of the sign of the chords."},
     .run = run_rational_monotone};

@@ -36,5 +36,10 @@ const bat_feature bat_feature_schumaker = {
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {schumaker: tank}\n",
-         "[Schumaker83]", "batten_curve_schumaker", BAT_PARAMETERS(parameters), false},
+         "[Schumaker83]", "batten_curve_schumaker", BAT_PARAMETERS(parameters), false,
+         .also = "shape preserving quadratic, convex interpolation, no overshoot",
+         .formula =
+             "    parabolas with one knot ξ in a span:  s̄ = (2 (y_{i+1} − y_i) − (ξ − x_i) s_i − (x_{i+1} − ξ) s_{i+1})/(x_{i+1} − x_i) is the slope at ξ",
+         .promise =
+             "Monotone and convex or concave wherever the data are and a smooth function can be both."},
     .run = run_schumaker};

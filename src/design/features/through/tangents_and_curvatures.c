@@ -96,5 +96,12 @@ const bat_feature bat_feature_tangents_and_curvatures = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  arc: {tangents-and-curvatures: ducks}\n",
-         "[dBHS87]", "batten_curve_from_curvatures", BAT_PARAMETERS(parameters), false},
+         "[SL section III.7] [dBHS87]", "batten_curve_from_curvatures",
+         BAT_PARAMETERS(parameters), false,
+         .also = "geometric Hermite, de Boor Höllig Sabin, G2 Hermite, high accuracy",
+         .formula =
+             "    (d0 × d1) δ0 = a × d1 − (3/2) κ1 δ1²,  (d0 × d1) δ1 = d0 × a − (3/2) κ0 δ0²,  a = P1 − P0\n"
+             "    b0 = P0,  b1 = P0 + δ0 d0,  b2 = P1 − δ1 d1,  b3 = P1   (d unit tangents)",
+         .promise =
+             "Directions and curvatures are met at every point, so curvature is continuous; the error falls with h⁶."},
     .run = run_tangents_and_curvatures};

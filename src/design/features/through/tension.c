@@ -61,5 +61,12 @@ const bat_feature bat_feature_tension = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 0], [2.3 m, 80 cm], [4 m, 1 m]]}\n"
          "  sheer: {tension: ducks, rule: convex}\n",
-         "[Cline74]", "batten_chain_tension", BAT_PARAMETERS(parameters), false},
+         "[SL section II.3] [Cline74]", "batten_chain_tension", BAT_PARAMETERS(parameters),
+         false,
+         .also =
+             "spline under tension, exponential spline, hyperbolic spline, Schweikert, Cline",
+         .formula =
+             "    S⁗ − σ_i² S″ = 0 on span i,  S(t_i) = P_i,  S′ and S″ continuous;  amount = σ_i h_i",
+         .promise =
+             "With natural ends Σ ∫ (|S″|² + σ_i² |S′|²) dt is the least of all curves with S(t_i) = P_i."},
     .run = run_tension};

@@ -47,5 +47,9 @@ const bat_feature bat_feature_weighted_spline = {
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 6 m], [3 m, 6 m]]}\n"
          "  rise: {weighted-spline: ducks, as: function}\n",
-         "[Salkauskas84]", "batten_curve_weighted", BAT_PARAMETERS(parameters), false},
+         "[Salkauskas84]", "batten_curve_weighted", BAT_PARAMETERS(parameters), false,
+         .also = "Salkauskas, weighted cubic, Foley",
+         .formula =
+             "    w_{i−1} S″(t_i−) = w_i S″(t_i+),  S′ continuous,  S(t_i) = P_i,  S cubic on each span",
+         .promise = "With natural ends Σ w_i ∫ |S″|² dt over the spans is least."},
     .run = run_weighted_spline};
