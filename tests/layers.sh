@@ -26,7 +26,7 @@ for folder in src/shape/*; do
 "
 done
 for folder in picture design; do
-    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|plural|list|sort|arena|system)\.h\"|numeric/(vector|box)\.h\")")"
+    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|elementary|plural|list|sort|arena|system)\.h\"|numeric/(vector|box)\.h\")")"
 done
 for folder in cli studio examples; do
     [ -d "$folder" ] || continue
