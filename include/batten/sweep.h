@@ -145,6 +145,8 @@ typedef struct batten_surface_sweep_options {
     const double *at; /**< [section count] shares of the length at which sections stand, rising
                            from 0 to 1; NULL: evenly */
     bool allow_folds; /**< do not refuse where sections run into each other */
+    bool align; /**< of several sections, reverse those that run against the one before, and let
+                           closed ones begin near it when they start more than 45 degrees off */
 } batten_surface_sweep_options;
 
 /** Rotation-minimising frames, degree 3, the tolerance 1e-6 units. */
@@ -160,6 +162,10 @@ typedef struct batten_surface_sweep_report {
     double clearance; /**< least of 1 - curvature times reach of the section: not above 0 where
                            sections run into each other; 1 for frames that do not turn */
     double clearance_at; /**< where, parameter of the spine */
+    int reversed_count;  /**< sections that were reversed */
+    int reversed;        /**< the first of them, from 0, or -1 */
+    int turned_count;    /**< closed sections that begin elsewhere */
+    int turned;          /**< the first of them, from 0, or -1 */
 } batten_surface_sweep_report;
 
 /**
@@ -173,7 +179,7 @@ typedef struct batten_surface_sweep_report {
  * are needed to keep the tolerance. Where the spine has corners, see `corners`.
  *
  * Several sections are blended by a cubic spline over the shares of the length (batten_surface
- * _skin, with its rules for unifying and weights).
+ * _skin, with its rules for unifying and weights); the first and the last may be a point.
  *
  * @param sections  count: sections, 1 or more
  * @param options  NULL for the defaults
@@ -181,7 +187,7 @@ typedef struct batten_surface_sweep_report {
  * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; NOT_COMPATIBLE naming a corner that is not allowed, or the part of the
  * spine where sections run into each other (curvature times reach 1 or more); COINCIDENT (a
- * spine no longer than the tolerance, a section that is a point); SINGULAR_HERE (no tangent, no
+ * spine no longer than the tolerance, a single section that is a point); SINGULAR_HERE (no tangent, no
  * frame); BAD_ARGUMENT (a scale that is not above 0 all along, with the place where it is
  * least); TOLERANCE_NOT_MET where 2000 sections would not do, with what was reached, or below
  * the rounding of the coordinates; TOO_LARGE (a path of too many spans, or a surface of more

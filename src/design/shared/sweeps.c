@@ -64,6 +64,14 @@ static void report_sweep(bat_run *run, const batten_surface_sweep_report *report
     else
         bat_remark(run, "%d section%s", report->section_count,
                    bat_plural(report->section_count));
+    if (report->reversed_count > 0)
+        bat_remark(
+            run, "%d section%s reversed, the first of them section %d", report->reversed_count,
+            bat_one_or_many(report->reversed_count, " was", "s were"), report->reversed + 1);
+    if (report->turned_count > 0)
+        bat_remark(
+            run, "%d section%s elsewhere, the first of them section %d", report->turned_count,
+            bat_one_or_many(report->turned_count, " starts", "s start"), report->turned + 1);
     if (report->clearance <= 0)
         bat_note(run,
                  "the sections run into each other around %.6g of the spine: curvature times "

@@ -32,7 +32,8 @@ static batten_status take_section(const batten_curve *section, batten_curve **ou
 
 /* One section, or several as a skin in their own plane over the shares of the way. */
 static batten_status take_sections(int count, const batten_curve *const *sections,
-                                   const double *at, bat_sweep *sweep)
+                                   const batten_surface_sweep_options *o, bat_sweep *sweep,
+                                   batten_surface_skin_report *found)
 {
     if (count < 1)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d section%s, and a sweep needs 1",
@@ -43,7 +44,7 @@ static batten_status take_sections(int count, const batten_curve *const *section
     batten_curve **raised = bat_array((size_t)count, sizeof *raised);
     batten_status status = even && raised ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
-        even[i] = at ? at[i] : (double)i / (count - 1);
+        even[i] = o->at ? o->at[i] : (double)i / (count - 1);
         status = batten_curve_to_dimension(sections[i], 3, &raised[i]);
     }
     if (status == BATTEN_OK && (even[0] != 0 || even[count - 1] != 1))
@@ -54,9 +55,10 @@ static batten_status take_sections(int count, const batten_curve *const *section
         batten_surface_skin_options skin = batten_surface_skin_defaults();
         skin.parameters = BATTEN_GIVEN;
         skin.given = even;
+        skin.align = skin.untwist = o->align;
         status =
             batten_surface_skin((batten_curve_row){count, (const batten_curve *const *)raised},
-                                &skin, NULL, NULL, NULL, &sweep->row);
+                                &skin, NULL, NULL, found, &sweep->row);
     }
     for (int i = 0; raised && i < count; i++)
         batten_curve_unref(raised[i]);
@@ -210,7 +212,12 @@ static batten_status prepare_sweep(int count, const batten_curve *const *section
                                    const batten_surface_sweep_options *options,
                                    batten_surface_sweep_report *report, bat_sweep *sweep)
 {
-    batten_status status = take_sections(count, sections, options->at, sweep);
+    batten_surface_skin_report found = {.reversed = -1, .turned = -1};
+    batten_status status = take_sections(count, sections, options, sweep, &found);
+    report->reversed_count = found.reversed_count;
+    report->reversed = found.reversed;
+    report->turned_count = found.turned_count;
+    report->turned = found.turned;
     if (status == BATTEN_OK)
         status = bat_motion_along(spine, options, is_flat(sweep), &sweep->motion, report);
     if (status != BATTEN_OK)

@@ -1,6 +1,6 @@
 /* The feature 'gordon': the surface through a network of curves. */
 #include "base/plural.h"
-#include "design/feature.h"
+#include "design/shared/tips.h"
 
 #include <batten/gordon.h>
 
@@ -8,8 +8,10 @@
 
 static const batten_parameter parameters[] = {
     {"gordon", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "the profiles; or, without guides, the curves of both families in any order"},
-    {"guides", BATTEN_VALUE_MODEL, true, false, NULL, NULL, "the curves across the profiles"},
+     "the profiles, of which the first and the last may be a point; or, without guides, the curves of both families in any "
+     "order"},
+    {"guides", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
+     "the curves across the profiles; the first and the last may be a point"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far the surface may be from a curve; the design's tolerance, or the size / 10000"},
     {"gap", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
@@ -28,6 +30,8 @@ typedef struct {
 } family;
 
 typedef struct {
+    bat_objects objects[2]; /* of profiles and guides */
+    bat_tipped curves[2];
     family profiles, guides;
     double within, gap;
 } network;
@@ -42,14 +46,19 @@ static batten_status make_room(family *f, int count)
     return f->curves && f->names ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void add_gordon(family *f, const batten_object *object)
+/* Curve i of a list. */
+static void add_gordon(family *f, const network *n, int list, int i)
 {
-    f->curves[f->count] = object->curve;
-    f->names[f->count++] = object->name;
+    f->curves[f->count] = n->curves[list].curves[i];
+    f->names[f->count++] = n->objects[list].at[i]->name;
 }
 
 static void release(network *n)
 {
+    for (int list = 0; list < 2; list++) {
+        bat_tipped_release(&n->curves[list]);
+        bat_objects_release(&n->objects[list]);
+    }
     bat_release(n->profiles.curves);
     bat_release(n->profiles.names);
     bat_release(n->guides.curves);
@@ -58,36 +67,34 @@ static void release(network *n)
 
 /* ---- who crosses whom ---- */
 
-static batten_status split(const bat_run *run, const bat_objects *all, network *n)
+static batten_status split(const bat_run *run, network *n)
 {
     family mixed = {0};
-    int *side = bat_array((size_t)all->count, sizeof *side);
-    batten_status status = make_room(&mixed, all->count);
-    for (int i = 0; status == BATTEN_OK && i < all->count; i++)
-        add_gordon(&mixed, all->at[i]);
+    const int count = n->objects[0].count;
+    int *side = bat_array((size_t)count, sizeof *side);
+    batten_status status = make_room(&mixed, count);
+    for (int i = 0; status == BATTEN_OK && i < count; i++)
+        add_gordon(&mixed, n, 0, i);
     if (status == BATTEN_OK && !side)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status =
-            batten_network_split(all->count, mixed.curves, n->gap, mixed.names, run->job, side);
-    for (int i = 0; status == BATTEN_OK && i < all->count; i++)
-        add_gordon(side[i] == 0 ? &n->profiles : &n->guides, all->at[i]);
+        status = batten_network_split(count, mixed.curves, n->gap, mixed.names, run->job, side);
+    for (int i = 0; status == BATTEN_OK && i < count; i++)
+        add_gordon(side[i] == 0 ? &n->profiles : &n->guides, n, 0, i);
     bat_release(side);
     bat_release(mixed.names);
     bat_release(mixed.curves);
     return status;
 }
 
-static batten_status set_tolerances(bat_run *run, const bat_objects *profiles,
-                                    const bat_objects *guides, network *n)
+static batten_status set_tolerances(bat_run *run, network *n)
 {
-    const int count = profiles->count + guides->count;
+    const int first = n->objects[0].count, count = first + n->objects[1].count;
     const batten_curve **all = bat_array((size_t)count, sizeof *all);
     if (!all)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < count; i++)
-        all[i] =
-            (i < profiles->count ? profiles->at[i] : guides->at[i - profiles->count])->curve;
+        all[i] = i < first ? n->curves[0].curves[i] : n->curves[1].curves[i - first];
     const double size = batten_network_size(count, all), tolerance = bat_tolerance(run);
     bat_release(all);
     const double least =
@@ -106,27 +113,34 @@ static batten_status set_tolerances(bat_run *run, const bat_objects *profiles,
     return BATTEN_OK;
 }
 
-static batten_status gather(bat_run *run, network *n, bat_objects *profiles,
-                            bat_objects *guides)
+static batten_status gather_list(bat_run *run, const char *parameter, int list, network *n)
+{
+    const batten_status status =
+        bat_gather(run, parameter, BAT_CURVES | BAT_POINTS, &n->objects[list]);
+    return status == BATTEN_OK ? bat_take_tipped(&n->objects[list], &n->curves[list]) : status;
+}
+
+static batten_status gather(bat_run *run, network *n)
 {
     const bool two = bat_has(run, "guides");
-    batten_status status = bat_gather(run, "gordon", BAT_CURVES, profiles);
+    batten_status status = gather_list(run, "gordon", 0, n);
     if (status == BATTEN_OK && two)
-        status = bat_gather(run, "guides", BAT_CURVES, guides);
+        status = gather_list(run, "guides", 1, n);
     if (status == BATTEN_OK)
-        status = set_tolerances(run, profiles, guides, n);
+        status = set_tolerances(run, n);
+    const int profiles = n->objects[0].count, guides = n->objects[1].count;
     if (status == BATTEN_OK)
-        status = make_room(&n->profiles, profiles->count);
+        status = make_room(&n->profiles, profiles);
     if (status == BATTEN_OK)
-        status = make_room(&n->guides, two ? guides->count : profiles->count);
+        status = make_room(&n->guides, two ? guides : profiles);
     if (status != BATTEN_OK)
         return status;
     if (!two)
-        return split(run, profiles, n);
-    for (int i = 0; i < profiles->count; i++)
-        add_gordon(&n->profiles, profiles->at[i]);
-    for (int i = 0; i < guides->count; i++)
-        add_gordon(&n->guides, guides->at[i]);
+        return split(run, n);
+    for (int i = 0; i < profiles; i++)
+        add_gordon(&n->profiles, n, 0, i);
+    for (int i = 0; i < guides; i++)
+        add_gordon(&n->guides, n, 1, i);
     return BATTEN_OK;
 }
 
@@ -244,14 +258,11 @@ static batten_status make_gordon(bat_run *run, const network *n)
 
 static batten_status run_gordon(bat_run *run)
 {
-    bat_objects profiles = {0}, guides = {0};
-    network n = {0};
-    batten_status status = gather(run, &n, &profiles, &guides);
+    network n = {.within = 0};
+    batten_status status = gather(run, &n);
     if (status == BATTEN_OK)
         status = make_gordon(run, &n);
     release(&n);
-    bat_objects_release(&guides);
-    bat_objects_release(&profiles);
     return status;
 }
 
@@ -261,7 +272,8 @@ const bat_feature bat_feature_gordon = {
          "Two families of curves, each of which meets all those of the other once. Their order,\n"
          "their directions and where they meet are found; curves of different speed are\n"
          "reparametrised. Closed curves make a closed surface, periodic where smooth; curves of\n"
-         "one family may end in a common point. A surface can be within a small tolerance of\n"
+         "one family may end in a common point, which may be given as the first or last of the other\n"
+         "family. A surface can be within a small tolerance of\n"
          "curves that miss each other by more: it runs midway in such gaps. Without 'guides' one\n"
          "list holds both families, and which curve crosses which is found. u runs along the\n"
          "profiles.",

@@ -1,6 +1,7 @@
 /* The feature 'skin': the surface through sections. */
 #include "base/plural.h"
 #include "design/shared/place.h"
+#include "design/shared/tips.h"
 
 static const batten_parameter parameters[] = {
     {"skin", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
@@ -205,51 +206,17 @@ static batten_status skin(bat_run *run, int count, const batten_curve **sections
     return bat_put_surface(run, status, surface);
 }
 
-/* A point as the first or last section: the curve that stands still there. */
-static batten_status take_tip(const batten_object *object, bool is_end, batten_curve **out)
-{
-    static const double knots[] = {0, 0, 1, 1};
-    double points[6];
-    if (!is_end || object->point_count != 1)
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "'%s' is %d point%s: one point may be the first or the last section; "
-                        "'interpolate' makes a curve through several",
-                        object->name, object->point_count, bat_plural(object->point_count));
-    for (int i = 0; i < 6; i++)
-        points[i] = object->points[i % 3];
-    return batten_curve_create((batten_points){3, 2, points}, 1, NULL, knots, out);
-}
-
-/* @param tips  receives the curves made for points at the start and the end, which are owned */
-static batten_status take_sections(const bat_objects *all, batten_curve *tips[2],
-                                   const batten_curve **sections)
-{
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < all->count && status == BATTEN_OK; i++) {
-        const batten_object *object = all->at[i];
-        sections[i] = object->curve;
-        if (object->kind == BATTEN_OBJECT_CURVE)
-            continue;
-        status = take_tip(object, i == 0 || i == all->count - 1, &tips[i > 0]);
-        sections[i] = tips[i > 0];
-    }
-    return status;
-}
-
 static batten_status run_skin(bat_run *run)
 {
     bat_objects all;
-    batten_curve *tips[2] = {NULL, NULL};
+    bat_tipped sections;
     batten_status status = bat_gather(run, "skin", BAT_CURVES | BAT_POINTS, &all);
     if (status != BATTEN_OK)
         return status;
-    const batten_curve **sections = bat_array((size_t)all.count, sizeof *sections);
-    status = sections ? take_sections(&all, tips, sections) : BATTEN_OUT_OF_MEMORY;
+    status = bat_take_tipped(&all, &sections);
     if (status == BATTEN_OK)
-        status = skin(run, all.count, sections);
-    batten_curve_unref(tips[0]);
-    batten_curve_unref(tips[1]);
-    bat_release(sections);
+        status = skin(run, all.count, sections.curves);
+    bat_tipped_release(&sections);
     bat_objects_release(&all);
     if (status != BATTEN_OK)
         return status;

@@ -1,10 +1,12 @@
 /* The feature 'sweep': a section swept along a spine. */
 #include "base/plural.h"
 #include "design/shared/sweeps.h"
+#include "design/shared/tips.h"
 
 static const batten_parameter parameters[] = {
     {"sweep", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "the section, or several, drawn in the xy-plane or, as space curves, about it"},
+     "the section, or several, drawn in the xy-plane or, as space curves, about it; of several the "
+     "first and the last may be a point"},
     {"spine", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curve along which they go"},
     {"frames", BATTEN_VALUE_WORD, false, false, "rotation-minimising",
      "rotation-minimising fixed frenet closing", "how the sections turn along the spine"},
@@ -22,6 +24,8 @@ static const batten_parameter parameters[] = {
      "about the spine, at equal steps of its length"},
     {"at", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
      "where several sections are placed: shares of the spine's length, from 0 to 1"},
+    {"align", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
+     "reverse or turn sections that would twist the surface; no keeps them"},
     BAT_SWEEP_CORNERS,
     BAT_SWEEP_BOUNDS,
 };
@@ -57,6 +61,7 @@ static batten_status read_settings(const bat_run *run, int sections, settings *s
     o->frames = (batten_frame_kind)bat_word(run, "frames");
     o->corners = (batten_corner_kind)bat_word(run, "corners");
     o->allow_folds = bat_yes(run, "folds");
+    o->align = bat_yes(run, "align");
     if (bat_has(run, "x-axis"))
         o->x = bat_point(run, "x-axis");
     if (bat_has(run, "up")) {
@@ -103,16 +108,16 @@ static batten_status sweep(bat_run *run, int count, const batten_curve *const *s
 
 static batten_status run_sweep(bat_run *run)
 {
-    bat_objects curves;
-    batten_status status = bat_gather(run, "sweep", BAT_CURVES, &curves);
+    bat_objects all;
+    bat_tipped sections;
+    batten_status status = bat_gather(run, "sweep", BAT_CURVES | BAT_POINTS, &all);
     if (status != BATTEN_OK)
         return status;
-    const batten_curve **sections = bat_array((size_t)curves.count, sizeof *sections);
-    for (int i = 0; sections && i < curves.count; i++)
-        sections[i] = curves.at[i]->curve;
-    status = sections ? sweep(run, curves.count, sections) : BATTEN_OUT_OF_MEMORY;
-    bat_release(sections);
-    bat_objects_release(&curves);
+    status = bat_take_tipped(&all, &sections);
+    if (status == BATTEN_OK)
+        status = sweep(run, all.count, sections.curves);
+    bat_tipped_release(&sections);
+    bat_objects_release(&all);
     return status;
 }
 
@@ -124,7 +129,9 @@ const bat_feature bat_feature_sweep = {
          "spine. Rotation-minimising frames turn as little as possible; 'closing' ones also meet\n"
          "again at the end of a closed spine; with 'up' or 'guide' the y-axis points in a given\n"
          "direction. 'scale' and 'twist' are laws over the length of the spine. Several sections\n"
-         "are blended. At corners sections lean into the 'mitre' plane, or the surface is 'split'.\n"
+         "are blended; the first and the last may be a point, in which the sweep ends sharply ('skin'\n"
+         "with 'spine' and 'poles: smooth' ends round). Sections that would twist it are reversed or\n"
+         "turned, as 'align' says, and named. At corners sections lean into the 'mitre' plane, or the surface is 'split'.\n"
          "A sweep is not a NURBS surface: sections are added until the true sweep is met 'within'\n"
          "the tolerance. Where the spine bends too sharply for the section the sweep is refused,\n"
          "and the message says where.",

@@ -120,3 +120,53 @@ TEST(a_skin_does_not_twist_unless_it_is_told_to)
     };
     EXPECT(tips, rows);
 }
+
+static const char tipped[] = "  tip: {points: [[0, 0, 0]]}\n  off: {points: [[0, 0.3, 0]]}\n"
+                             "  two: {points: [[0, 0, 0], [1, 0, 0]]}\n"
+                             "  oval: {ellipse: 2, b: 1}\n  back: {reverse: oval}\n"
+                             "  up: {line: [[0, 0, 0], [0, 0, 3]]}\n"
+                             "  a1: {line: [[1, -0.5, 0], [1, 0.5, 0]]}\n"
+                             "  a2: {line: [[2, -1, 0], [2, 1, 0]]}\n"
+                             "  g1: {line: [[0, 0, 0], [2, -1, 0]]}\n"
+                             "  g2: {line: [[0, 0, 0], [2, 1, 0]]}\n";
+
+TEST(a_point_is_the_tip_of_a_sweep)
+{
+    static const expect_row rows[] = {
+        {"{sweep: [oval, tip], spine: up}", BATTEN_OK,
+         "within 1e-6;at 0 1 0 0 3;at 0.3 1 0 0 3;box -2 -1 0 2 1 3"},
+        {"{sweep: [tip, oval, oval], spine: up, at: [0, 0.4, 1]}", BATTEN_OK,
+         "within 1e-6;at 0 0 0 0 0;at 0 1 2 0 3"},
+        {"{sweep: [oval, tip, oval], spine: up}", BATTEN_BAD_ARGUMENT, "'tip' is 1 point"},
+        {"{sweep: [oval, two], spine: up}", BATTEN_BAD_ARGUMENT, "'two' is 2 points"},
+        {"{sweep: tip, spine: up}", BATTEN_COINCIDENT, "the section is a point"},
+    };
+    EXPECT(tipped, rows);
+}
+
+TEST(sections_do_not_twist_a_sweep_unless_they_are_told_to)
+{
+    static const expect_row rows[] = {
+        {"{sweep: [oval, back], spine: up}", BATTEN_OK,
+         "within 1e-6;at 0.25 0.5 0 1 1.5;notes 1 section was reversed, the first of them "
+         "section 2"},
+        {"{sweep: [oval, back], spine: up, align: no}", BATTEN_OK,
+         "within 1e-6;at 0.25 0.5 0 0 1.5"},
+    };
+    EXPECT(tipped, rows);
+}
+
+TEST(a_point_is_the_tip_of_a_network)
+{
+    static const expect_row rows[] = {
+        {"{gordon: [tip, a1, a2], guides: [g1, g2]}", BATTEN_OK,
+         "within 1e-6;at 0 0 0 0 0;at 0.7 0 0 0 0;at 0.5 1 2 0 0"},
+        {"{gordon: [g1, g2], guides: [a2, a1, tip]}", BATTEN_OK,
+         "within 1e-6;box 0 -1 0 2 1 0"},
+        {"{gordon: [tip, a1, a2, g1, g2]}", BATTEN_OK, "within 1e-6;box 0 -1 0 2 1 0"},
+        {"{gordon: [off, a1, a2], guides: [g1, g2]}", BATTEN_NOT_COMPATIBLE,
+         "profile 'off' (1 of 3) misses guide 'g1' (1 of 2) by 0.3"},
+        {"{gordon: [a1, tip, a2], guides: [g1, g2]}", BATTEN_BAD_ARGUMENT, "'tip' is 1 point"},
+    };
+    EXPECT(tipped, rows);
+}
