@@ -290,6 +290,28 @@ BATTEN_API batten_status batten_curve_divide_pieces(const batten_curve *curve,
                                                     const batten_vec3 *direction,
                                                     batten_parameters *out);
 
+/** How short the spans of a surface are in one direction. */
+typedef struct batten_least_span {
+    double share; /**< the shortest span over the domain */
+    double
+        length; /**< the least way across a span, on the longest of nine lines; model units */
+    double from, to; /**< the span of that length */
+    double total;    /**< the sum of such lengths over all spans */
+} batten_least_span;
+/**
+ * The shortest spans: knots that nearly coincide leave slivers, across which derivatives overflow in other programs.
+ *
+ * @param surface  any surface
+ * @param direction  in which the spans are looked at
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK; as batten_surface_evaluate; OUT_OF_MEMORY
+ *
+ * Cost: 27 points for each span.
+ */
+BATTEN_API batten_status batten_surface_least_span(const batten_surface *surface,
+                                                   batten_direction direction,
+                                                   batten_least_span *out);
+
 /** A place where the normal of a surface reverses without an edge: there it folds over. */
 typedef struct batten_surface_fold {
     bool found;

@@ -1,4 +1,4 @@
-/* Surfaces that fold over, as features make them. */
+/* Surfaces that fold over, or have spans too short to be of use, as features make them. */
 #include "design/shared/folds.h"
 #include <batten/measure.h>
 
@@ -44,5 +44,29 @@ batten_status bat_note_folds(const bat_run *run)
                  "order and do not cross%s",
                  name, first.point.x, first.point.y, first.point.z,
                  folded > 1 ? "; other surfaces fold too" : "");
+    return BATTEN_OK;
+}
+
+/* ---- slivers ---- */
+
+/* Knots that agree in six digits were meant to be one. */
+static const double meant_one = 1e-6;
+/* A surface of fewer tolerances than that is too small for the tolerance to say what a sliver is. */
+static const double large = 1000;
+
+batten_status bat_note_slivers(const bat_run *run, const batten_surface *surface,
+                               const char *advice)
+{
+    batten_least_span least;
+    const batten_status status = batten_surface_least_span(surface, BATTEN_U, &least);
+    if (status != BATTEN_OK)
+        return status;
+    const double tolerance = bat_tolerance(run);
+    if (least.share < meant_one ||
+        (least.length < tolerance && least.total > large * tolerance))
+        bat_note(run,
+                 "along the sections the shortest span is %.2g of the whole, and the surface "
+                 "gets %.2g far across one, the tolerance being %.2g; %s",
+                 least.share, least.length, tolerance, advice);
     return BATTEN_OK;
 }

@@ -46,4 +46,15 @@ batten_status bat_put_sweep(bat_run *run, batten_status status, int count,
                             batten_surface **surfaces,
                             const batten_surface_sweep_report *report);
 
+/* Curves of which the first and the last may be a point: a tip. */
+typedef struct {
+    const batten_curve **curves; /* as many as there are objects */
+    batten_curve *tips[2];       /* those made for points at the start and the end; owned */
+} bat_tipped;
+
+/* The curves of gathered curves and points; a point stands still over [0, 1]. Several points, and a point between
+ * curves, are refused by name. Release it after a failure too. */
+batten_status bat_take_tipped(const bat_objects *all, bat_tipped *out);
+void bat_tipped_release(bat_tipped *tipped);
+
 #endif

@@ -1,6 +1,6 @@
 /* The feature 'gordon': the surface through a network of curves. */
 #include "base/plural.h"
-#include "design/shared/tips.h"
+#include "design/shared/sweeps.h"
 
 #include <batten/gordon.h>
 

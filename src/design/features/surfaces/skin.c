@@ -1,7 +1,8 @@
 /* The feature 'skin': the surface through sections. */
 #include "base/plural.h"
+#include "design/shared/folds.h"
 #include "design/shared/place.h"
-#include "design/shared/tips.h"
+#include "design/shared/sweeps.h"
 
 static const batten_parameter parameters[] = {
     {"skin", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
@@ -172,12 +173,6 @@ static void report_skin(const bat_run *run, const batten_surface_skin_report *fo
                  found->disorder + 1, found->disorder + 2, found->disorder_count);
     if (found->cure != BATTEN_CURE_NONE)
         bat_remark(run, "%s", cures[found->cure]);
-    /* Spans in a ratio of a thousand make derivatives that no other program handles well. */
-    if (found->span_ratio < 1e-3)
-        bat_note(run,
-                 "along the sections the shortest span is %.2g of the median one; 'within' "
-                 "finds knots that lie more evenly",
-                 found->span_ratio);
     /* Less than a ten-thousandth of a radian is not seen, and comes from rounding in files. */
     if (found->crease > 1e-4)
         bat_note(run,
@@ -203,6 +198,8 @@ static batten_status skin(bat_run *run, int count, const batten_curve **sections
         status = batten_surface_skin((batten_curve_row){count, sections}, &options, run->job,
                                      NULL, &run->result->skin, &surface);
     release_lists(&given);
+    if (status == BATTEN_OK && !bat_yes(run, "procedural"))
+        status = bat_note_slivers(run, surface, "'within' finds knots that lie more evenly");
     return bat_put_surface(run, status, surface);
 }
 

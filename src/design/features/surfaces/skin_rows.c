@@ -1,5 +1,6 @@
 /* The feature 'skin-rows': the surface through rows of points. */
 #include "base/plural.h"
+#include "design/shared/folds.h"
 #include "design/shared/place.h"
 #include "design/shared/rows.h"
 #include <batten/skin.h>
@@ -94,7 +95,7 @@ static batten_status skin(bat_run *run, const all_rows *all)
     options.across = &across;
     batten_surface_skin_rows_report report;
     batten_surface *surface = NULL;
-    const batten_status status = batten_surface_skin_rows(
+    batten_status status = batten_surface_skin_rows(
         (batten_rows){3, all->count, all->counts, all->points}, &options, run->job,
         (batten_uv_out){NULL, NULL}, &report, &surface);
     if (status == BATTEN_OK) {
@@ -105,6 +106,9 @@ static batten_status skin(bat_run *run, const all_rows *all)
                    report.free_rows, bat_plural(report.free_rows));
         bat_report_error(run, report.error, report.error);
     }
+    if (status == BATTEN_OK)
+        status =
+            bat_note_slivers(run, surface, "a smaller 'margin' lets rows share more knots");
     return bat_put_surface(run, status, surface);
 }
 

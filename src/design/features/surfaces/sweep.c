@@ -1,7 +1,6 @@
 /* The feature 'sweep': a section swept along a spine. */
 #include "base/plural.h"
 #include "design/shared/sweeps.h"
-#include "design/shared/tips.h"
 
 static const batten_parameter parameters[] = {
     {"sweep", BATTEN_VALUE_MODEL, true, true, NULL, NULL,

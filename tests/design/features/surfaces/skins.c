@@ -170,3 +170,20 @@ TEST(a_point_is_the_tip_of_a_network)
     };
     EXPECT(tipped, rows);
 }
+
+/* Two sections whose inner knots all differ by 1e-7, and two whose knots differ as knots do. */
+static const char near_knots[] =
+    "  p: {points: [[0, 0, 0], [0, 1, 1], [0, 2, 0], [0, 3, 1], [0, 4, 0]]}\n"
+    "  q: {points: [[1, 0, 0], [1, 1.0000004, 1], [1, 2.0000004, 0], [1, 3.0000004, 1], [1, 4, 0]]}\n"
+    "  r: {points: [[1, 0, 0], [1, 1.1, 1.2], [1, 2, 0.1], [1, 2.8, 1], [1, 4, 0]]}\n"
+    "  pc: {interpolate: p}\n  qc: {interpolate: q}\n  rc: {interpolate: r}\n";
+
+TEST(G10_knots_that_nearly_coincide_are_noted_also_when_all_do)
+{
+    static const expect_row rows[] = {
+        {"{skin: [pc, qc]}", BATTEN_OK, "notes along the sections the shortest span is"},
+        {"{skin: [pc, qc], within: 0.1 mm}", BATTEN_OK, "silent"},
+        {"{skin: [pc, rc]}", BATTEN_OK, "silent"},
+    };
+    EXPECT(near_knots, rows);
+}
