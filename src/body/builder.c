@@ -142,19 +142,24 @@ int bat_builder_mark(const bat_builder *builder)
     return builder->parts.face_count;
 }
 
+static void turn_loop(int count, batten_body_use *uses)
+{
+    for (int i = 0; i < count / 2; i++) {
+        const batten_body_use kept = uses[i];
+        uses[i] = uses[count - 1 - i];
+        uses[count - 1 - i] = kept;
+    }
+    for (int i = 0; i < count; i++)
+        uses[i].reversed = !uses[i].reversed;
+}
+
 void bat_builder_turn(bat_builder *builder, int face)
 {
     const batten_body_face *f = &builder->parts.faces[face];
     batten_body_use *uses = own(builder->parts.uses);
     for (int l = f->first; l < f->first + f->count; l++) {
         const batten_body_loop loop = builder->parts.loops[l];
-        for (int i = 0; i < loop.count / 2; i++) {
-            const batten_body_use kept = uses[loop.first + i];
-            uses[loop.first + i] = uses[loop.first + loop.count - 1 - i];
-            uses[loop.first + loop.count - 1 - i] = kept;
-        }
-        for (int i = 0; i < loop.count; i++)
-            uses[loop.first + i].reversed = !uses[loop.first + i].reversed;
+        turn_loop(loop.count, uses + loop.first);
     }
 }
 
@@ -205,23 +210,28 @@ void bat_builder_end(bat_builder *builder)
 
 /* ---- without what nobody uses ---- */
 
-/* Edges in use keep their order, and get new numbers. */
-static void drop_edges(batten_body_parts *p, int *numbers)
+/* Edges in use keep their order. */
+static void keep_edges(batten_body_parts *p, int *numbers)
 {
     batten_body_edge *edges = own(p->edges);
-    batten_body_use *uses = own(p->uses);
     int kept = 0;
-    for (int i = 0; i < p->use_count; i++)
-        numbers[uses[i].edge] = 1;
     for (int i = 0; i < p->edge_count; i++) {
         if (numbers[i]) {
             numbers[i] = kept;
             edges[kept++] = edges[i];
-        } else {
+        } else
             batten_curve_unref(own(edges[i].curve));
-        }
     }
     p->edge_count = kept;
+}
+
+/* Edges in use keep their order, and get new numbers. */
+static void drop_edges(batten_body_parts *p, int *numbers)
+{
+    batten_body_use *uses = own(p->uses);
+    for (int i = 0; i < p->use_count; i++)
+        numbers[uses[i].edge] = 1;
+    keep_edges(p, numbers);
     for (int i = 0; i < p->use_count; i++)
         uses[i].edge = numbers[uses[i].edge];
 }

@@ -27,6 +27,19 @@ static void note_edge(const bat_check *check, int edge, const edge_uses *uses, c
 
 /* ---- uses ---- */
 
+static void count_use(bat_check *check, int face, const batten_body_use *use, edge_uses *uses,
+                      bat_edge_ways *ways)
+{
+    edge_uses *of = &uses[use->edge];
+    const int way = use->reversed;
+    ways[use->edge].count[way]++;
+    if (of->first_face < 0)
+        of->first_face = face;
+    if (of->last_face[way] != face && of->last_face[!way] == face)
+        check->faults->seams++;
+    of->last_face[way] = face;
+}
+
 static void count_uses(bat_check *check, edge_uses *uses, bat_edge_ways *ways)
 {
     const batten_body_parts *p = check->parts;
@@ -34,17 +47,8 @@ static void count_uses(bat_check *check, edge_uses *uses, bat_edge_ways *ways)
         uses[e] = (edge_uses){.first_face = -1, .last_face = {-1, -1}, .shell = -1};
     for (int f = 0; f < p->face_count; f++)
         for (int l = p->faces[f].first; l < p->faces[f].first + p->faces[f].count; l++)
-            for (int i = 0; i < p->loops[l].count; i++) {
-                const batten_body_use *use = &p->uses[p->loops[l].first + i];
-                edge_uses *of = &uses[use->edge];
-                const int way = use->reversed;
-                ways[use->edge].count[way]++;
-                if (of->first_face < 0)
-                    of->first_face = f;
-                if (of->last_face[way] != f && of->last_face[!way] == f)
-                    check->faults->seams++;
-                of->last_face[way] = f;
-            }
+            for (int i = 0; i < p->loops[l].count; i++)
+                count_use(check, f, &p->uses[p->loops[l].first + i], uses, ways);
 }
 
 /* What number of faces an edge bounds. Those without a curve are poles, of one face each. */
@@ -187,6 +191,18 @@ static batten_status check_face(bat_check *check, int face)
     return status;
 }
 
+static batten_status check_all_loops(bat_check *check)
+{
+    const int count = check->parts->face_count;
+    batten_status status = BATTEN_OK;
+    for (int f = 0; f < count && status == BATTEN_OK; f++) {
+        status = bat_check_loops(check, f);
+        if (status == BATTEN_OK)
+            status = bat_work_step(&check->work, 1, (double)f / count, "checking loops");
+    }
+    return status;
+}
+
 /* Loops are looked at where they have curves in the parameters, which tracing gives them. */
 static batten_status check_traced(bat_check *check, const bat_traced_all *traced)
 {
@@ -195,12 +211,7 @@ static batten_status check_traced(bat_check *check, const bat_traced_all *traced
         bat_check loops = *check;
         loops.parts = batten_body_view(traced->at[i].body);
         loops.numbers = traced->at[i].numbers;
-        const int count = loops.parts->face_count;
-        for (int f = 0; f < count && status == BATTEN_OK; f++) {
-            status = bat_check_loops(&loops, f);
-            if (status == BATTEN_OK)
-                status = bat_work_step(&loops.work, 1, (double)f / count, "checking loops");
-        }
+        status = check_all_loops(&loops);
     }
     return status;
 }

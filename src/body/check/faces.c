@@ -26,18 +26,27 @@ batten_status bat_check_curve_knots(const batten_curve *curve, bool *close, doub
     return BATTEN_OK;
 }
 
+static batten_status find_close_in(const batten_surface *surface, batten_direction d,
+                                   bool *close, double *gap)
+{
+    const int count = batten_surface_spans(surface, d, NULL);
+    double *knots = bat_array((size_t)count, sizeof *knots);
+    if (!knots)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_surface_spans(surface, d, knots);
+    *close = find_close(knots, count, gap);
+    bat_release(knots);
+    return BATTEN_OK;
+}
+
 batten_status bat_check_surface_knots(const batten_surface *surface, bool *close, double *gap)
 {
     *close = false;
     for (int k = 0; k < 2 && !*close; k++) {
         const batten_direction d = k == 0 ? BATTEN_U : BATTEN_V;
-        const int count = batten_surface_spans(surface, d, NULL);
-        double *knots = bat_array((size_t)count, sizeof *knots);
-        if (!knots)
-            return BATTEN_OUT_OF_MEMORY;
-        batten_surface_spans(surface, d, knots);
-        *close = find_close(knots, count, gap);
-        bat_release(knots);
+        const batten_status status = find_close_in(surface, d, close, gap);
+        if (status != BATTEN_OK)
+            return status;
     }
     return BATTEN_OK;
 }

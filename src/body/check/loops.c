@@ -24,17 +24,23 @@ static void report(bat_check *check, int face, bat_passages *all, int a, int b,
                      all->low[1] + at[1] * all->size[1]);
 }
 
+static batten_status report_crossing(bat_check *check, int face, bat_passages *all,
+                                     const bat_crossing *one)
+{
+    double at[2];
+    const batten_status status =
+        batten_curve_evaluate(all->at[one->curve[0]].curve, one->u[0], 0, at);
+    if (status == BATTEN_OK)
+        report(check, face, all, one->curve[0], one->curve[1], at, "cross");
+    return status;
+}
+
 static batten_status report_crossings(bat_check *check, int face, bat_passages *all)
 {
     bat_crossings found = {0};
     batten_status status = bat_passages_cross(all, &found);
-    for (int i = 0; i < found.count && status == BATTEN_OK; i++) {
-        const bat_crossing *one = &found.at[i];
-        double at[2];
-        status = batten_curve_evaluate(all->at[one->curve[0]].curve, one->u[0], 0, at);
-        if (status == BATTEN_OK)
-            report(check, face, all, one->curve[0], one->curve[1], at, "cross");
-    }
+    for (int i = 0; i < found.count && status == BATTEN_OK; i++)
+        status = report_crossing(check, face, all, &found.at[i]);
     bat_release(found.at);
     return status;
 }

@@ -16,17 +16,20 @@ typedef struct {
     bool is_sound; /* each edge is used once each way, and every face was measured */
 } shell_sums;
 
+/* Used once each way, or without a length. */
+static bool is_matched(const batten_body_parts *p, const bat_edge_ways *ways, int edge)
+{
+    return !p->edges[edge].curve || (ways[edge].count[0] == 1 && ways[edge].count[1] == 1);
+}
+
 static bool is_balanced(const batten_body_parts *p, const batten_body_shell *shell,
                         const bat_edge_ways *ways)
 {
     for (int f = shell->first; f < shell->first + shell->count; f++)
         for (int l = p->faces[f].first; l < p->faces[f].first + p->faces[f].count; l++)
-            for (int i = 0; i < p->loops[l].count; i++) {
-                const int edge = p->uses[p->loops[l].first + i].edge;
-                if (p->edges[edge].curve &&
-                    (ways[edge].count[0] != 1 || ways[edge].count[1] != 1))
+            for (int i = 0; i < p->loops[l].count; i++)
+                if (!is_matched(p, ways, p->uses[p->loops[l].first + i].edge))
                     return false;
-            }
     return shell->count > 0;
 }
 

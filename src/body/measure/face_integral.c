@@ -183,19 +183,22 @@ static batten_status first_pieces(bat_face_work *w, const batten_body_face *face
     return BATTEN_OK;
 }
 
+static void add_piece(const bat_face_piece *p, bat_face_sums *out, double gross[2])
+{
+    for (int k = 0; k < BAT_FACE_INTEGRALS; k++)
+        out->values[k] += p->values[k];
+    out->area_error += p->errors[0][0] + p->errors[0][1];
+    out->volume_error += p->errors[1][0] + p->errors[1][1];
+    gross[0] += p->gross[0];
+    gross[1] += p->gross[1];
+}
+
 static void sum_up(const bat_face_pieces *list, bat_face_sums *out, double gross[2])
 {
     memset(out->values, 0, sizeof out->values);
     out->area_error = out->volume_error = gross[0] = gross[1] = 0;
-    for (size_t i = 0; i < list->count; i++) {
-        const bat_face_piece *p = &list->items[i];
-        for (int k = 0; k < BAT_FACE_INTEGRALS; k++)
-            out->values[k] += p->values[k];
-        out->area_error += p->errors[0][0] + p->errors[0][1];
-        out->volume_error += p->errors[1][0] + p->errors[1][1];
-        gross[0] += p->gross[0];
-        gross[1] += p->gross[1];
-    }
+    for (size_t i = 0; i < list->count; i++)
+        add_piece(&list->items[i], out, gross);
 }
 
 /* Halve the piece, or its parts of G, whichever the larger error asks for. */

@@ -44,18 +44,24 @@ static batten_status make_room(bat_face_work *w, size_t count)
     return BATTEN_OK;
 }
 
-int bat_face_knots_between(const bat_face_work *w, double a, double b, int *first)
+static int first_above(const double *knots, int count, double a)
 {
-    const double *knots = w->knots[w->inner];
-    const int count = w->knot_counts[w->inner];
     int low = 0, high = count;
-    while (low < high) { /* the first above a */
+    while (low < high) {
         const int middle = (low + high) / 2;
         if (knots[middle] > a)
             high = middle;
         else
             low = middle + 1;
     }
+    return low;
+}
+
+int bat_face_knots_between(const bat_face_work *w, double a, double b, int *first)
+{
+    const double *knots = w->knots[w->inner];
+    const int count = w->knot_counts[w->inner];
+    int low = first_above(knots, count, a);
     *first = low;
     while (low < count && knots[low] < b)
         low++;

@@ -122,13 +122,19 @@ static void take_all(finder *f, int k, batten_interval over[2])
     over[k] = f->chart.domain[k];
 }
 
-/* By the largest loop, and the others moved beside it by whole periods. */
-static void take_loops(const finder *f, int k, batten_interval over[2])
+static int largest_loop(const finder *f)
 {
     int outer = 0;
     for (int i = 1; i < f->count; i++)
         if (fabs(f->loops[i].area) > fabs(f->loops[outer].area))
             outer = i;
+    return outer;
+}
+
+/* By the largest loop, and the others moved beside it by whole periods. */
+static void take_loops(const finder *f, int k, batten_interval over[2])
+{
+    const int outer = largest_loop(f);
     over[k] = f->loops[outer].over[k];
     for (int i = 0; i < f->count; i++) {
         const batten_interval own = f->loops[i].over[k], main = f->loops[outer].over[k];

@@ -36,19 +36,24 @@ static batten_status extent(const bat_chart *chart, int along, double *length)
     return BATTEN_OK;
 }
 
+static batten_status find_pole(bat_chart *chart, int k)
+{
+    batten_curve *side = NULL;
+    const batten_interval domain = chart->domain[FIXED[k]];
+    const batten_status status = batten_surface_isocurve(
+        chart->surface, FIXED[k], k == 1 || k == 2 ? domain.b : domain.a, &side);
+    chart->pole[k] = status == BATTEN_OK && bat_border_is_point(side, chart->tolerance);
+    if (chart->pole[k])
+        memcpy(chart->pole_at[k], batten_curve_points(side), sizeof chart->pole_at[k]);
+    batten_curve_unref(side);
+    return status;
+}
+
 static batten_status find_poles(bat_chart *chart)
 {
     batten_status status = BATTEN_OK;
-    for (int k = 0; status == BATTEN_OK && k < 4; k++) {
-        batten_curve *side = NULL;
-        const batten_interval domain = chart->domain[FIXED[k]];
-        status = batten_surface_isocurve(chart->surface, FIXED[k],
-                                         k == 1 || k == 2 ? domain.b : domain.a, &side);
-        chart->pole[k] = status == BATTEN_OK && bat_border_is_point(side, chart->tolerance);
-        if (chart->pole[k])
-            memcpy(chart->pole_at[k], batten_curve_points(side), sizeof chart->pole_at[k]);
-        batten_curve_unref(side);
-    }
+    for (int k = 0; status == BATTEN_OK && k < 4; k++)
+        status = find_pole(chart, k);
     return status;
 }
 
@@ -243,24 +248,28 @@ static batten_status make_seeds(bat_chart *chart)
     return status;
 }
 
+static void nearest_seed(const bat_chart *chart, const double q[3], double uv[2])
+{
+    const size_t nu = (size_t)chart->seed_count[0], nv = (size_t)chart->seed_count[1];
+    double nearest = HUGE_VAL;
+    for (size_t i = 0; i < nu; i++)
+        for (size_t j = 0; j < nv; j++) {
+            const double away = bat_distance(3, chart->seeds + 3 * (i * nv + j), q);
+            if (!(away < nearest))
+                continue;
+            nearest = away;
+            uv[0] = chart->seed_at[0][i];
+            uv[1] = chart->seed_at[1][j];
+        }
+}
+
 static batten_status from_seeds(bat_chart *chart, const double q[3], double uv[2],
                                 double *distance)
 {
-    double nearest = HUGE_VAL;
     const batten_status status = make_seeds(chart);
     if (status != BATTEN_OK)
         return status;
-    const int nv = chart->seed_count[1];
-    for (int i = 0; i < chart->seed_count[0]; i++)
-        for (int j = 0; j < nv; j++) {
-            const double away =
-                bat_distance(3, chart->seeds + 3 * ((size_t)i * (size_t)nv + (size_t)j), q);
-            if (away < nearest) {
-                nearest = away;
-                uv[0] = chart->seed_at[0][i];
-                uv[1] = chart->seed_at[1][j];
-            }
-        }
+    nearest_seed(chart, q, uv);
     return bat_chart_foot(chart, q, uv, distance);
 }
 

@@ -65,20 +65,25 @@ static batten_status make_room(lifting *l)
     return BATTEN_OK;
 }
 
-/* The cubic between two places as the next Bezier piece. */
-static batten_status add_span(lifting *l, const lifted_place *a, const lifted_place *b)
+/* The Bezier points of the cubic between two places. */
+static void put_cubic(const lifted_place *a, const lifted_place *b, double *p)
 {
-    batten_status status = make_room(l);
-    if (status != BATTEN_OK)
-        return status;
     const double third = (b->t - a->t) / 3;
-    double *p = &l->points[9 * (size_t)l->spans];
     for (int k = 0; k < 3; k++) {
         p[k] = a->value[k];
         p[3 + k] = a->value[k] + third * a->value[3 + k];
         p[6 + k] = b->value[k] - third * b->value[3 + k];
         p[9 + k] = b->value[k];
     }
+}
+
+/* The cubic between two places as the next Bezier piece. */
+static batten_status add_span(lifting *l, const lifted_place *a, const lifted_place *b)
+{
+    batten_status status = make_room(l);
+    if (status != BATTEN_OK)
+        return status;
+    put_cubic(a, b, &l->points[9 * (size_t)l->spans]);
     l->breaks[l->spans] = a->t;
     l->breaks[++l->spans] = b->t;
     return BATTEN_OK;

@@ -243,15 +243,21 @@ static batten_status right_winding(bat_trace *trace, bat_trace_face *face, int k
     return BATTEN_OK;
 }
 
-batten_status bat_trace_right(bat_trace *trace, bat_trace_face *face)
+/* Which parameters a loop runs around in. */
+static void find_windings(const bat_trace_face *face, bool winds[2])
 {
-    bool winds[2] = {false, false};
     for (int i = 0; i < face->loops.loop_count; i++) {
         int turns[2];
         bat_trace_winding(face, &face->loops, i, turns);
         for (int k = 0; k < 2; k++)
             winds[k] = winds[k] || turns[k] != 0;
     }
+}
+
+batten_status bat_trace_right(bat_trace *trace, bat_trace_face *face)
+{
+    bool winds[2] = {false, false};
+    find_windings(face, winds);
     if (face->loops.loop_count == 0 || (winds[0] && winds[1]))
         return BATTEN_OK;
     if (!winds[0] && !winds[1])

@@ -51,17 +51,23 @@ static batten_status copy_loop(bat_trace *trace, const batten_body_loop *loop,
     return status;
 }
 
+static batten_status begin_loop(const bat_trace *trace, const batten_body_loop *loop,
+                                bat_trace_face *face)
+{
+    const int before = face->loops.loop_count;
+    const batten_status status = copy_loop(trace, loop, &face->loops);
+    if (status == BATTEN_OK && face->reversed && face->loops.loop_count > before)
+        bat_trace_turn(&face->loops, before);
+    return status;
+}
+
 static batten_status begin_face(bat_trace *trace, int index, bat_trace_face *face)
 {
     const batten_body_face *from = &trace->from->faces[index];
     *face = (bat_trace_face){.from = index, .reversed = from->reversed};
     batten_status status = bat_chart_begin(from->surface, trace->tolerance, &face->chart);
-    for (int i = 0; status == BATTEN_OK && i < from->count; i++) {
-        const int before = face->loops.loop_count;
-        status = copy_loop(trace, &trace->from->loops[from->first + i], &face->loops);
-        if (status == BATTEN_OK && face->reversed && face->loops.loop_count > before)
-            bat_trace_turn(&face->loops, before);
-    }
+    for (int i = 0; status == BATTEN_OK && i < from->count; i++)
+        status = begin_loop(trace, &trace->from->loops[from->first + i], face);
     return status;
 }
 
@@ -110,20 +116,25 @@ static batten_status for_faces(bat_trace *trace, face_step step, const char *wha
     return status;
 }
 
+static batten_status cut_along(bat_trace *trace, int direction)
+{
+    trace->direction = direction;
+    batten_status status = for_faces(trace, bat_trace_choose_seam, "choosing seams");
+    if (status == BATTEN_OK)
+        status = bat_trace_divide(trace);
+    if (status == BATTEN_OK)
+        status = for_faces(trace, bat_trace_relink, "closing loops");
+    return status;
+}
+
 /* Cut what closes in u, then in v; and in u again, for seams in v may have left the cell that
  * nothing had left before. */
 static batten_status cut_faces(bat_trace *trace)
 {
     static const int rounds[] = {0, 1, 0};
     batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < 3; i++) {
-        trace->direction = rounds[i];
-        status = for_faces(trace, bat_trace_choose_seam, "choosing seams");
-        if (status == BATTEN_OK)
-            status = bat_trace_divide(trace);
-        if (status == BATTEN_OK)
-            status = for_faces(trace, bat_trace_relink, "closing loops");
-    }
+    for (int i = 0; status == BATTEN_OK && i < 3; i++)
+        status = cut_along(trace, rounds[i]);
     return status;
 }
 

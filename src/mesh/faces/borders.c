@@ -49,20 +49,37 @@ static int compare_splits(const void *a, const void *b)
     return x[0] != y[0] ? (x[0] > y[0]) - (x[0] < y[0]) : (x[1] < y[1]) - (x[1] > y[1]);
 }
 
+/* Those of the first pair's edge, which stand side by side. */
+static int count_of_edge(int count, const int (*pairs)[2])
+{
+    int same = 1;
+    while (same < count && pairs[same][0] == pairs[0][0])
+        same++;
+    return same;
+}
+
+/* All splits are of one edge; its faces are asked again where one was made. */
+static batten_status split_edge(bat_meshing *m, int count, const int (*splits)[2], bool *ask,
+                                bool *any)
+{
+    const int edge = splits[0][0];
+    int made = 0;
+    const batten_status status = bat_meshing_split(m, count, splits, &made);
+    *any = *any || made > 0;
+    for (int k = m->edge_first[edge]; made && k < m->edge_first[edge + 1]; k++)
+        ask[m->use_face[m->edge_uses[k]]] = true;
+    return status;
+}
+
 /* Last segments first, so that the numbers of the others stay. */
 batten_status bat_meshing_apply_splits(bat_meshing *m, bat_pairs *splits, bool *ask, bool *any)
 {
     batten_status status = BATTEN_OK;
     qsort(splits->pairs, (size_t)splits->count, sizeof *splits->pairs, compare_splits);
     for (int i = 0, count; status == BATTEN_OK && i < splits->count; i += count) {
-        const int edge = splits->pairs[i][0];
-        int made = 0;
-        for (count = 1; i + count < splits->count && splits->pairs[i + count][0] == edge;)
-            count++;
-        status = bat_meshing_split(m, count, (const int(*)[2])splits->pairs + i, &made);
-        *any = *any || made > 0;
-        for (int k = m->edge_first[edge]; made && k < m->edge_first[edge + 1]; k++)
-            ask[m->use_face[m->edge_uses[k]]] = true;
+        const int(*first)[2] = (const int(*)[2])splits->pairs + i;
+        count = count_of_edge(splits->count - i, first);
+        status = split_edge(m, count, first, ask, any);
     }
     bat_pairs_clear(splits);
     return status;

@@ -183,20 +183,24 @@ batten_status bat_face_normal(bat_face_mesh *f, const bat_side_triangle *t, int 
     return status;
 }
 
+static void place_corner(bat_face_mesh *f, const bat_rim *rim, int i)
+{
+    const bat_rim_corner *c = &rim->corners[i];
+    bat_face_vertex *v = &f->vertices[rim->vertex_of[i]];
+    *v = vertex_at(f, rim->at[i]);
+    memcpy(v->uv, c->uv, sizeof v->uv);
+    memcpy(v->point, f->m->points[c->vertex], sizeof v->point);
+    v->vertex = c->vertex;
+    v->pole = c->pole;
+}
+
 batten_status bat_face_take_rim(bat_face_mesh *f, const bat_rim *rim)
 {
     const batten_status status = grow_vertices(f);
     if (status != BATTEN_OK)
         return status;
     f->count = f->sides.vertex_count;
-    for (int i = 0; i < rim->count; i++) {
-        const bat_rim_corner *c = &rim->corners[i];
-        bat_face_vertex *v = &f->vertices[rim->vertex_of[i]];
-        *v = vertex_at(f, rim->at[i]);
-        memcpy(v->uv, c->uv, sizeof v->uv);
-        memcpy(v->point, f->m->points[c->vertex], sizeof v->point);
-        v->vertex = c->vertex;
-        v->pole = c->pole;
-    }
+    for (int i = 0; i < rim->count; i++)
+        place_corner(f, rim, i);
     return bat_face_evaluate(f, 0);
 }

@@ -4,6 +4,20 @@
 #include <limits.h>
 #include <string.h>
 
+/* The sides of its polyline, both ways. */
+static batten_status take_edge(bat_meshing *m, const bat_polyline *line)
+{
+    int index;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i + 1 < line->count; i++) {
+        const int a = line->vertex[i], b = line->vertex[i + 1];
+        status = bat_pairs_add(&m->taken, a, b, &index);
+        if (status == BATTEN_OK)
+            status = bat_pairs_add(&m->taken, b, a, &index);
+    }
+    return status;
+}
+
 /* The edges of triangles that no other face may have: the sides of all polylines, both ways,
  * and those across faces. */
 static batten_status take_edges(bat_meshing *m)
@@ -12,21 +26,25 @@ static batten_status take_edges(bat_meshing *m)
     batten_status status = bat_pairs_begin(&m->taken, 2 * (size_t)m->point_count + 64);
     int index;
     for (int e = 0; status == BATTEN_OK && e < m->parts->edge_count; e++)
-        for (int i = 0; status == BATTEN_OK && i + 1 < m->edges[e].count; i++) {
-            const int a = m->edges[e].vertex[i], b = m->edges[e].vertex[i + 1];
-            status = bat_pairs_add(&m->taken, a, b, &index);
-            if (status == BATTEN_OK)
-                status = bat_pairs_add(&m->taken, b, a, &index);
-        }
+        status = take_edge(m, &m->edges[e]);
     for (int i = 0; status == BATTEN_OK && i < m->across_count; i++)
         status = bat_pairs_add(&m->taken, m->across[i].ends[0], m->across[i].ends[1], &index);
     return status;
 }
 
+static void forget_across(bat_meshing *m, const bool *ask)
+{
+    int kept = 0;
+    for (int i = 0; i < m->across_count; i++)
+        if (!ask[m->across[i].face])
+            m->across[kept++] = m->across[i];
+    m->across_count = kept;
+}
+
 /* Without the triangles of the faces that are asked again. */
 static void forget(bat_meshing *m, const bool *ask)
 {
-    int count = 0, kept = 0;
+    int count = 0;
     for (int i = 0; i < m->triangle_count; i++) {
         if (ask[m->owners[i]])
             continue;
@@ -35,10 +53,7 @@ static void forget(bat_meshing *m, const bool *ask)
         m->owners[count++] = m->owners[i];
     }
     m->triangle_count = count;
-    for (int i = 0; i < m->across_count; i++)
-        if (!ask[m->across[i].face])
-            m->across[kept++] = m->across[i];
-    m->across_count = kept;
+    forget_across(m, ask);
 }
 
 /* The faces that are asked. *splits: sides that are to be finer. Of faces whose borders, finer

@@ -10,18 +10,26 @@ typedef struct {
 
 enum { DEEPEST = 48 };
 
+static batten_status grow_seeds(bat_lattice *l, const bat_meshing *m)
+{
+    if (l->seed_count > 2 * (double)m->most + 1000)
+        return bat_fail(BATTEN_TOO_LARGE, "a face needs more than %d triangles", m->most);
+    const int room = bat_max_int(256, 2 * l->seed_room);
+    bat_seed *seeds = bat_resize(l->seeds, (size_t)room, sizeof *seeds);
+    if (!seeds)
+        return BATTEN_OUT_OF_MEMORY;
+    l->seeds = seeds;
+    l->seed_room = room;
+    return BATTEN_OK;
+}
+
 static batten_status add_seed(bat_lattice *l, const bat_meshing *m, double x, double y,
                               int level)
 {
     if (l->seed_count == l->seed_room) {
-        if (l->seed_count > 2 * (double)m->most + 1000)
-            return bat_fail(BATTEN_TOO_LARGE, "a face needs more than %d triangles", m->most);
-        const int room = bat_max_int(256, 2 * l->seed_room);
-        bat_seed *seeds = bat_resize(l->seeds, (size_t)room, sizeof *seeds);
-        if (!seeds)
-            return BATTEN_OUT_OF_MEMORY;
-        l->seeds = seeds;
-        l->seed_room = room;
+        const batten_status status = grow_seeds(l, m);
+        if (status != BATTEN_OK)
+            return status;
     }
     l->seeds[l->seed_count++] = (bat_seed){x, y, level};
     return BATTEN_OK;
