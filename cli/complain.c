@@ -6,6 +6,16 @@
 #include <stdio.h>
 #include <string.h>
 
+static void print_escaped(const char *line)
+{
+    for (const unsigned char *c = (const unsigned char *)line; *c; c++) {
+        if (*c < 0x20 || *c == 0x7f)
+            fprintf(stderr, "\\x%02x", *c);
+        else
+            fputc(*c, stderr);
+    }
+}
+
 void complain(const char *format, ...)
 {
     char line[4096];
@@ -14,12 +24,7 @@ void complain(const char *format, ...)
     vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
 
-    for (const unsigned char *c = (const unsigned char *)line; *c; c++) {
-        if (*c < 0x20 || *c == 0x7f)
-            fprintf(stderr, "\\x%02x", *c);
-        else
-            fputc(*c, stderr);
-    }
+    print_escaped(line);
     fputc('\n', stderr);
 }
 

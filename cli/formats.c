@@ -34,19 +34,25 @@ static const char *const kept[] = {
     [BATTEN_FORMAT_OFF] = "a mesh, with colours of vertices; no unit",
 };
 
-static void add_row(batten_text *text, const batten_format_facts *f)
+/* As many as there is room for, each with a blank after it. */
+static void join_endings(const batten_format_facts *f, char endings[80])
 {
-    char endings[80] = "";
     size_t used = 0;
     for (int k = 0; k < 4 && f->endings[k]; k++) {
         const size_t length = strlen(f->endings[k]);
-        if (used + length + 2 > sizeof endings)
+        if (used + length + 2 > 80)
             break;
         memcpy(endings + used, f->endings[k], length);
         endings[used + length] = ' ';
         used += length + 1;
         endings[used] = 0;
     }
+}
+
+static void add_row(batten_text *text, const batten_format_facts *f)
+{
+    char endings[80] = "";
+    join_endings(f, endings);
     const size_t index = (size_t)f->format;
     batten_text_add(text, "  %-9s %-24s %-4s %-5s  %s\n", f->name, endings,
                     f->is_read ? "yes" : "-", f->is_written ? "yes" : "-",

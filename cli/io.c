@@ -47,18 +47,23 @@ void failed_show(const batten_notes *notes)
     show_notes(notes, batten_message());
 }
 
+static void note_json(batten_text *text, const batten_note *note)
+{
+    batten_text_add(text, "    {\"file\": ");
+    batten_text_json(text, note->file);
+    batten_text_add(text, ", \"line\": %d, \"entity\": ", note->line);
+    batten_text_json(text, note->entity);
+    batten_text_add(text, ", \"text\": ");
+    batten_text_json(text, note->text);
+    batten_text_add(text, ", \"remark\": %s}", note->is_remark ? "true" : "false");
+}
+
 void notes_json(batten_text *text, const batten_notes *notes)
 {
     batten_text_add(text, "[");
     for (int i = 0; i < batten_notes_count(notes); i++) {
-        const batten_note *note = batten_notes_at(notes, i);
-        batten_text_add(text, "%s\n    {\"file\": ", i ? "," : "");
-        batten_text_json(text, note->file);
-        batten_text_add(text, ", \"line\": %d, \"entity\": ", note->line);
-        batten_text_json(text, note->entity);
-        batten_text_add(text, ", \"text\": ");
-        batten_text_json(text, note->text);
-        batten_text_add(text, ", \"remark\": %s}", note->is_remark ? "true" : "false");
+        batten_text_add(text, "%s\n", i ? "," : "");
+        note_json(text, batten_notes_at(notes, i));
     }
     batten_text_add(text, "%s]", batten_notes_count(notes) ? "\n  " : "");
 }

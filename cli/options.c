@@ -154,6 +154,18 @@ bool arguments_has(const arguments *read, const char *name)
     return arguments_get(read, name) != NULL;
 }
 
+bool arguments_word(const arguments *read, const char *name, int count,
+                    const char *const *words, int *index)
+{
+    const char *word = arguments_get(read, name);
+    for (int k = 0; word && k < count; k++)
+        if (strcmp(word, words[k]) == 0) {
+            *index = k;
+            return true;
+        }
+    return !word;
+}
+
 bool arguments_number(const char *command, const arguments *read, const char *name,
                       double *value)
 {

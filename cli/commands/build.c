@@ -119,17 +119,23 @@ static bool overwrites_input(const batten_design *design, const char *input, con
     return found;
 }
 
+/* What cannot be read is reported when it is read. */
+static bool overwrites_file(const batten_design *design, int i, const char *folder)
+{
+    bool found = false;
+    char *input = NULL;
+    if (batten_design_file_path(design, i, &input) == BATTEN_OK)
+        found = overwrites_input(design, input, folder);
+    batten_release(input);
+    return found;
+}
+
 static bool overwrites_inputs(const batten_design *design, const arguments *given)
 {
     char *folder = output_folder(given);
     bool found = folder && overwrites_input(design, given->files[0], folder);
-    for (int i = 0; folder && !found && i < batten_design_file_count(design); i++) {
-        char *input = NULL;
-        /* What cannot be read is reported when it is read. */
-        if (batten_design_file_path(design, i, &input) == BATTEN_OK)
-            found = overwrites_input(design, input, folder);
-        batten_release(input);
-    }
+    for (int i = 0; folder && !found && i < batten_design_file_count(design); i++)
+        found = overwrites_file(design, i, folder);
     batten_release(folder);
     return found;
 }

@@ -317,15 +317,14 @@ static const char *output_of(const arguments *given)
 static bool schema_option(const arguments *given, batten_step_schema *schema)
 {
     static const char *const names[] = {"ap214", "ap203", "ap242"};
-    const char *word = arguments_get(given, "schema");
-    for (int k = 0; word && k < 3; k++)
-        if (strcmp(word, names[k]) == 0) {
-            *schema = (batten_step_schema)k;
-            return true;
-        }
-    if (word)
-        complain("batten convert: --schema is ap214, ap203 or ap242, not '%s'", word);
-    return !word;
+    int index = (int)*schema;
+    if (!arguments_word(given, "schema", 3, names, &index)) {
+        complain("batten convert: --schema is ap214, ap203 or ap242, not '%s'",
+                 arguments_get(given, "schema"));
+        return false;
+    }
+    *schema = (batten_step_schema)index;
+    return true;
 }
 
 static bool write_options(const arguments *given, batten_write_options *write,

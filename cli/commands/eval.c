@@ -129,15 +129,14 @@ static batten_status evaluate_all(const batten_model *model, const arguments *gi
 static bool read_beyond(const arguments *given, batten_beyond *beyond)
 {
     static const char *const words[] = {"refuse", "continue", "linear"};
-    const char *word = arguments_get(given, "beyond");
-    for (int i = 0; word && i < 3; i++)
-        if (strcmp(word, words[i]) == 0) {
-            *beyond = (batten_beyond)i;
-            return true;
-        }
-    if (word)
-        complain("batten eval: --beyond wants refuse, continue or linear, not '%s'", word);
-    return !word;
+    int index = (int)*beyond;
+    if (!arguments_word(given, "beyond", 3, words, &index)) {
+        complain("batten eval: --beyond wants refuse, continue or linear, not '%s'",
+                 arguments_get(given, "beyond"));
+        return false;
+    }
+    *beyond = (batten_beyond)index;
+    return true;
 }
 
 static int run_eval(const arguments *given)

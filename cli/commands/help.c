@@ -85,6 +85,11 @@ static int widest_name(void)
     return (int)widest;
 }
 
+static void add_summary(batten_text *text, int width, const batten_feature *f)
+{
+    batten_text_add(text, "  %-*s %s\n", width, f->name, f->summary);
+}
+
 static void add_features(batten_text *text)
 {
     const int width = widest_name();
@@ -93,14 +98,12 @@ static void add_features(batten_text *text)
         if (!batten_feature_at(i)->is_output) {
             if (i == 0 || strcmp(batten_feature_group(i), batten_feature_group(i - 1)) != 0)
                 batten_text_add(text, "%s%s\n\n", i ? "\n" : "", batten_feature_group(i));
-            batten_text_add(text, "  %-*s %s\n", width, batten_feature_at(i)->name,
-                            batten_feature_at(i)->summary);
+            add_summary(text, width, batten_feature_at(i));
         }
     batten_text_add(text, "\nOutputs of a design file:\n\n");
     for (int i = 0; i < batten_feature_count(); i++)
         if (batten_feature_at(i)->is_output)
-            batten_text_add(text, "  %-*s %s\n", width, batten_feature_at(i)->name,
-                            batten_feature_at(i)->summary);
+            add_summary(text, width, batten_feature_at(i));
 }
 
 static const char *kind_name(const batten_parameter *p)
@@ -139,6 +142,18 @@ static void add_formula(batten_text *text, const batten_feature *f)
     batten_text_add(text, "\n");
 }
 
+static void add_parameter(batten_text *text, const batten_parameter *p)
+{
+    batten_text_add(text, "  %-14s %s%s", p->name, kind_name(p),
+                    p->is_list ? ", or several" : "");
+    if (p->words)
+        batten_text_add(text, ": %s", p->words);
+    if (p->standard)
+        batten_text_add(text, " (%s)", p->standard);
+    batten_text_add(text, "%s\n                 %s\n", p->required ? ", required" : "",
+                    p->summary);
+}
+
 static void add_feature(batten_text *text, const batten_feature *f)
 {
     batten_text_add(text, "%s: %s\n\n", f->name, f->summary);
@@ -148,17 +163,8 @@ static void add_feature(batten_text *text, const batten_feature *f)
     if (f->formula)
         add_formula(text, f);
     batten_text_add(text, "Parameters:\n");
-    for (int i = 0; i < f->parameter_count; i++) {
-        const batten_parameter *p = &f->parameters[i];
-        batten_text_add(text, "  %-14s %s%s", p->name, kind_name(p),
-                        p->is_list ? ", or several" : "");
-        if (p->words)
-            batten_text_add(text, ": %s", p->words);
-        if (p->standard)
-            batten_text_add(text, " (%s)", p->standard);
-        batten_text_add(text, "%s\n                 %s\n", p->required ? ", required" : "",
-                        p->summary);
-    }
+    for (int i = 0; i < f->parameter_count; i++)
+        add_parameter(text, &f->parameters[i]);
     batten_text_add(text, "\nExample:\n\n%s\n\nIn C: %s\n", f->example, f->function);
     if (f->source && *f->source) {
         batten_text_add(text, "Sources:\n");

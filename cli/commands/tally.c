@@ -186,17 +186,21 @@ static void text_count(batten_text *text, bool *first, long long count, const ch
     *first = false;
 }
 
+static void text_kind(batten_text *text, bool *first, tally t, int k)
+{
+    if (k == BATTEN_OBJECT_BODY && t.solids >= 0) {
+        text_count(text, first, t.solids, "solid", "solids");
+        text_count(text, first, t.count[k] - t.solids, "sheet", "sheets");
+    } else
+        text_count(text, first, t.count[k], batten_object_kind_name((batten_object_kind)k),
+                   several[k]);
+}
+
 void tally_text(batten_text *text, tally t)
 {
     bool first = true;
     for (int k = 0; k < TALLY_KINDS; k++)
-        if (k == BATTEN_OBJECT_BODY && t.solids >= 0) {
-            text_count(text, &first, t.solids, "solid", "solids");
-            text_count(text, &first, t.count[k] - t.solids, "sheet", "sheets");
-        } else {
-            text_count(text, &first, t.count[k], batten_object_kind_name((batten_object_kind)k),
-                       several[k]);
-        }
+        text_kind(text, &first, t, k);
     batten_text_add(text, "%s", first ? "nothing" : "");
 }
 
@@ -208,17 +212,21 @@ static void json_count(batten_text *text, bool *first, const char *key, long lon
     *first = false;
 }
 
+static void json_kind(batten_text *text, bool *first, tally t, int k)
+{
+    json_count(text, first, keys[k], t.count[k]);
+    if (k == BATTEN_OBJECT_BODY && t.solids >= 0) {
+        json_count(text, first, "solids", t.solids);
+        json_count(text, first, "sheets", t.count[k] - t.solids);
+    }
+}
+
 void tally_json(batten_text *text, tally t, const tally *placed)
 {
     bool first = true;
     batten_text_add(text, "{");
-    for (int k = 0; k < TALLY_KINDS; k++) {
-        json_count(text, &first, keys[k], t.count[k]);
-        if (k == BATTEN_OBJECT_BODY && t.solids >= 0) {
-            json_count(text, &first, "solids", t.solids);
-            json_count(text, &first, "sheets", t.count[k] - t.solids);
-        }
-    }
+    for (int k = 0; k < TALLY_KINDS; k++)
+        json_kind(text, &first, t, k);
     if (placed) {
         batten_text_add(text, ", \"in_all\": ");
         tally_json(text, *placed, NULL);

@@ -206,19 +206,25 @@ static bool same_item(const bat_design_state *now, batten_value_kind kind, const
            same_text(a->text, b->text);
 }
 
+static bool same_argument(const bat_design_state *now, batten_value_kind kind,
+                          const bat_argument *x, const bat_argument *y)
+{
+    if (x->count != y->count || x->given != y->given)
+        return false;
+    for (int k = 0; k < x->count; k++)
+        if (!same_item(now, kind, &x->items[k], &y->items[k]))
+            return false;
+    return true;
+}
+
 static bool same_entry(const bat_design_state *now, const bat_entry *a, const bat_entry *b)
 {
     if (a->feature != b->feature)
         return false;
     const batten_feature *f = &a->feature->shown;
-    for (int i = 0; i < f->parameter_count; i++) {
-        const bat_argument *x = &a->arguments[i], *y = &b->arguments[i];
-        if (x->count != y->count || x->given != y->given)
+    for (int i = 0; i < f->parameter_count; i++)
+        if (!same_argument(now, f->parameters[i].kind, &a->arguments[i], &b->arguments[i]))
             return false;
-        for (int k = 0; k < x->count; k++)
-            if (!same_item(now, f->parameters[i].kind, &x->items[k], &y->items[k]))
-                return false;
-    }
     return true;
 }
 

@@ -51,7 +51,7 @@ static batten_status copy_loop(bat_trace *trace, const batten_body_loop *loop,
     return status;
 }
 
-static batten_status begin_loop(const bat_trace *trace, const batten_body_loop *loop,
+static batten_status begin_loop(bat_trace *trace, const batten_body_loop *loop,
                                 bat_trace_face *face)
 {
     const int before = face->loops.loop_count;

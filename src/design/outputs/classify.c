@@ -183,17 +183,22 @@ static void json_list(batten_text *out, const char *key, int count, const double
     batten_text_add(out, "]");
 }
 
+static void json_special(batten_text *out, const batten_special *s)
+{
+    batten_text_add(out, "{\"kind\": \"%s\", \"inside\": %s, \"multiplicity\": %d",
+                    batten_special_name(s->kind, false), s->inside ? "true" : "false",
+                    s->multiplicity);
+    json_number(out, "t", s->t);
+    json_number(out, "s", s->s);
+    batten_text_add(out, "}");
+}
+
 static void json_specials(batten_text *out, specials on)
 {
     batten_text_add(out, ", \"specials\": [");
     for (int k = 0; k < on.count; k++) {
-        const batten_special *s = &on.at[k];
-        batten_text_add(out, "%s{\"kind\": \"%s\", \"inside\": %s, \"multiplicity\": %d",
-                        k ? ", " : "", batten_special_name(s->kind, false),
-                        s->inside ? "true" : "false", s->multiplicity);
-        json_number(out, "t", s->t);
-        json_number(out, "s", s->s);
-        batten_text_add(out, "}");
+        batten_text_add(out, k ? ", " : "");
+        json_special(out, &on.at[k]);
     }
     batten_text_add(out, "]");
 }

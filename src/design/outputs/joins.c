@@ -76,21 +76,34 @@ static double size_of(const batten_object *object)
     return bat_join_gap(box.low, box.high);
 }
 
-static batten_status keep_join(bat_check *check, const bat_join *join)
+/* Room for twice as many whenever their number is a power of 2. */
+static batten_status grow_joins(bat_check *check)
 {
-    if (check->join_count == MOST_JOINS) {
-        if (!check->joins_left_out)
-            bat_note(check->run, "more than %d joins; the others are not listed", MOST_JOINS);
-        check->joins_left_out = true;
-        return BATTEN_OK;
-    }
-    if ((check->join_count & (check->join_count - 1)) == 0) { /* room for twice as many */
+    if ((check->join_count & (check->join_count - 1)) == 0) {
         bat_join *grown =
             bat_resize(check->joins, 2 * (size_t)check->join_count + 1, sizeof *grown);
         if (!grown)
             return BATTEN_OUT_OF_MEMORY;
         check->joins = grown;
     }
+    return BATTEN_OK;
+}
+
+static void leave_joins_out(bat_check *check)
+{
+    if (!check->joins_left_out)
+        bat_note(check->run, "more than %d joins; the others are not listed", MOST_JOINS);
+    check->joins_left_out = true;
+}
+
+static batten_status keep_join(bat_check *check, const bat_join *join)
+{
+    if (check->join_count == MOST_JOINS) {
+        leave_joins_out(check);
+        return BATTEN_OK;
+    }
+    if (grow_joins(check) != BATTEN_OK)
+        return BATTEN_OUT_OF_MEMORY;
     check->joins[check->join_count++] = *join;
     return BATTEN_OK;
 }

@@ -275,16 +275,21 @@ static void json_box(batten_text *out, const batten_box *box)
     batten_text_add(out, "]");
 }
 
+static void json_axes(batten_text *out, const batten_vec3 axes[3])
+{
+    for (int k = 0; k < 3; k++) {
+        batten_text_add(out, k ? ", " : "");
+        json_vector(out, axes[k]);
+    }
+}
+
 static void json_boxes(batten_text *out, const facts *f)
 {
     json_box(out, &f->box);
     batten_text_add(out, ", \"oriented_box\": {\"centre\": ");
     json_vector(out, f->oriented.centre);
     batten_text_add(out, ", \"axes\": [");
-    for (int k = 0; k < 3; k++) {
-        batten_text_add(out, k ? ", " : "");
-        json_vector(out, f->oriented.axes[k]);
-    }
+    json_axes(out, f->oriented.axes);
     batten_text_add(out, "]");
     json_numbers(out, "half", 3, f->oriented.half);
     batten_text_add(out, "}");

@@ -61,20 +61,24 @@ static bool has_table(const bat_check *check, const bool *upstream)
     return false;
 }
 
+static double sum_within(const bat_entry *entry)
+{
+    double sum = 0;
+    const batten_feature *shown = &entry->feature->shown;
+    for (int k = 0; k < shown->parameter_count; k++)
+        if (strcmp(shown->parameters[k].name, "within") == 0 && entry->arguments[k].count)
+            sum += entry->arguments[k].items[0].number[0];
+    return sum;
+}
+
 /* The parameter 'within' of all fairing upstream, one after the other. */
 static double sum_moves(const bat_check *check, const bool *upstream)
 {
     const bat_document *d = check->run->document;
     double sum = 0;
-    for (int i = 0; i < d->feature_count; i++) {
-        if (!upstream[i] || !check->run->results[i].shown.has_moves)
-            continue;
-        const bat_entry *entry = &d->features[i];
-        const batten_feature *shown = &entry->feature->shown;
-        for (int k = 0; k < shown->parameter_count; k++)
-            if (strcmp(shown->parameters[k].name, "within") == 0 && entry->arguments[k].count)
-                sum += entry->arguments[k].items[0].number[0];
-    }
+    for (int i = 0; i < d->feature_count; i++)
+        if (upstream[i] && check->run->results[i].shown.has_moves)
+            sum += sum_within(&d->features[i]);
     return sum;
 }
 
@@ -165,6 +169,16 @@ typedef struct {
     double *found; /* in the plane; to release */
 } row_search;
 
+static bool is_within(int count, const double *points, const double *others, double most)
+{
+    for (int i = 0; i < count; i++) {
+        const double *p = points + 3 * i, *q = others + 3 * i;
+        if (hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]) > most)
+            return false;
+    }
+    return true;
+}
+
 static batten_status match_row(void *context, const bat_row *given)
 {
     row_search *search = context;
@@ -172,11 +186,8 @@ static batten_status match_row(void *context, const bat_row *given)
     const double most = search->bound * (1 + 1e-9);
     if (search->found || given->count != search->count)
         return BATTEN_OK;
-    for (int i = 0; i < search->count; i++) {
-        const double *p = given->points + 3 * i, *q = search->row + 3 * i;
-        if (hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]) > most)
-            return BATTEN_OK;
-    }
+    if (!is_within(search->count, given->points, search->row, most))
+        return BATTEN_OK;
     search->found = bat_points_in_plane(search->axis, given->count, given->points);
     return search->found ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }

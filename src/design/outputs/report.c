@@ -152,20 +152,24 @@ static void text_family(batten_text *out, const bat_checked *c, const char *fami
     }
 }
 
+static void text_triangle_joins(batten_text *out, const bat_check *check, const bat_checked *c)
+{
+    batten_text_add(out, "; at ");
+    add_plural(out, c->triangle_joins, "inner edge");
+    batten_text_add(out, " gaps of at most ");
+    add_length(out, check, c->triangle_gap);
+    batten_text_add(out, ", normals turn by at most ");
+    add_rounded(out, c->triangle_angle);
+    batten_text_add(out, " rad");
+}
+
 static void text_triangles(batten_text *out, const bat_check *check, const bat_checked *c)
 {
     batten_text_add(out, "    ");
     add_plural(out, batten_triangles_count(c->object->triangles), "triangle");
     batten_text_add(out, " of degree %d", batten_triangles_degree(c->object->triangles));
-    if (c->triangle_joins) {
-        batten_text_add(out, "; at ");
-        add_plural(out, c->triangle_joins, "inner edge");
-        batten_text_add(out, " gaps of at most ");
-        add_length(out, check, c->triangle_gap);
-        batten_text_add(out, ", normals turn by at most ");
-        add_rounded(out, c->triangle_angle);
-        batten_text_add(out, " rad");
-    }
+    if (c->triangle_joins)
+        text_triangle_joins(out, check, c);
     batten_text_add(out, "\n");
 }
 

@@ -87,17 +87,22 @@ static void json_skin(batten_text *out, const batten_surface_skin_report *s)
                     s->disorder_count);
 }
 
+static void json_error(batten_text *out, const batten_feature_result *r)
+{
+    batten_text_add(out, ", \"error\": {");
+    json_number(out, "max", r->error_max);
+    batten_text_add(out, ", ");
+    json_number(out, "rms", r->error_rms);
+    batten_text_add(out, "}");
+}
+
 static void json_feature(batten_text *out, const batten_feature_result *r)
 {
     batten_text_add(out, "    {\"name\": ");
     batten_text_json(out, r->name);
     batten_text_add(out, ", \"operation\": \"%s\"", r->operation);
     if (r->has_error) {
-        batten_text_add(out, ", \"error\": {");
-        json_number(out, "max", r->error_max);
-        batten_text_add(out, ", ");
-        json_number(out, "rms", r->error_rms);
-        batten_text_add(out, "}");
+        json_error(out, r);
     }
     if (r->fairing)
         json_moves(out, r);
@@ -211,17 +216,22 @@ static void json_joins(batten_text *out, const bat_check *check)
     }
 }
 
+static void json_message(batten_text *out, const batten_note *note)
+{
+    batten_text_add(out, "    {\"file\": ");
+    batten_text_json(out, note->file);
+    batten_text_add(out, ", \"line\": %d, \"entity\": ", note->line);
+    batten_text_json(out, note->entity);
+    batten_text_add(out, ", \"text\": ");
+    batten_text_json(out, note->text);
+    batten_text_add(out, ", \"remark\": %s}", note->is_remark ? "true" : "false");
+}
+
 static void json_messages(batten_text *out, const batten_notes *notes)
 {
     for (int i = 0; notes && i < batten_notes_count(notes); i++) {
-        const batten_note *note = batten_notes_at(notes, i);
-        batten_text_add(out, "%s\n    {\"file\": ", i ? "," : "");
-        batten_text_json(out, note->file);
-        batten_text_add(out, ", \"line\": %d, \"entity\": ", note->line);
-        batten_text_json(out, note->entity);
-        batten_text_add(out, ", \"text\": ");
-        batten_text_json(out, note->text);
-        batten_text_add(out, ", \"remark\": %s}", note->is_remark ? "true" : "false");
+        batten_text_add(out, "%s\n", i ? "," : "");
+        json_message(out, batten_notes_at(notes, i));
     }
 }
 

@@ -2,6 +2,14 @@
 #include "design/shared/folds.h"
 #include <batten/measure.h>
 
+static bool has_surface(const batten_model *model)
+{
+    for (int k = 0; k < batten_model_count(model); k++)
+        if (batten_model_object(model, k)->kind == BATTEN_OBJECT_SURFACE)
+            return true;
+    return false;
+}
+
 /* Does the feature make its surfaces of something that is none? */
 static bool constructs(const bat_run *run)
 {
@@ -9,12 +17,9 @@ static bool constructs(const bat_run *run)
     const bat_argument *argument = &run->arguments[0];
     if (principal->kind != BATTEN_VALUE_MODEL)
         return principal->kind != BATTEN_VALUE_FILE;
-    for (int i = 0; i < argument->count; i++) {
-        const batten_model *model = run->results[argument->items[i].count].value;
-        for (int k = 0; k < batten_model_count(model); k++)
-            if (batten_model_object(model, k)->kind == BATTEN_OBJECT_SURFACE)
-                return false;
-    }
+    for (int i = 0; i < argument->count; i++)
+        if (has_surface(run->results[argument->items[i].count].value))
+            return false;
     return true;
 }
 

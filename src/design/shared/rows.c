@@ -102,21 +102,24 @@ void bat_rows_release(bat_rows *rows)
 
 /* ---- points in no order ---- */
 
+static batten_status append_row(const bat_row *row, int *count, double **points)
+{
+    const size_t had = (size_t)*count, more = (size_t)row->count;
+    double *grown = bat_resize(*points, 3 * (had + more) + 1, sizeof *grown);
+    if (!grown)
+        return BATTEN_OUT_OF_MEMORY;
+    memcpy(grown + 3 * had, row->points, 3 * more * sizeof *grown);
+    *points = grown;
+    *count += (int)more;
+    return BATTEN_OK;
+}
+
 static batten_status add_rows(const batten_object *object, int *count, double **points)
 {
     bat_rows rows = {0, NULL};
     batten_status status = bat_rows_of(object, false, &rows);
-    for (int i = 0; i < rows.count && status == BATTEN_OK; i++) {
-        const size_t had = (size_t)*count, more = (size_t)rows.rows[i].count;
-        double *grown = bat_resize(*points, 3 * (had + more) + 1, sizeof *grown);
-        if (!grown) {
-            status = BATTEN_OUT_OF_MEMORY;
-            break;
-        }
-        memcpy(grown + 3 * had, rows.rows[i].points, 3 * more * sizeof *grown);
-        *points = grown;
-        *count += (int)more;
-    }
+    for (int i = 0; i < rows.count && status == BATTEN_OK; i++)
+        status = append_row(&rows.rows[i], count, points);
     bat_rows_release(&rows);
     return status;
 }

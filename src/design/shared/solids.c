@@ -317,43 +317,63 @@ static void mesh_rows(const batten_mesh_facts *m, counted rows[MESH_ROWS])
         rows[i] = all[i];
 }
 
+static void text_mesh(const bat_solid_faults *faults, batten_text *out)
+{
+    counted rows[MESH_ROWS];
+    mesh_rows(&faults->mesh, rows);
+    batten_text_add(out, "%s; ", faults->mesh.is_watertight ? "closed" : "not closed");
+    text_counts(out, MESH_ROWS, rows);
+}
+
+static void text_body(const bat_solid_faults *faults, batten_text *out)
+{
+    counted rows[BODY_ROWS];
+    body_rows(&faults->body, rows);
+    batten_text_add(out, "within %.3g: ", faults->tolerance);
+    text_counts(out, BODY_ROWS, rows);
+    if (faults->body.gaps)
+        batten_text_add(out, "; gaps up to %.3g", faults->body.largest_gap);
+    if (faults->body.loose)
+        batten_text_add(out, "; edges up to %.3g off", faults->body.largest_miss);
+}
+
 void bat_solid_text(const batten_object *object, const bat_solid_faults *faults,
                     batten_text *out)
 {
-    counted rows[BODY_ROWS];
     batten_text_add(out, "    ");
-    if (object->kind == BATTEN_OBJECT_MESH) {
-        mesh_rows(&faults->mesh, rows);
-        batten_text_add(out, "%s; ", faults->mesh.is_watertight ? "closed" : "not closed");
-        text_counts(out, MESH_ROWS, rows);
-    } else {
-        body_rows(&faults->body, rows);
-        batten_text_add(out, "within %.3g: ", faults->tolerance);
-        text_counts(out, BODY_ROWS, rows);
-        if (faults->body.gaps)
-            batten_text_add(out, "; gaps up to %.3g", faults->body.largest_gap);
-        if (faults->body.loose)
-            batten_text_add(out, "; edges up to %.3g off", faults->body.largest_miss);
-    }
+    if (object->kind == BATTEN_OBJECT_MESH)
+        text_mesh(faults, out);
+    else
+        text_body(faults, out);
     batten_text_add(out, "\n");
 }
 
-void bat_solid_json(const batten_object *object, const bat_solid_faults *faults,
-                    batten_text *out)
+static void json_mesh(const bat_solid_faults *faults, batten_text *out)
+{
+    counted rows[MESH_ROWS];
+    mesh_rows(&faults->mesh, rows);
+    batten_text_add(out, ", \"closed\": %s", faults->mesh.is_watertight ? "true" : "false");
+    json_counts(out, MESH_ROWS, rows);
+}
+
+static void json_body(const bat_solid_faults *faults, batten_text *out)
 {
     counted rows[BODY_ROWS];
-    batten_text_add(out, ", \"holds\": %s", bat_solid_holds(object, faults) ? "true" : "false");
-    if (object->kind == BATTEN_OBJECT_MESH) {
-        mesh_rows(&faults->mesh, rows);
-        batten_text_add(out, ", \"closed\": %s", faults->mesh.is_watertight ? "true" : "false");
-        json_counts(out, MESH_ROWS, rows);
-        return;
-    }
     body_rows(&faults->body, rows);
     json_number(out, "tolerance", faults->tolerance);
     json_counts(out, BODY_ROWS, rows);
     json_number(out, "largest_gap", faults->body.largest_gap);
     json_number(out, "largest_miss", faults->body.largest_miss);
+}
+
+void bat_solid_json(const batten_object *object, const bat_solid_faults *faults,
+                    batten_text *out)
+{
+    batten_text_add(out, ", \"holds\": %s", bat_solid_holds(object, faults) ? "true" : "false");
+    if (object->kind == BATTEN_OBJECT_MESH)
+        json_mesh(faults, out);
+    else
+        json_body(faults, out);
 }
 
 batten_status bat_check_within(const bat_run *run)

@@ -79,21 +79,27 @@ static void report_sweep(bat_run *run, const batten_surface_sweep_report *report
                  report->clearance_at, 1 - report->clearance);
 }
 
+/* Several are numbered from 1; `number` is 0 for one alone. */
+static batten_status put_swept(bat_run *run, batten_status status, batten_surface *surface,
+                               int number)
+{
+    char name[200];
+    if (number == 0)
+        snprintf(name, sizeof name, "%s", run->name);
+    else
+        snprintf(name, sizeof name, "%.180s %d", run->name, number);
+    const batten_object like = {.name = name, .layer = ""};
+    return bat_put_surface_like(run, status, surface, &like);
+}
+
 batten_status bat_put_sweep(bat_run *run, batten_status status, int count,
                             batten_surface **surfaces,
                             const batten_surface_sweep_report *report)
 {
     if (status != BATTEN_OK)
         return status;
-    for (int k = 0; k < count; k++) {
-        char name[200];
-        if (count == 1)
-            snprintf(name, sizeof name, "%s", run->name);
-        else
-            snprintf(name, sizeof name, "%.180s %d", run->name, k + 1);
-        const batten_object like = {.name = name, .layer = ""};
-        status = bat_put_surface_like(run, status, surfaces[k], &like);
-    }
+    for (int k = 0; k < count; k++)
+        status = put_swept(run, status, surfaces[k], count == 1 ? 0 : k + 1);
     bat_release(surfaces);
     if (status == BATTEN_OK)
         report_sweep(run, report);

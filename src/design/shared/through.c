@@ -214,20 +214,24 @@ static batten_status make_row(bat_run *run, const bat_method *method, const bat_
     return bat_fail(status, "%s: %s", row->name, batten_message());
 }
 
+static batten_status make_long_row(bat_run *run, const bat_method *method, const bat_row *row,
+                                   const batten_object *object)
+{
+    if (row->count >= method->least)
+        return make_row(run, method, row, object);
+    bat_note(run, "'%s' has %d point%s and is left out; %d are needed", row->name, row->count,
+             bat_plural(row->count), method->least);
+    return BATTEN_OK;
+}
+
 static batten_status make_object(bat_run *run, const bat_method *method,
                                  const batten_object *object)
 {
     enum { LINE = 1 };
     bat_rows rows = {0, NULL};
     batten_status status = bat_rows_of(object, bat_word(run, "each") == LINE, &rows);
-    for (int i = 0; i < rows.count && status == BATTEN_OK; i++) {
-        if (rows.rows[i].count >= method->least)
-            status = make_row(run, method, &rows.rows[i], object);
-        else
-            bat_note(run, "'%s' has %d point%s and is left out; %d are needed",
-                     rows.rows[i].name, rows.rows[i].count, bat_plural(rows.rows[i].count),
-                     method->least);
-    }
+    for (int i = 0; i < rows.count && status == BATTEN_OK; i++)
+        status = make_long_row(run, method, &rows.rows[i], object);
     bat_rows_release(&rows);
     return status;
 }
