@@ -112,6 +112,10 @@ batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kin
 batten_status bat_gather_some(const bat_run *run, const char *parameter, unsigned kinds,
                               bat_objects *out);
 void bat_objects_release(bat_objects *objects);
+/* Take a step for each object that bat_gather finds, up to the first that fails. */
+typedef batten_status bat_object_step(bat_run *run, const batten_object *object);
+batten_status bat_for_objects(bat_run *run, const char *parameter, unsigned kinds,
+                              bat_object_step *step);
 /* The only curve of an argument, borrowed from its feature's result. */
 batten_status bat_one_curve(const bat_run *run, const char *parameter,
                             const batten_curve **out);
@@ -145,6 +149,9 @@ batten_status bat_put_surface(bat_run *run, batten_status status, batten_surface
  * false. */
 batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curve *curve,
                                  const batten_object *like, bool keep_data);
+/* Several are numbered from 1 after the object's name. */
+batten_status bat_put_curves_like(bat_run *run, const batten_object *object,
+                                  const batten_curves *curves);
 /* The same of a curve that is a chain, or NULL, in truth; both references are given back. */
 batten_status bat_put_chain_like(bat_run *run, batten_status status, batten_curve *curve,
                                  batten_chain *chain, const batten_object *like);

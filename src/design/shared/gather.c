@@ -219,6 +219,19 @@ batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kin
     return gather(run, parameter, kinds, true, out);
 }
 
+batten_status bat_for_objects(bat_run *run, const char *parameter, unsigned kinds,
+                              bat_object_step *step)
+{
+    bat_objects objects;
+    batten_status status = bat_gather(run, parameter, kinds, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
+        status = step(run, objects.at[i]);
+    bat_objects_release(&objects);
+    return status;
+}
+
 batten_status bat_gather_some(const bat_run *run, const char *parameter, unsigned kinds,
                               bat_objects *out)
 {

@@ -1,6 +1,8 @@
 /* What a feature may do while it runs: put objects out, change all of its inputs. */
 #include "design/text/document.h"
 
+#include <stdio.h>
+
 /* ---- objects ---- */
 
 batten_status bat_merge(const bat_run *run, const char *parameter, unsigned kinds,
@@ -77,6 +79,21 @@ batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curv
                                  const batten_object *like, bool keep_data)
 {
     return put_curve(run, status, curve, NULL, like, keep_data);
+}
+
+batten_status bat_put_curves_like(bat_run *run, const batten_object *object,
+                                  const batten_curves *curves)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < curves->count && status == BATTEN_OK; i++) {
+        batten_object like = *object;
+        char name[220];
+        snprintf(name, sizeof name, "%.200s %d", object->name, i + 1);
+        if (curves->count > 1)
+            like.name = name;
+        status = bat_put_curve_like(run, status, batten_curve_ref(curves->at[i]), &like, false);
+    }
+    return status;
 }
 
 batten_status bat_put_flat(bat_run *run, batten_status status, batten_curve *curve,

@@ -45,34 +45,39 @@ static batten_spiro_end end_of(const bat_run *run, const char *end, const char *
     };
 }
 
+static batten_status set_point_kind(const char *list, batten_spiro_kind kind, int i, int count,
+                                    batten_spiro_kind *kinds)
+{
+    if (i >= count)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' names point %d of %d", list, i, count);
+    if (kinds[i] != BATTEN_SPIRO_SMOOTH && kinds[i] != kind)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "'%s' names point %d, which another list names too", list, i);
+    kinds[i] = kind;
+    return BATTEN_OK;
+}
+
 static batten_status set_kind(const bat_run *run, const char *list, batten_spiro_kind kind,
                               int count, batten_spiro_kind *kinds)
 {
     int listed = 0, *points = NULL;
     batten_status status = bat_indices(run, list, &listed, &points);
-    for (int k = 0; k < listed && status == BATTEN_OK; k++) {
-        const int i = points[k];
-        if (i >= count)
-            status = bat_fail(BATTEN_BAD_ARGUMENT, "'%s' names point %d of %d", list, i, count);
-        else if (kinds[i] != BATTEN_SPIRO_SMOOTH && kinds[i] != kind)
-            status = bat_fail(BATTEN_BAD_ARGUMENT,
-                              "'%s' names point %d, which another list names too", list, i);
-        else
-            kinds[i] = kind;
-    }
+    for (int k = 0; k < listed && status == BATTEN_OK; k++)
+        status = set_point_kind(list, kind, points[k], count, kinds);
     bat_release(points);
     return status;
 }
 
+static const struct {
+    const char *list;
+    batten_spiro_kind kind;
+} lists[] = {{"curvature", BATTEN_SPIRO_CURVATURE},
+             {"corners", BATTEN_SPIRO_CORNER},
+             {"left", BATTEN_SPIRO_LEFT},
+             {"right", BATTEN_SPIRO_RIGHT}};
+
 static batten_status find_kinds(const bat_run *run, int count, batten_spiro_kind *kinds)
 {
-    static const struct {
-        const char *list;
-        batten_spiro_kind kind;
-    } lists[] = {{"curvature", BATTEN_SPIRO_CURVATURE},
-                 {"corners", BATTEN_SPIRO_CORNER},
-                 {"left", BATTEN_SPIRO_LEFT},
-                 {"right", BATTEN_SPIRO_RIGHT}};
     batten_status status = BATTEN_OK;
     for (int l = 0; l < 4 && status == BATTEN_OK; l++)
         status = set_kind(run, lists[l].list, lists[l].kind, count, kinds);

@@ -1,5 +1,6 @@
 /* The feature 'crease-pattern': the flat sheet of a fold. */
 #include "design/features/change/fold.h"
+#include "design/shared/outline.h"
 
 #include <batten/interpolate.h>
 #include <batten/standard.h>
@@ -47,21 +48,6 @@ static batten_status end_line(const batten_fold *fold, bool at_start, batten_cur
     return batten_curve_polyline((batten_points){2, 3, points}, out);
 }
 
-/* Join the next piece to the outline. */
-static batten_status add_piece(batten_status status, batten_curve **outline,
-                               batten_curve *piece, double tolerance)
-{
-    batten_curve *joined = NULL;
-    if (status == BATTEN_OK)
-        status = batten_curve_join(*outline, piece, tolerance, &joined);
-    if (status == BATTEN_OK) {
-        batten_curve_unref(*outline);
-        *outline = joined;
-    }
-    batten_curve_unref(piece);
-    return status;
-}
-
 static batten_status put_outline(bat_run *run, const batten_fold *fold)
 {
     static const double black[3] = {0, 0, 0};
@@ -71,18 +57,18 @@ static batten_status put_outline(bat_run *run, const batten_fold *fold)
     batten_status status = smooth(fold, &fold->left, &outline);
     if (status == BATTEN_OK)
         status = end_line(fold, false, &piece);
-    status = add_piece(status, &outline, piece, tolerance);
+    status = bat_outline_add(status, tolerance, piece, &outline);
     piece = NULL;
     if (status == BATTEN_OK)
         status = smooth(fold, &fold->right, &right);
     if (status == BATTEN_OK)
         status = batten_curve_reverse(right, &piece);
-    status = add_piece(status, &outline, piece, tolerance);
+    status = bat_outline_add(status, tolerance, piece, &outline);
     batten_curve_unref(right);
     piece = NULL;
     if (status == BATTEN_OK)
         status = end_line(fold, true, &piece);
-    status = add_piece(status, &outline, piece, tolerance);
+    status = bat_outline_add(status, tolerance, piece, &outline);
     return bat_put_flat(run, status, outline, "outline", "cut", black);
 }
 
@@ -96,19 +82,25 @@ static batten_status put_crease(bat_run *run, const batten_fold *fold)
                         mountain ? red : blue);
 }
 
+static batten_status put_ruling(bat_run *run, const batten_fold *fold,
+                                const batten_fold_sheet *sheet, int i)
+{
+    static const double grey[3] = {0.75, 0.75, 0.75};
+    double ends[4];
+    batten_curve *line = NULL;
+    flat_point(fold, NULL, i, ends);
+    flat_point(fold, sheet, i, ends + 2);
+    const batten_status status = batten_curve_line(2, ends, ends + 2, &line);
+    return bat_put_flat(run, status, line, "", "rulings", grey);
+}
+
 static batten_status put_rulings(bat_run *run, const batten_fold *fold,
                                  const batten_fold_sheet *sheet, int count)
 {
-    static const double grey[3] = {0.75, 0.75, 0.75};
     batten_status status = BATTEN_OK;
     for (int k = 0; k < count && status == BATTEN_OK; k++) {
         const int i = (int)((double)(fold->count - 1) * (k + 1) / (count + 1) + 0.5);
-        double ends[4];
-        batten_curve *line = NULL;
-        flat_point(fold, NULL, i, ends);
-        flat_point(fold, sheet, i, ends + 2);
-        status = batten_curve_line(2, ends, ends + 2, &line);
-        status = bat_put_flat(run, status, line, "", "rulings", grey);
+        status = put_ruling(run, fold, sheet, i);
     }
     return status;
 }

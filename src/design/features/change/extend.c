@@ -108,6 +108,19 @@ static batten_status change_surface(bat_run *run, const batten_object *object)
     return status;
 }
 
+static batten_status check_object_words(const batten_object *object, bool ends, bool edges)
+{
+    const bool surface = object->kind == BATTEN_OBJECT_SURFACE;
+    if (surface && !edges)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "'%s' is a surface: 'by' and 'edges' must be "
+                        "given",
+                        object->name);
+    if (!surface && !ends)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'start', 'end', 'from' or 'to' must be given");
+    return BATTEN_OK;
+}
+
 /* Different parameters say where curves and surfaces are extended. */
 static batten_status check_words(const bat_run *run, const bat_objects *all)
 {
@@ -115,15 +128,9 @@ static batten_status check_words(const bat_run *run, const bat_objects *all)
                       bat_has(run, "to");
     const bool edges = bat_has(run, "by") && bat_has(run, "edges");
     for (int i = 0; i < all->count; i++) {
-        const bool surface = all->at[i]->kind == BATTEN_OBJECT_SURFACE;
-        if (surface && !edges)
-            return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "'%s' is a surface: 'by' and 'edges' must be "
-                            "given",
-                            all->at[i]->name);
-        if (!surface && !ends)
-            return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "'start', 'end', 'from' or 'to' must be given");
+        const batten_status status = check_object_words(all->at[i], ends, edges);
+        if (status != BATTEN_OK)
+            return status;
     }
     return BATTEN_OK;
 }

@@ -1,5 +1,6 @@
 /* The feature 'join': curves or surfaces end to end as one. */
 #include "design/feature.h"
+#include "design/shared/outline.h"
 
 static const batten_parameter parameters[] = {
     {"join", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the curves or surfaces, in order"},
@@ -8,6 +9,18 @@ static const batten_parameter parameters[] = {
     {"direction", BATTEN_VALUE_WORD, false, false, "u", "u v", "of surfaces"},
 };
 
+static batten_status lengthen_chain(const batten_chain *joined, const batten_chain *next,
+                                    double within, batten_chain **longer)
+{
+    if (!next)
+        return BATTEN_NOT_COMPATIBLE;
+    if (!joined) {
+        *longer = batten_chain_ref(next);
+        return BATTEN_OK;
+    }
+    return batten_chain_join(joined, next, within, longer);
+}
+
 /* As one chain, when all curves are chains that fit together; else none. */
 static batten_status join_chains(const bat_objects *all, double within, batten_chain **out)
 {
@@ -15,12 +28,7 @@ static batten_status join_chains(const bat_objects *all, double within, batten_c
     batten_status status = BATTEN_OK;
     for (int i = 0; i < all->count && status == BATTEN_OK; i++) {
         batten_chain *longer = NULL;
-        if (!all->at[i]->chain)
-            status = BATTEN_NOT_COMPATIBLE;
-        else if (i == 0)
-            longer = batten_chain_ref(all->at[i]->chain);
-        else
-            status = batten_chain_join(joined, all->at[i]->chain, within, &longer);
+        status = lengthen_chain(joined, all->at[i]->chain, within, &longer);
         batten_chain_unref(joined);
         joined = longer;
     }
@@ -30,17 +38,11 @@ static batten_status join_chains(const bat_objects *all, double within, batten_c
 
 static batten_status join_curves(bat_run *run, const bat_objects *all, double within)
 {
-    batten_curve *joined = batten_curve_ref(all->at[0]->curve);
+    batten_curve *joined = NULL;
     batten_chain *chain = NULL;
     batten_status status = BATTEN_OK;
-    for (int i = 1; i < all->count && status == BATTEN_OK; i++) {
-        batten_curve *longer = NULL;
-        status = batten_curve_join(joined, all->at[i]->curve, within, &longer);
-        if (status == BATTEN_OK) {
-            batten_curve_unref(joined);
-            joined = longer;
-        }
-    }
+    for (int i = 0; i < all->count && status == BATTEN_OK; i++)
+        status = bat_outline_add(status, within, batten_curve_ref(all->at[i]->curve), &joined);
     if (status == BATTEN_OK)
         status = join_chains(all, within, &chain);
     const batten_object like = {.name = run->name, .layer = ""};

@@ -38,21 +38,6 @@ static batten_curve_offset_options options_of(const bat_run *run)
     return options;
 }
 
-static batten_status put_all(bat_run *run, const batten_object *object,
-                             const batten_curves *made)
-{
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < made->count && status == BATTEN_OK; i++) {
-        batten_object like = *object;
-        char name[220];
-        snprintf(name, sizeof name, "%.200s %d", object->name, i + 1);
-        if (made->count > 1)
-            like.name = name;
-        status = bat_put_curve_like(run, status, batten_curve_ref(made->at[i]), &like, false);
-    }
-    return status;
-}
-
 static batten_status offset_surface(bat_run *run, const batten_object *object, double distance)
 {
     batten_surface_offset_options options = batten_surface_offset_defaults();
@@ -89,27 +74,26 @@ static batten_status offset_object(bat_run *run, const batten_object *object, do
     bat_report_error(run, report.error, report.error);
     if (made.count == 0)
         bat_note(run, "'%s' has nothing as far inside as %g", object->name, fabs(distance));
-    status = put_all(run, object, &made);
+    status = bat_put_curves_like(run, object, &made);
     batten_curves_release(&made);
+    return status;
+}
+
+static batten_status offset_sides(bat_run *run, const batten_object *object)
+{
+    const double by = bat_number(run, "by");
+    const int where = bat_word(run, "side");
+    batten_status status = BATTEN_OK;
+    if (where != RIGHT)
+        status = offset_object(run, object, by);
+    if (status == BATTEN_OK && where != LEFT)
+        status = offset_object(run, object, -by);
     return status;
 }
 
 static batten_status run_offset(bat_run *run)
 {
-    bat_objects objects;
-    batten_status status = bat_gather(run, "offset", BAT_CURVES | BAT_SURFACES, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    const double by = bat_number(run, "by");
-    const int where = bat_word(run, "side");
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
-        if (where != RIGHT)
-            status = offset_object(run, objects.at[i], by);
-        if (status == BATTEN_OK && where != LEFT)
-            status = offset_object(run, objects.at[i], -by);
-    }
-    bat_objects_release(&objects);
-    return status;
+    return bat_for_objects(run, "offset", BAT_CURVES | BAT_SURFACES, offset_sides);
 }
 
 const bat_feature bat_feature_offset = {

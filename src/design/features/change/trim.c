@@ -78,21 +78,6 @@ static batten_vec3 normal_of(const bat_run *run)
     return (batten_vec3){which == PLANE_X, which == PLANE_Y, which == PLANE_Z};
 }
 
-static batten_status put_parts(bat_run *run, const batten_object *object,
-                               const batten_curves *parts)
-{
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < parts->count && status == BATTEN_OK; i++) {
-        batten_object like = *object;
-        char name[220];
-        snprintf(name, sizeof name, "%.200s %d", object->name, i + 1);
-        if (parts->count > 1)
-            like.name = name;
-        status = bat_put_curve_like(run, status, batten_curve_ref(parts->at[i]), &like, false);
-    }
-    return status;
-}
-
 static batten_status trim_by_plane(bat_run *run, const batten_object *object)
 {
     const batten_vec3 n = normal_of(run);
@@ -106,7 +91,7 @@ static batten_status trim_by_plane(bat_run *run, const batten_object *object)
         return status;
     if (parts.count == 0)
         bat_note(run, "'%s' has nothing on that side", object->name);
-    status = put_parts(run, object, &parts);
+    status = bat_put_curves_like(run, object, &parts);
     batten_curves_release(&parts);
     return status;
 }

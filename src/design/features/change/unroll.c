@@ -1,5 +1,6 @@
 /* The feature 'unroll': a plate laid flat. */
 #include "design/feature.h"
+#include "design/shared/outline.h"
 
 #include <batten/interpolate.h>
 #include <batten/nearest.h>
@@ -40,19 +41,7 @@ static double no_length(const batten_unrolled *flat)
 static batten_status add_piece(batten_status status, const batten_unrolled *flat,
                                batten_curve *piece, batten_curve **outline)
 {
-    const double tolerance = no_length(flat) + flat->error;
-    if (status == BATTEN_OK && *outline) {
-        batten_curve *joined = NULL;
-        status = batten_curve_join(*outline, piece, tolerance, &joined);
-        if (status == BATTEN_OK) {
-            batten_curve_unref(*outline);
-            *outline = joined;
-        }
-    } else if (status == BATTEN_OK) {
-        *outline = batten_curve_ref(piece);
-    }
-    batten_curve_unref(piece);
-    return status;
+    return bat_outline_add(status, no_length(flat) + flat->error, piece, outline);
 }
 
 static double distance(const double *a, const double *b)
@@ -123,19 +112,25 @@ static batten_status make_outline(const batten_unrolled *flat, batten_curve **ou
     return *outline ? add_line(status, flat, start + 2, first, outline) : status;
 }
 
+static batten_status ruling_at(const batten_unrolled *flat, double u, batten_curve **line)
+{
+    double from[2], to[2];
+    batten_status status = batten_curve_evaluate(flat->first, u, 0, from);
+    if (status == BATTEN_OK)
+        status = batten_curve_evaluate(flat->second, u, 0, to);
+    if (status == BATTEN_OK)
+        status = batten_curve_line(2, from, to, line);
+    return status;
+}
+
 static batten_status put_lines(bat_run *run, const batten_unrolled *flat, int count)
 {
     const double a = flat->u[0], b = flat->u[flat->count - 1];
     batten_status status = BATTEN_OK;
     for (int k = 1; k <= count && status == BATTEN_OK; k++) {
         const double u = a + (b - a) * k / (count + 1);
-        double from[2], to[2];
         batten_curve *line = NULL;
-        status = batten_curve_evaluate(flat->first, u, 0, from);
-        if (status == BATTEN_OK)
-            status = batten_curve_evaluate(flat->second, u, 0, to);
-        if (status == BATTEN_OK)
-            status = batten_curve_line(2, from, to, &line);
+        status = ruling_at(flat, u, &line);
         status = bat_put_flat(run, status, line, "", "rulings", grey);
     }
     return status;
@@ -227,23 +222,28 @@ static batten_status make_mark(const batten_unrolled *flat, const batten_curve *
     return status;
 }
 
+static batten_status put_mark(bat_run *run, const batten_unrolled *flat, double tolerance,
+                              const batten_object *object)
+{
+    batten_curve *space = NULL, *mark = NULL;
+    double error = 0;
+    batten_status status = batten_curve_to_dimension(object->curve, 3, &space);
+    if (status == BATTEN_OK)
+        status = make_mark(flat, space, tolerance, &error, &mark);
+    batten_curve_unref(space);
+    if (status == BATTEN_OK)
+        bat_report_error(run, error, error);
+    return bat_put_flat(run, status, mark, object->name, "marks", blue);
+}
+
 static batten_status put_marks(bat_run *run, const batten_unrolled *flat, double tolerance)
 {
     bat_objects curves;
     batten_status status = bat_gather(run, "marks", BAT_CURVES, &curves);
     if (status != BATTEN_OK)
         return status;
-    for (int i = 0; i < curves.count && status == BATTEN_OK; i++) {
-        batten_curve *space = NULL, *mark = NULL;
-        double error = 0;
-        status = batten_curve_to_dimension(curves.at[i]->curve, 3, &space);
-        if (status == BATTEN_OK)
-            status = make_mark(flat, space, tolerance, &error, &mark);
-        batten_curve_unref(space);
-        if (status == BATTEN_OK)
-            bat_report_error(run, error, error);
-        status = bat_put_flat(run, status, mark, curves.at[i]->name, "marks", blue);
-    }
+    for (int i = 0; i < curves.count && status == BATTEN_OK; i++)
+        status = put_mark(run, flat, tolerance, curves.at[i]);
     bat_objects_release(&curves);
     return status;
 }

@@ -110,14 +110,7 @@ static batten_status box_object(bat_run *run, const batten_object *object)
 
 static batten_status run_box(bat_run *run)
 {
-    bat_objects objects;
-    batten_status status = bat_gather(run, "box", BAT_CURVES, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
-        status = box_object(run, objects.at[i]);
-    bat_objects_release(&objects);
-    return status;
+    return bat_for_objects(run, "box", BAT_CURVES, box_object);
 }
 
 const bat_feature bat_feature_box = {

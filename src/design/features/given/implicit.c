@@ -156,14 +156,7 @@ static batten_status trace_object(bat_run *run, const batten_object *object)
 
 static batten_status run_implicit(bat_run *run)
 {
-    bat_objects objects;
-    batten_status status = bat_gather(run, "implicit", BAT_CURVES, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
-        status = trace_object(run, objects.at[i]);
-    bat_objects_release(&objects);
-    return status;
+    return bat_for_objects(run, "implicit", BAT_CURVES, trace_object);
 }
 
 const bat_feature bat_feature_implicit = {

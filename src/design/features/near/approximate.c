@@ -33,14 +33,7 @@ static batten_status approximate(bat_run *run, const batten_object *object)
 
 static batten_status run_approximate(bat_run *run)
 {
-    bat_objects objects;
-    batten_status status = bat_gather(run, "approximate", BAT_CURVES, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
-        status = approximate(run, objects.at[i]);
-    bat_objects_release(&objects);
-    return status;
+    return bat_for_objects(run, "approximate", BAT_CURVES, approximate);
 }
 
 const bat_feature bat_feature_approximate = {

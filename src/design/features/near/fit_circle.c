@@ -12,6 +12,17 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
+static batten_status draw_circle(bat_run *run, const char *name,
+                                 const batten_fitted_circle *circle, batten_curve **out)
+{
+    const bool whole = bat_yes(run, "whole");
+    bat_remark(run, "'%s': a circle of radius %.9g about [%.9g, %.9g, %.9g]", name,
+               circle->radius, circle->frame.origin.x, circle->frame.origin.y,
+               circle->frame.origin.z);
+    return batten_curve_arc_in(&circle->frame, circle->radius, circle->start,
+                               whole ? 2 * BAT_PI : circle->angle, out);
+}
+
 static batten_status make_fit_circle(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_fitted_circle circle;
@@ -20,13 +31,8 @@ static batten_status make_fit_circle(bat_run *run, const bat_data *data, bat_mad
         batten_circle_fit((batten_points){3, data->count, data->points},
                           (batten_circle_method)bat_word(run, "by"), &report, &circle);
     if (status == BATTEN_OK) {
-        const bool whole = bat_yes(run, "whole");
         made->has_parameters = false;
-        bat_remark(run, "'%s': a circle of radius %.9g about [%.9g, %.9g, %.9g]", data->name,
-                   circle.radius, circle.frame.origin.x, circle.frame.origin.y,
-                   circle.frame.origin.z);
-        status = batten_curve_arc_in(&circle.frame, circle.radius, circle.start,
-                                     whole ? 2 * BAT_PI : circle.angle, &made->curve);
+        status = draw_circle(run, data->name, &circle, &made->curve);
     }
     return bat_made_primitive(&report, status, made);
 }

@@ -7,21 +7,26 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
+/* The parameters are lengths, from 0 to that of the whole. */
+static batten_status draw_clothoid(bat_run *run, const bat_data *data, const batten_span *span,
+                                   bat_made *made)
+{
+    for (int i = 0; i < data->count; i++)
+        made->parameters[i] = bat_max(0, bat_min(span->length, made->parameters[i]));
+    bat_remark(run, "'%s': a clothoid of length %.9g, curvature %.9g to %.9g", data->name,
+               span->length, span->curvature[0],
+               span->curvature[0] + span->length * span->curvature[1]);
+    return batten_chain_create(&(batten_chain_parts){2, 1, span, NULL, false}, 0, &made->chain);
+}
+
 static batten_status make_fit_clothoid(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_span span;
     batten_primitive_report report = {0};
     batten_status status = batten_clothoid_fit((batten_points){2, data->count, data->points},
                                                made->parameters, &report, &span);
-    if (status == BATTEN_OK) {
-        for (int i = 0; i < data->count; i++)
-            made->parameters[i] = bat_max(0, bat_min(span.length, made->parameters[i]));
-        bat_remark(run, "'%s': a clothoid of length %.9g, curvature %.9g to %.9g", data->name,
-                   span.length, span.curvature[0],
-                   span.curvature[0] + span.length * span.curvature[1]);
-        status = batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 0,
-                                     &made->chain);
-    }
+    if (status == BATTEN_OK)
+        status = draw_clothoid(run, data, &span, made);
     return bat_made_primitive(&report, status, made);
 }
 

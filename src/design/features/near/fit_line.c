@@ -19,6 +19,16 @@ static void take_feet(const batten_fitted_line *line, const bat_data *data, doub
     }
 }
 
+static batten_status draw_line(const batten_fitted_line *line, batten_curve **out)
+{
+    double ends[2][3];
+    for (int k = 0; k < 3; k++) {
+        ends[0][k] = line->point[k] + line->from * line->direction[k];
+        ends[1][k] = line->point[k] + line->to * line->direction[k];
+    }
+    return batten_curve_line(3, ends[0], ends[1], out);
+}
+
 static batten_status make_fit_line(bat_run *run, const bat_data *data, bat_made *made)
 {
     (void)run;
@@ -27,13 +37,8 @@ static batten_status make_fit_line(bat_run *run, const bat_data *data, bat_made 
     batten_status status =
         batten_line_fit((batten_points){3, data->count, data->points}, &report, &line);
     if (status == BATTEN_OK) {
-        double ends[2][3];
-        for (int k = 0; k < 3; k++) {
-            ends[0][k] = line.point[k] + line.from * line.direction[k];
-            ends[1][k] = line.point[k] + line.to * line.direction[k];
-        }
         take_feet(&line, data, made->parameters);
-        status = batten_curve_line(3, ends[0], ends[1], &made->curve);
+        status = draw_line(&line, &made->curve);
     }
     return bat_made_primitive(&report, status, made);
 }

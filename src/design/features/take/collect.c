@@ -21,14 +21,7 @@ static batten_status add_under_new_name(bat_run *run, const batten_object *objec
 
 static batten_status run_collect(bat_run *run)
 {
-    bat_objects objects;
-    batten_status status = bat_gather(run, "collect", BAT_ALL, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
-        status = add_under_new_name(run, objects.at[i]);
-    bat_objects_release(&objects);
-    return status;
+    return bat_for_objects(run, "collect", BAT_ALL, add_under_new_name);
 }
 
 const bat_feature bat_feature_collect = {

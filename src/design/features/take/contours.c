@@ -87,6 +87,19 @@ static batten_status choose_levels(double least, double greatest, double spacing
     return w->levels ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
+static batten_status widen_range(const bat_run *run, const batten_object *surface,
+                                 const wanted *w, double *least, double *greatest)
+{
+    batten_contours none = {0};
+    const batten_status status = find(run, surface, w, w->within, false, &none);
+    if (status != BATTEN_OK)
+        return status;
+    *least = bat_min(*least, none.least);
+    *greatest = bat_max(*greatest, none.greatest);
+    batten_contours_release(&none);
+    return BATTEN_OK;
+}
+
 /* Common to all surfaces, so that their contours match. */
 static batten_status find_levels(const bat_run *run, const bat_objects *surfaces, wanted *w)
 {
@@ -94,16 +107,11 @@ static batten_status find_levels(const bat_run *run, const bat_objects *surfaces
     double least = HUGE_VAL, greatest = -HUGE_VAL;
     if (given->count > 0)
         return copy_levels(given, w);
-    for (int i = 0; i < surfaces->count; i++) {
-        batten_contours none = {0};
-        const batten_status status = find(run, surfaces->at[i], w, w->within, false, &none);
-        if (status != BATTEN_OK)
-            return status;
-        least = bat_min(least, none.least);
-        greatest = bat_max(greatest, none.greatest);
-        batten_contours_release(&none);
-    }
-    return choose_levels(least, greatest, bat_number(run, "spacing"), w);
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < surfaces->count && status == BATTEN_OK; i++)
+        status = widen_range(run, surfaces->at[i], w, &least, &greatest);
+    return status == BATTEN_OK ? choose_levels(least, greatest, bat_number(run, "spacing"), w)
+                               : status;
 }
 
 /* ---- curves ---- */

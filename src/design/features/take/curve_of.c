@@ -34,21 +34,19 @@ static batten_status add_curves(bat_run *run, const batten_object *object,
     return status;
 }
 
+static batten_status add_both(bat_run *run, const batten_object *surface)
+{
+    batten_status status = add_curves(run, surface, "u", BATTEN_U);
+    if (status == BATTEN_OK)
+        status = add_curves(run, surface, "v", BATTEN_V);
+    return status;
+}
+
 static batten_status run_curve_of(bat_run *run)
 {
-    bat_objects surfaces;
     if (!bat_has(run, "u") && !bat_has(run, "v"))
         return bat_fail(BATTEN_BAD_ARGUMENT, "'u' or 'v' must say where the curves are");
-    batten_status status = bat_gather(run, "curve-of", BAT_SURFACES, &surfaces);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < surfaces.count && status == BATTEN_OK; i++) {
-        status = add_curves(run, surfaces.at[i], "u", BATTEN_U);
-        if (status == BATTEN_OK)
-            status = add_curves(run, surfaces.at[i], "v", BATTEN_V);
-    }
-    bat_objects_release(&surfaces);
-    return status;
+    return bat_for_objects(run, "curve-of", BAT_SURFACES, add_both);
 }
 
 const bat_feature bat_feature_curve_of = {

@@ -86,18 +86,11 @@ static batten_status divide_object(bat_run *run, const batten_object *object)
 
 static batten_status run_divide(bat_run *run)
 {
-    bat_objects objects;
     const bool near = bat_has(run, "within") || bat_has(run, "angle");
     if (bat_has(run, "count") + bat_has(run, "chords") + near + bat_has(run, "pieces") != 1)
         return bat_fail(BATTEN_BAD_ARGUMENT, "one of 'count', 'chords', 'within' (or 'angle') "
                                              "and 'pieces' must be given");
-    batten_status status = bat_gather(run, "divide", BAT_CURVES, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
-        status = divide_object(run, objects.at[i]);
-    bat_objects_release(&objects);
-    return status;
+    return bat_for_objects(run, "divide", BAT_CURVES, divide_object);
 }
 
 const bat_feature bat_feature_divide = {

@@ -68,19 +68,19 @@ static batten_status edges_of(bat_run *run, const batten_object *object)
     return status;
 }
 
+static batten_status put_edges_of(bat_run *run, const batten_object *shape)
+{
+    const int before = batten_model_count(run->model);
+    const batten_status status = edges_of(run, shape);
+    if (status == BATTEN_OK && batten_model_count(run->model) == before)
+        bat_note(run, "'%s' has no such edges", shape->name);
+    return status;
+}
+
 static batten_status run_edges(bat_run *run)
 {
-    bat_objects shapes;
-    batten_status status = bat_gather(run, "edges", BAT_BODIES | BAT_SURFACES, &shapes);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < shapes.count && status == BATTEN_OK; i++) {
-        const int before = batten_model_count(run->model);
-        status = edges_of(run, shapes.at[i]);
-        if (status == BATTEN_OK && batten_model_count(run->model) == before)
-            bat_note(run, "'%s' has no such edges", shapes.at[i]->name);
-    }
-    bat_objects_release(&shapes);
+    batten_status status =
+        bat_for_objects(run, "edges", BAT_BODIES | BAT_SURFACES, put_edges_of);
     if (status == BATTEN_OK && batten_model_count(run->model) == 0)
         status = bat_fail(BATTEN_NOT_FOUND, "there are no such edges");
     return status;

@@ -158,14 +158,7 @@ static batten_status frame_object(bat_run *run, const batten_object *object)
 
 static batten_status run_frames(bat_run *run)
 {
-    bat_objects objects;
-    batten_status status = bat_gather(run, "frames", BAT_CURVES, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
-        status = frame_object(run, objects.at[i]);
-    bat_objects_release(&objects);
-    return status;
+    return bat_for_objects(run, "frames", BAT_CURVES, frame_object);
 }
 
 const bat_feature bat_feature_frames = {

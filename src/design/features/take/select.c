@@ -9,20 +9,24 @@ static const batten_parameter parameters[] = {
      "the names of the objects, in the order wanted"},
 };
 
+static batten_status select_object(bat_run *run, const batten_model *model, const char *name)
+{
+    const int at = batten_model_find(model, name);
+    if (at < 0)
+        return bat_fail(BATTEN_NOT_FOUND,
+                        "'%s' has no object '%s'; its %d objects begin with '%s'",
+                        bat_text(run, "select"), name, batten_model_count(model),
+                        batten_model_object(model, 0)->name);
+    return bat_add(run, batten_model_object(model, at));
+}
+
 static batten_status run_select(bat_run *run)
 {
     const batten_model *model = bat_model(run, "select");
     const bat_argument *names = bat_argument_of(run, "names");
     batten_status status = BATTEN_OK;
-    for (int i = 0; i < names->count && status == BATTEN_OK; i++) {
-        const int at = batten_model_find(model, names->items[i].text);
-        if (at < 0)
-            return bat_fail(BATTEN_NOT_FOUND,
-                            "'%s' has no object '%s'; its %d objects begin with '%s'",
-                            bat_text(run, "select"), names->items[i].text,
-                            batten_model_count(model), batten_model_object(model, 0)->name);
-        status = bat_add(run, batten_model_object(model, at));
-    }
+    for (int i = 0; i < names->count && status == BATTEN_OK; i++)
+        status = select_object(run, model, names->items[i].text);
     return status;
 }
 
