@@ -1,7 +1,6 @@
-/* How far arcs are from a curve, single arcs fitted to it, and the chain that they make. */
+/* How far arcs are from a curve, single arcs fitted to it, and the list of them. */
 #include "shape/arcs/arcs.h"
 #include "numeric/vector.h"
-#include "spline/chain/chain.h"
 
 #include <string.h>
 
@@ -143,22 +142,23 @@ static bool radius_allowed(const batten_biarc *biarc, double least)
     return true;
 }
 
-/* The chord between two nodes; false when there is none. */
-static bool chord_of(const bat_node *a, const bat_node *b, double *l, double unit[2])
+/* The chord between two nodes, and its direction; false when there is none. */
+static bool chord_of(const bat_arcs_stretch *on, bat_arc_chord *chord, double unit[2])
 {
-    *l = bat_distance(2, a->point, b->point);
-    if (!(*l > 0 && isfinite(*l)))
+    const double *a = on->from->point, *b = on->to->point, l = bat_distance(2, a, b);
+    if (!(l > 0 && isfinite(l)))
         return false;
-    unit[0] = (b->point[0] - a->point[0]) / *l;
-    unit[1] = (b->point[1] - a->point[1]) / *l;
+    unit[0] = (b[0] - a[0]) / l;
+    unit[1] = (b[1] - a[1]) / l;
+    *chord = (bat_arc_chord){{a[0], a[1]}, atan2(unit[1], unit[0]), l};
     return true;
 }
 
 /* How much of the band each arc takes, as the larger of both sides. */
-static void shares_of(const batten_biarc *biarc, const bat_band *band,
-                      const bat_samples *samples, double shares[2])
+static void shares_of(const batten_biarc *biarc, const bat_arcs_stretch *on, double shares[2])
 {
-    const double middle = (band->high + band->low) / 2;
+    const bat_samples *samples = on->samples;
+    const double middle = (on->band->high + on->band->low) / 2;
     bat_arcs_probe probe;
     bat_arcs_probe_make(biarc, &probe);
     shares[0] = shares[1] = 0;
@@ -169,25 +169,25 @@ static void shares_of(const batten_biarc *biarc, const bat_band *band,
     }
 }
 
-bool bat_arcs_biarc(const bat_node *a, const bat_node *b, double turn, double least_radius,
-                    const bat_band *band, const bat_samples *samples, batten_biarc *out)
+bool bat_arcs_biarc(const bat_arcs_stretch *on, batten_biarc *out)
 {
     enum { ROUNDS = 4 };
-    double l, unit[2], place = 0.5, best = HUGE_VAL;
-    if (!chord_of(a, b, &l, unit))
+    bat_arc_chord chord;
+    double unit[2], place = 0.5, best = HUGE_VAL;
+    if (!chord_of(on, &chord, unit))
         return false;
-    const double alpha = bat_turn(unit, a->direction), beta = bat_turn(unit, b->direction);
+    const double alpha = bat_turn(unit, on->from->direction);
+    const double beta = bat_turn(unit, on->to->direction);
     /* Angles are taken up to a turn; a biarc that turns the other way does not count. */
-    if (fabs(beta - alpha - turn) > 1e-3)
+    if (fabs(beta - alpha - on->turn) > 1e-3)
         return false;
     for (int i = 0; i < ROUNDS; i++) {
         batten_biarc made;
         double shares[2];
-        if (bat_biarc_make(a->point, atan2(unit[1], unit[0]), l, alpha, beta, place, &made) !=
-                BATTEN_OK ||
-            made.is_long || !radius_allowed(&made, least_radius))
+        if (bat_biarc_make(&chord, alpha, beta, place, &made) != BATTEN_OK || made.is_long ||
+            !radius_allowed(&made, on->least_radius))
             break;
-        shares_of(&made, band, samples, shares);
+        shares_of(&made, on, shares);
         const double larger = bat_max(shares[0], shares[1]);
         if (larger < best) {
             best = larger;
@@ -211,65 +211,72 @@ void bat_arcs_line(const bat_node *a, const bat_node *b, batten_biarc *out)
                  &out->arcs[0]);
 }
 
-static void make_arc(const bat_node *a, double l, const double unit[2], double half,
-                     batten_biarc *out)
+static void make_arc(const bat_arc_chord *chord, double half, batten_biarc *out)
 {
     *out = (batten_biarc){.count = 1, .place = 0.5, .turn = {2 * half}};
     out->is_long = fabs(half) > BAT_PI / 2;
-    bat_arc_span(a->point, l, atan2(unit[1], unit[0]), half, &out->arcs[0]);
+    bat_arc_span(chord->start, chord->length, chord->angle, half, &out->arcs[0]);
 }
 
 /* When the arc bulges by 1 more in its middle, its place t along the chord moves by about
  * 4 t (1 - t): from what each sample still has to the band follows how far the bulge may move
  * either way. The middle of that range. */
-static double better_bulge(const bat_arcs_probe *probe, const bat_samples *samples,
-                           const bat_node *a, double l, const double unit[2],
-                           const bat_band *band)
+static double better_bulge(const bat_arcs_probe *probe, const bat_arcs_stretch *on,
+                           const bat_arc_chord *chord, const double unit[2])
 {
+    const bat_samples *samples = on->samples;
+    const double *a = chord->start, l = chord->length;
     double least = -HUGE_VAL, most = HUGE_VAL;
     for (int i = 0; i < samples->count; i++) {
         const double *p = samples->rows[i];
-        const double t = ((p[0] - a->point[0]) * unit[0] + (p[1] - a->point[1]) * unit[1]) / l;
+        const double t = ((p[0] - a[0]) * unit[0] + (p[1] - a[1]) * unit[1]) / l;
         const double share = 4 * t * (1 - t);
         if (!(share > 0.01))
             continue;
         const double d = bat_arcs_beside(probe, p);
-        least = bat_max(least, (band->low - d) / share);
-        most = bat_min(most, (band->high - d) / share);
+        least = bat_max(least, (on->band->low - d) / share);
+        most = bat_min(most, (on->band->high - d) / share);
     }
     return isfinite(least) && isfinite(most) ? least / 2 + most / 2 : 0;
 }
 
-bool bat_arcs_single(const bat_node *a, const bat_node *b, double turn, double least_radius,
-                     const bat_band *band, const bat_samples *samples, batten_biarc *out)
+/* Half of what the arc turns, to begin with. Beyond a half circle the middle of the curve
+ * decides: there the bulge is no measure. */
+static double first_half_turn(const bat_arcs_stretch *on)
+{
+    const bat_samples *samples = on->samples;
+    if (fabs(on->turn) < BAT_PI || samples->count == 0)
+        return on->turn / 2;
+    const double *m = samples->rows[samples->count / 2];
+    const double *a = on->from->point, *b = on->to->point;
+    const double before[2] = {m[0] - a[0], m[1] - a[1]};
+    const double after[2] = {b[0] - m[0], b[1] - m[1]};
+    const bool apart = bat_largest(2, before) > 0 && bat_largest(2, after) > 0;
+    return apart ? bat_turn(before, after) : on->turn / 2;
+}
+
+bool bat_arcs_single(const bat_arcs_stretch *on, batten_biarc *out)
 {
     enum { ROUNDS = 4 };
-    double l, unit[2];
-    if (!chord_of(a, b, &l, unit) || !(fabs(turn) < 2 * BAT_PI))
+    bat_arc_chord chord;
+    double unit[2];
+    if (!chord_of(on, &chord, unit) || !(fabs(on->turn) < 2 * BAT_PI))
         return false;
-    /* Beyond a half circle the middle of the curve decides: there the bulge is no measure. */
-    double half = turn / 2;
-    if (fabs(turn) >= BAT_PI && samples->count > 0) {
-        const double *m = samples->rows[samples->count / 2];
-        const double in[2] = {m[0] - a->point[0], m[1] - a->point[1]};
-        const double on[2] = {b->point[0] - m[0], b->point[1] - m[1]};
-        if (bat_largest(2, in) > 0 && bat_largest(2, on) > 0)
-            half = bat_turn(in, on);
-    }
-    make_arc(a, l, unit, half, out);
+    double half = first_half_turn(on);
+    make_arc(&chord, half, out);
     for (int i = 0; i < ROUNDS && fabs(half) < BAT_PI / 2; i++) {
         bat_arcs_probe probe;
         bat_arcs_probe_make(out, &probe);
-        const double by = better_bulge(&probe, samples, a, l, unit, band);
+        const double by = better_bulge(&probe, on, &chord, unit);
         /* An arc that turns left bulges to the right of its chord. */
-        half = 2 * atan(tan(half / 2) - 2 * by / l);
-        make_arc(a, l, unit, half, out);
-        if (fabs(by) <= 0.01 * (band->high - band->low))
+        half = 2 * atan(tan(half / 2) - 2 * by / chord.length);
+        make_arc(&chord, half, out);
+        if (fabs(by) <= 0.01 * (on->band->high - on->band->low))
             break;
     }
     /* The turn of the curve may differ from that of the arc, but not by a loop. */
-    return fabs(half) < 0.999 * BAT_PI && fabs(2 * half - turn) < BAT_PI &&
-           radius_allowed(out, least_radius);
+    return fabs(half) < 0.999 * BAT_PI && fabs(2 * half - on->turn) < BAT_PI &&
+           radius_allowed(out, on->least_radius);
 }
 
 /* ---- the list ---- */
@@ -317,84 +324,4 @@ batten_status bat_arcs_spread(bat_arcs_run run, void *task, double tolerance, bo
             bad = tried;
     }
     return tried == good ? BATTEN_OK : run(task, good, &count, &last);
-}
-
-/* ---- the chain ---- */
-
-static void straighten(batten_span *arc, double rounding)
-{
-    const double k = arc->curvature[0], l = arc->length;
-    if (k != 0 && fabs(k) * l * l / 8 <= rounding) {
-        double end[2];
-        bat_arc_at(arc, arc->length, end);
-        bat_arc_span(arc->start, bat_distance(2, arc->start, end),
-                     atan2(end[1] - arc->start[1], end[0] - arc->start[0]), 0, arc);
-    }
-}
-
-static double end_angle(const batten_span *arc)
-{
-    return arc->angle + arc->curvature[0] * arc->length;
-}
-
-static void report_arcs(const batten_chain *chain, batten_arcs_report *report)
-{
-    const int n = batten_chain_span_count(chain);
-    report->arcs = report->lines = 0;
-    report->least_radius = HUGE_VAL;
-    report->largest_turn = 0;
-    for (int i = 0; i < n; i++) {
-        const batten_span *arc = batten_chain_span(chain, i);
-        const double k = fabs(arc->curvature[0]);
-        report->arcs += k > 0;
-        report->lines += k == 0;
-        report->least_radius = bat_min(report->least_radius, k > 0 ? 1 / k : HUGE_VAL);
-        if (i + 1 == n && !batten_chain_is_closed(chain))
-            break;
-        const double turn = batten_chain_span(chain, (i + 1) % n)->angle - end_angle(arc);
-        report->largest_turn = bat_max(report->largest_turn, fabs(remainder(turn, 2 * BAT_PI)));
-    }
-}
-
-static batten_status check_number(const batten_arcs_options *options,
-                                  const batten_arcs_report *report)
-{
-    const int needed = report->arcs + report->lines;
-    if (options->most > 0 && needed > options->most)
-        return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                        "%d arcs and lines are needed within %g; %d are allowed", needed,
-                        options->tolerance, options->most);
-    return BATTEN_OK;
-}
-
-batten_status bat_arcs_chain(const bat_arcs_list *list, const batten_arcs_options *options,
-                             bool closed, double scale, batten_arcs_report *report,
-                             batten_chain **out)
-{
-    const double rounding = 4 * DBL_EPSILON * scale;
-    batten_span *spans = bat_array3((size_t)list->count, 2, sizeof *spans);
-    batten_chain *chain = NULL, *merged = NULL;
-    int count = 0;
-    if (!spans)
-        return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < list->count; i++)
-        for (int k = 0; k < list->parts[i].biarc.count; k++) {
-            spans[count] = list->parts[i].biarc.arcs[k];
-            straighten(&spans[count++], rounding);
-        }
-    batten_status status = batten_chain_create(
-        &(batten_chain_parts){2, count, spans, NULL, closed}, 32 * rounding, &chain);
-    bat_release(spans);
-    if (status == BATTEN_OK)
-        status = batten_chain_merge_arcs(chain, 0, &merged);
-    if (status == BATTEN_OK) {
-        report_arcs(merged, report);
-        status = check_number(options, report);
-    }
-    batten_chain_unref(chain);
-    if (status == BATTEN_OK)
-        *out = merged;
-    else
-        batten_chain_unref(merged);
-    return status;
 }

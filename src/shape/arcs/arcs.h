@@ -55,14 +55,20 @@ bat_beside bat_arcs_beside_samples(const bat_arcs_probe *probe, const bat_sample
 #define BAT_ARCS_REFUSED HUGE_VAL
 double bat_band_share(const bat_band *band, const bat_beside *beside, double slack);
 
-/* The biarc between two nodes with their directions, its joint where both arcs leave as much of
- * the band around the samples; false when it turns otherwise than the curve, which turns by
- * `turn`, or has a radius below the least. */
-bool bat_arcs_biarc(const bat_node *a, const bat_node *b, double turn, double least_radius,
-                    const bat_band *band, const bat_samples *samples, batten_biarc *out);
-/* The arc between two nodes that leaves most room to the band around the samples; the same. */
-bool bat_arcs_single(const bat_node *a, const bat_node *b, double turn, double least_radius,
-                     const bat_band *band, const bat_samples *samples, batten_biarc *out);
+/* What an arc or a biarc is to replace. */
+typedef struct {
+    const bat_node *from, *to;
+    double turn; /* of the curve between them */
+    double least_radius;
+    const bat_band *band; /* around the samples */
+    const bat_samples *samples;
+} bat_arcs_stretch;
+
+/* The biarc between the nodes with their directions, its joint where both arcs leave as much of
+ * the band; false when it turns otherwise than the curve, or has a radius below the least. */
+bool bat_arcs_biarc(const bat_arcs_stretch *on, batten_biarc *out);
+/* The arc between the nodes that leaves most room to the band; the same. */
+bool bat_arcs_single(const bat_arcs_stretch *on, batten_biarc *out);
 /* The line between two nodes. */
 void bat_arcs_line(const bat_node *a, const bat_node *b, batten_biarc *out);
 
@@ -88,11 +94,16 @@ typedef batten_status (*bat_arcs_run)(void *task, double tolerance, int *count, 
  * parts. */
 batten_status bat_arcs_spread(bat_arcs_run run, void *task, double tolerance, bool spread);
 
+typedef struct {
+    const batten_arcs_options *options;
+    bool closed;
+    double scale; /* the largest coordinate */
+} bat_arcs_chain_task;
+
 /* The chain of the parts, with arcs on one circle joined and the report's numbers about it.
  * TOLERANCE_NOT_MET when there are more than options->most. */
-batten_status bat_arcs_chain(const bat_arcs_list *list, const batten_arcs_options *options,
-                             bool closed, double scale, batten_arcs_report *report,
-                             batten_chain **out);
+batten_status bat_arcs_chain(const bat_arcs_list *list, const bat_arcs_chain_task *task,
+                             batten_arcs_report *report, batten_chain **out);
 
 batten_status bat_arcs_check(const batten_arcs_options *options);
 

@@ -130,25 +130,46 @@ static double leg(double chord, double half)
 }
 
 /* One arc from end to end: its two halves are the arcs that it might have been. */
-static void make_single(const double start[2], double phi, double l, double half, double place,
+static void make_single(const bat_arc_chord *chord, double half, double place,
                         batten_biarc *made)
 {
+    const double l = chord->length, phi = chord->angle;
     batten_span first;
     made->count = 1;
-    bat_arc_span(start, l, phi, half, &made->arcs[0]);
+    bat_arc_span(chord->start, l, phi, half, &made->arcs[0]);
     made->turn[0] = 2 * half;
     made->is_long = fabs(made->turn[0]) > BAT_PI;
     /* The joint belongs to the equal angles of the circle over its chord. */
     const double share = half == 0 ? 1 - place : sin(half * (1 - place)) / sin(half);
-    bat_arc_span(start, l * (half == 0 ? place : sin(half * place) / sin(half)),
+    bat_arc_span(chord->start, l * (half == 0 ? place : sin(half * place) / sin(half)),
                  phi - half * (1 - place), half * place, &first);
     bat_arc_at(&first, first.length, made->joint);
     made->legs[0] = leg(l * (half == 0 ? place : sin(half * place) / sin(half)), half * place);
     made->legs[1] = leg(l * share, half * (1 - place));
 }
 
-batten_status bat_biarc_make(const double start[2], double phi, double l, double alpha,
-                             double beta, double place, batten_biarc *out)
+/* Two arcs, by half of what each turns: D is half of what the directions at both ends differ,
+ * and v and w are the shares of it that the chords of the arcs turn away from the whole. */
+static void make_two(const bat_arc_chord *whole, double D, const double half[2],
+                     batten_biarc *made)
+{
+    const double place = made->place, w = D * (1 - place), v = D * place;
+    const double *start = whole->start, l = whole->length, phi = whole->angle;
+    const double chord[2] = {l * (D == 0 ? place : sin(v) / sin(D)),
+                             l * (D == 0 ? 1 - place : sin(w) / sin(D))};
+    bat_arc_span(start, chord[0], phi + w, half[0], &made->arcs[0]);
+    made->joint[0] = start[0] + chord[0] * cos(phi + w);
+    made->joint[1] = start[1] + chord[0] * sin(phi + w);
+    bat_arc_span(made->joint, chord[1], phi - v, half[1], &made->arcs[1]);
+    for (int i = 0; i < 2; i++) {
+        made->turn[i] = 2 * half[i];
+        made->legs[i] = leg(chord[i], half[i]);
+    }
+    made->is_long = bat_max(fabs(half[0]), fabs(half[1])) > BAT_PI / 2;
+}
+
+batten_status bat_biarc_make(const bat_arc_chord *chord, double alpha, double beta,
+                             double place, batten_biarc *out)
 {
     /* Angles are known to a few eps of a turn; if no more than that is between them and those
      * of one arc, it misses the directions by no more. */
@@ -160,21 +181,10 @@ batten_status bat_biarc_make(const double start[2], double phi, double l, double
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "directions at %g and %g degrees from the chord ask for a full circle",
                         alpha * 180 / BAT_PI, beta * 180 / BAT_PI);
-    if (fabs(alpha + beta) <= known) {
-        make_single(start, phi, l, -D, place, &made);
-    } else {
-        const double chord[2] = {l * (D == 0 ? place : sin(v) / sin(D)),
-                                 l * (D == 0 ? 1 - place : sin(w) / sin(D))};
-        bat_arc_span(start, chord[0], phi + w, half[0], &made.arcs[0]);
-        made.joint[0] = start[0] + chord[0] * cos(phi + w);
-        made.joint[1] = start[1] + chord[0] * sin(phi + w);
-        bat_arc_span(made.joint, chord[1], phi - v, half[1], &made.arcs[1]);
-        for (int i = 0; i < 2; i++) {
-            made.turn[i] = 2 * half[i];
-            made.legs[i] = leg(chord[i], half[i]);
-        }
-        made.is_long = bat_max(fabs(half[0]), fabs(half[1])) > BAT_PI / 2;
-    }
+    if (fabs(alpha + beta) <= known)
+        make_single(chord, -D, place, &made);
+    else
+        make_two(chord, D, half, &made);
     const batten_status status = check_arcs(&made);
     if (status == BATTEN_OK)
         *out = made;
@@ -228,13 +238,15 @@ batten_status batten_biarc_between(batten_ray start, batten_ray end, batten_biar
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "the place of the joint is %g; it must be between 0 and 1", place);
     const double l = bat_distance(2, start.point, end.point);
-    const double chord[2] = {(end.point[0] - start.point[0]) / l,
+    const double along[2] = {(end.point[0] - start.point[0]) / l,
                              (end.point[1] - start.point[1]) / l};
+    const bat_arc_chord chord = {
+        {start.point[0], start.point[1]}, atan2(along[1], along[0]), l};
     double T0[2], T1[2];
     bat_direction(2, start.direction, T0);
     bat_direction(2, end.direction, T1);
-    const double alpha = bat_turn(chord, T0), beta = bat_turn(chord, T1);
-    return bat_biarc_make(start.point, atan2(chord[1], chord[0]), l, alpha, beta,
+    const double alpha = bat_turn(along, T0), beta = bat_turn(along, T1);
+    return bat_biarc_make(&chord, alpha, beta,
                           joint == BATTEN_JOINT_GIVEN ? place : joint_place(alpha, beta, joint),
                           out);
 }

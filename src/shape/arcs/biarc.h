@@ -15,10 +15,15 @@ void bat_arc_span(const double start[2], double chord, double direction, double 
 /* The angle from one direction of the plane to another, (-pi, pi]. */
 double bat_turn(const double from[2], const double to[2]);
 
-/* The biarc from `start`, whose chord has length l and direction phi. SINGULAR_HERE, OVERFLOW.
- */
-batten_status bat_biarc_make(const double start[2], double phi, double l, double alpha,
-                             double beta, double place, batten_biarc *out);
+/* What a biarc spans: from where, which way and how far. */
+typedef struct {
+    double start[2];
+    double angle, length;
+} bat_arc_chord;
+
+/* The biarc over a chord. SINGULAR_HERE, OVERFLOW. */
+batten_status bat_biarc_make(const bat_arc_chord *chord, double alpha, double beta,
+                             double place, batten_biarc *out);
 
 /* Two points that are apart and two directions that are not zero. */
 batten_status bat_biarc_check_ends(int dimension, const double *start,

@@ -16,9 +16,9 @@ batten_chain_biarcs_options batten_chain_biarcs_defaults(void)
 /* ---- directions ---- */
 
 /* The tangent at `b` of the circle through a, b, c: the two chords, each by the ratio of the
- * other's length to its own. */
-static batten_status middle_direction(int d, const double *a, const double *b, const double *c,
-                                      int index, double *direction)
+ * other's length to its own. False where the points turn back on themselves. */
+static bool middle_direction(int d, const double *a, const double *b, const double *c,
+                             double *direction)
 {
     const double l0 = bat_distance(d, a, b), l1 = bat_distance(d, b, c);
     for (int k = 0; k < d; k++)
@@ -27,11 +27,10 @@ static batten_status middle_direction(int d, const double *a, const double *b, c
     const double norm = bat_norm(d, direction);
     /* Of two unit vectors with these shares; what is left of opposite ones is rounding. */
     if (!(norm > 16 * DBL_EPSILON))
-        return bat_fail(BATTEN_SINGULAR_HERE, "the points turn back on themselves at point %d",
-                        index);
+        return false;
     for (int k = 0; k < d; k++)
         direction[k] /= norm;
-    return BATTEN_OK;
+    return true;
 }
 
 /* At an end: that of the neighbour, mirrored at the middle of the chord between them. */
@@ -58,16 +57,17 @@ batten_status bat_circle_directions(int dimension, int count, const double *poin
             directions[k] = directions[d + k] = (points[d + k] - points[k]) / l;
         return BATTEN_OK;
     }
-    batten_status status = BATTEN_OK;
-    for (int i = closed ? 0 : 1; i < (closed ? n : n - 1) && status == BATTEN_OK; i++)
-        status = middle_direction(d, points + (i + n - 1) % n * d, points + i * d,
-                                  points + (i + 1) % n * d, i, directions + i * d);
-    if (status == BATTEN_OK && !closed) {
+    for (int i = closed ? 0 : 1; i < (closed ? n : n - 1); i++)
+        if (!middle_direction(d, points + (i + n - 1) % n * d, points + i * d,
+                              points + (i + 1) % n * d, directions + i * d))
+            return bat_fail(BATTEN_SINGULAR_HERE,
+                            "the points turn back on themselves at point %d", i);
+    if (!closed) {
         end_direction(d, points, points + d, directions + d, directions);
         end_direction(d, points + (n - 2) * d, points + (n - 1) * d, directions + (n - 2) * d,
                       directions + (n - 1) * d);
     }
-    return status;
+    return BATTEN_OK;
 }
 
 /* ---- what is asked ---- */

@@ -29,13 +29,13 @@ static void pieces_end(rational_pieces *p)
     bat_release(p->breaks);
 }
 
-static void add_piece(rational_pieces *p, const double *a, const double *corner,
-                      const double *b, double weight, double until)
+/* By its ends and the corner between them, and the weight of this. */
+static void add_piece(rational_pieces *p, const double *const points[3], double weight,
+                      double until)
 {
-    const size_t at = 2 * (size_t)p->count, d = (size_t)p->d, row = d * sizeof *a;
-    memcpy(p->points + at * d, a, row);
-    memcpy(p->points + (at + 1) * d, corner, row);
-    memcpy(p->points + (at + 2) * d, b, row);
+    const size_t at = 2 * (size_t)p->count, d = (size_t)p->d;
+    for (size_t i = 0; i < 3; i++)
+        memcpy(p->points + (at + i) * d, points[i], d * sizeof *p->points);
     p->weights[at] = p->weights[at + 2] = 1;
     p->weights[at + 1] = weight;
     p->breaks[++p->count] = until;
@@ -58,7 +58,7 @@ static void add_arc(rational_pieces *p, const double *a, const double *corner, c
     const double length = half == 0 ? chord : chord * (half / sin(half));
     const double start = p->breaks[p->count];
     if (w * w >= 0.5) {
-        add_piece(p, a, corner, b, w, start + length);
+        add_piece(p, (const double *const[]){a, corner, b}, w, start + length);
         return;
     }
     double first[3], second[3], between[3];
@@ -68,8 +68,8 @@ static void add_arc(rational_pieces *p, const double *a, const double *corner, c
         between[k] = first[k] / 2 + second[k] / 2;
     }
     const double weight = sqrt((1 + w) / 2);
-    add_piece(p, a, first, between, weight, start + length / 2);
-    add_piece(p, between, second, b, weight, start + length);
+    add_piece(p, (const double *const[]){a, first, between}, weight, start + length / 2);
+    add_piece(p, (const double *const[]){between, second, b}, weight, start + length);
 }
 
 /* The second leg d2 of the biarc whose first is r d2, from
@@ -86,16 +86,17 @@ static double second_leg(int d, const double *V, const double *T0, const double 
     return b > 0 ? 1 / (b + root) : (root - b) / (2 * r * c);
 }
 
-static batten_status add_biarc(rational_pieces *p, const double *a, const double *a_direction,
-                               const double *b, const double *b_direction, double ratio)
+static batten_status add_biarc(rational_pieces *p, batten_ray start, batten_ray end,
+                               double ratio)
 {
     const int d = p->d;
+    const double *a = start.point, *b = end.point;
     const double l = bat_distance(d, a, b);
     double V[3], T0[3], T1[3], corner[2][3], joint[3];
     for (int k = 0; k < d; k++)
         V[k] = (b[k] - a[k]) / l;
-    bat_direction(d, a_direction, T0);
-    bat_direction(d, b_direction, T1);
+    bat_direction(d, start.direction, T0);
+    bat_direction(d, end.direction, T1);
     const double leg = second_leg(d, V, T0, T1, ratio);
     /* Legs are a / sin of the angles, which are known to some eps. */
     if (!(leg * bat_max(1, ratio) < 0x1p26))
@@ -136,7 +137,7 @@ batten_status batten_curve_biarc(int dimension, batten_ray start, batten_ray end
     rational_pieces p;
     status = pieces_make(&p, dimension, 1);
     if (status == BATTEN_OK)
-        status = add_biarc(&p, start.point, start.direction, end.point, end.direction, ratio);
+        status = add_biarc(&p, start, end, ratio);
     if (status == BATTEN_OK)
         status = make_rational_curve(&p, out);
     pieces_end(&p);
@@ -145,16 +146,16 @@ batten_status batten_curve_biarc(int dimension, batten_ray start, batten_ray end
 
 /* ---- through points ---- */
 
-static batten_status add_all(rational_pieces *p, int count, const double *points, bool closed,
+static batten_status add_all(rational_pieces *p, batten_points points, bool closed,
                              const double *directions, double *at)
 {
-    const int d = p->d, spans = closed ? count : count - 1;
+    const int d = p->d, count = points.count, spans = closed ? count : count - 1;
     batten_status status = BATTEN_OK;
     for (int i = 0; i < spans && status == BATTEN_OK; i++) {
         const int j = (i + 1) % count;
         at[i] = p->breaks[p->count];
-        status = add_biarc(p, points + i * d, directions + i * d, points + j * d,
-                           directions + j * d, 1);
+        status = add_biarc(p, (batten_ray){points.at + i * d, directions + i * d},
+                           (batten_ray){points.at + j * d, directions + j * d}, 1);
         if (status != BATTEN_OK)
             status = bat_fail(status, "between points %d and %d: %s", i, j, batten_message());
     }
@@ -191,7 +192,7 @@ batten_status batten_curve_biarcs(batten_points points,
         status = bat_circle_directions(points.dimension, points.count, points.at, wanted.closed,
                                        directions);
     if (status == BATTEN_OK)
-        status = add_all(&p, points.count, points.at, wanted.closed, directions, at);
+        status = add_all(&p, points, wanted.closed, directions, at);
     if (status == BATTEN_OK)
         status = make_rational_curve(&p, out);
     if (status == BATTEN_OK && parameters)

@@ -28,30 +28,38 @@ static batten_status node_at(const bat_arc_fit *t, double u, bat_node *node)
     return BATTEN_OK;
 }
 
-/* The part from a to u: how much of the band it takes, BAT_ARCS_REFUSED when there is none. */
-static batten_status try_part(bat_arc_fit *t, const bat_node *a, double from, double to,
-                              bat_arcs_part *part, bat_node *b, double *share)
+typedef struct {
+    bat_arcs_part part;
+    bat_node end;
+    double share; /* of the band that it takes, BAT_ARCS_REFUSED when there is no arc */
+} trial;
+
+static bat_arcs_stretch stretch_between(const bat_arc_fit *t, const bat_node *a,
+                                        const bat_node *b)
 {
-    batten_status status = bat_arcs_take(t->path, from, to, 4, 16, &t->samples);
+    return (bat_arcs_stretch){
+        a, b, bat_arcs_turn(&t->samples), t->options.least_radius, &t->band, &t->samples};
+}
+
+/* The part over a range that begins at the node a. */
+static batten_status try_part(bat_arc_fit *t, const bat_node *a, batten_interval over,
+                              trial *out)
+{
+    *out = (trial){.part = {.from = over.a, .to = over.b}, .share = BAT_ARCS_REFUSED};
+    batten_status status = bat_arcs_take(t->path, over, 4, 16, &t->samples);
     if (status == BATTEN_OK)
-        status = node_at(t, to, b);
+        status = node_at(t, over.b, &out->end);
     if (status != BATTEN_OK)
         return status;
-    const double turn = bat_arcs_turn(&t->samples);
-    *part = (bat_arcs_part){.from = from, .to = to};
-    *share = BAT_ARCS_REFUSED;
-    if (fabs(turn) > BAT_PI * (1 + 1e-9))
+    batten_biarc *biarc = &out->part.biarc;
+    const bat_arcs_stretch on = stretch_between(t, a, &out->end);
+    if (fabs(on.turn) > BAT_PI * (1 + 1e-9))
         return BATTEN_OK;
-    const bool made = t->joined == BATTEN_ARCS_BIARCS
-                          ? bat_arcs_biarc(a, b, turn, t->options.least_radius, &t->band,
-                                           &t->samples, &part->biarc)
-                          : bat_arcs_single(a, b, turn, t->options.least_radius, &t->band,
-                                            &t->samples, &part->biarc);
     bat_beside beside;
-    if (!made)
+    if (!(t->joined == BATTEN_ARCS_BIARCS ? bat_arcs_biarc : bat_arcs_single)(&on, biarc))
         return BATTEN_OK;
-    status = bat_arcs_measure(t->path, &part->biarc, &t->samples, &beside);
-    *share = bat_band_share(&t->band, &beside, t->slack);
+    status = bat_arcs_measure(t->path, biarc, &t->samples, &beside);
+    out->share = bat_band_share(&t->band, &beside, t->slack);
     return status;
 }
 
@@ -63,7 +71,8 @@ static batten_status prefer_line(bat_arc_fit *t, const bat_node *a, const bat_no
     bat_beside beside;
     if (t->joined != BATTEN_ARCS_PLAIN)
         return BATTEN_OK;
-    batten_status status = bat_arcs_take(t->path, part->from, part->to, 4, 16, &t->samples);
+    const batten_interval over = {part->from, part->to};
+    batten_status status = bat_arcs_take(t->path, over, 4, 16, &t->samples);
     bat_arcs_line(a, b, &line);
     if (status == BATTEN_OK)
         status = bat_arcs_measure(t->path, &line, &t->samples, &beside);
@@ -86,48 +95,61 @@ static batten_status nothing_fits(const bat_arc_fit *t, double u)
                     u, 1 / fabs(local.curvature), t->options.least_radius, tolerance);
 }
 
-/* The longest part from a: between a step that is good and one that is not, guided by the third
- * power by which errors grow. */
-static batten_status longest(bat_arc_fit *t, const bat_node *a, double from,
-                             bat_arcs_part *best, bat_node *end, double *reach)
+/* A search for the longest part: the farthest end that was good, the nearest that was not. */
+typedef struct {
+    double from, good, bad;
+    double good_share; /* of the band */
+} reached;
+
+static bool is_long_enough(const bat_arc_fit *t, const reached *r)
 {
-    double good = from, bad = HUGE_VAL, good_share = 0;
+    const double good = r->good, bad = r->bad;
+    return good == t->to || (isfinite(bad) && good > r->from &&
+                             (bad - good <= 1e-3 * (good - r->from) || r->good_share > 0.998));
+}
+
+/* Where to end next, after an end at u took a share of the band: errors grow by the third
+ * power. */
+static double next_end(const bat_arc_fit *t, const reached *r, double u, double share)
+{
+    const double from = r->from, good = r->good, bad = r->bad;
+    const double factor = share < BAT_ARCS_REFUSED ? cbrt(0.9997 / bat_max(share, 1e-6)) : 0.5;
+    const double wanted = from + (u - from) * factor;
+    if (isinf(bad))
+        return bat_min(t->to, bat_max(wanted, from + 1.1 * (good - from)));
+    const double margin = 1e-4 * (bad - good);
+    return wanted > good + margin && wanted < bad - margin ? wanted : good + (bad - good) / 2;
+}
+
+/* The longest part from a: between a step that is good and one that is not. *reach: how far it
+ * would have gone with all of the band. */
+static batten_status longest(bat_arc_fit *t, const bat_node *a, double from, trial *best,
+                             double *reach)
+{
+    reached r = {from, from, HUGE_VAL, 0};
     double u = bat_min(t->to, from + t->guess);
     for (int i = 0; i < 200; i++) {
-        bat_arcs_part part;
-        bat_node b;
-        double share = 0;
-        const batten_status status = try_part(t, a, from, u, &part, &b, &share);
+        trial tried;
+        const batten_status status = try_part(t, a, (batten_interval){from, u}, &tried);
         if (status != BATTEN_OK)
             return status;
-        if (share <= 1) {
-            good = u;
-            good_share = share;
-            *best = part;
-            *end = b;
+        if (tried.share <= 1) {
+            r.good = u;
+            r.good_share = tried.share;
+            *best = tried;
         } else {
-            bad = u;
+            r.bad = u;
         }
-        const double factor =
-            share < BAT_ARCS_REFUSED ? cbrt(0.9997 / bat_max(share, 1e-6)) : 0.5;
-        const double wanted = from + (u - from) * factor;
-        if (good == t->to || (isfinite(bad) && good > from &&
-                              (bad - good <= 1e-3 * (good - from) || good_share > 0.998)))
+        if (is_long_enough(t, &r))
             break;
-        if (isinf(bad))
-            u = bat_min(t->to, bat_max(wanted, from + 1.1 * (good - from)));
-        else if (wanted > good + 1e-4 * (bad - good) && wanted < bad - 1e-4 * (bad - good))
-            u = wanted;
-        else
-            u = good + (bad - good) / 2;
-        if (!(u > from) || (isfinite(bad) && bad - from <= 1e-9 * (t->to - t->from)))
+        u = next_end(t, &r, u, tried.share);
+        if (!(u > from) || (isfinite(r.bad) && r.bad - from <= 1e-9 * (t->to - t->from)))
             return nothing_fits(t, from);
     }
-    if (!(good > from))
+    if (!(r.good > from))
         return nothing_fits(t, from);
-    /* How far the last one would have gone. */
-    *reach = good_share > 0 ? (good - from) * cbrt(1 / good_share) : HUGE_VAL;
-    t->guess = good - from;
+    *reach = r.good_share > 0 ? (r.good - from) * cbrt(1 / r.good_share) : HUGE_VAL;
+    t->guess = r.good - from;
     return BATTEN_OK;
 }
 
@@ -135,23 +157,23 @@ static batten_status greedy(void *context, double tolerance, int *count, double 
 {
     bat_arc_fit *t = context;
     double u = t->from, reach = 0;
-    bat_node a, b;
+    bat_node a;
     t->band = bat_band_of(t->side, tolerance);
     t->list.count = t->first;
     t->guess = t->to - t->from;
     batten_status status = node_at(t, u, &a);
     while (status == BATTEN_OK && u < t->to) {
-        bat_arcs_part part;
+        trial best;
         const double from = u;
-        status = longest(t, &a, u, &part, &b, &reach);
+        status = longest(t, &a, u, &best, &reach);
         if (status == BATTEN_OK)
-            status = prefer_line(t, &a, &b, &part);
+            status = prefer_line(t, &a, &best.end, &best.part);
         if (status == BATTEN_OK)
-            status = bat_arcs_list_add(&t->list, &part);
+            status = bat_arcs_list_add(&t->list, &best.part);
         if (status != BATTEN_OK)
             return status;
-        u = part.to;
-        a = b;
+        u = best.part.to;
+        a = best.end;
         *last = bat_min(1, (u - from) / reach);
     }
     *count = t->list.count - t->first;
@@ -234,16 +256,16 @@ static batten_status try_whole(bat_arc_fit *t, bool *done)
     bat_beside beside;
     bat_arcs_part part = {.from = t->from, .to = t->to};
     t->band = bat_band_of(t->side, t->options.tolerance);
-    batten_status status = bat_arcs_take(p, t->from, t->to, 4, 24, &t->samples);
+    const batten_interval over = {t->from, t->to};
+    batten_status status = bat_arcs_take(p, over, 4, 24, &t->samples);
     if (status == BATTEN_OK)
         status = node_at(t, t->from, &a);
     if (status == BATTEN_OK)
         status = node_at(t, t->to, &b);
     if (status != BATTEN_OK || p->smooth_seam)
         return status;
-    const double turn = bat_arcs_turn(&t->samples);
-    if (!bat_arcs_single(&a, &b, turn, t->options.least_radius, &t->band, &t->samples,
-                         &part.biarc))
+    const bat_arcs_stretch on = stretch_between(t, &a, &b);
+    if (!bat_arcs_single(&on, &part.biarc))
         return BATTEN_OK;
     status = bat_arcs_measure(p, &part.biarc, &t->samples, &beside);
     if (status != BATTEN_OK || bat_band_share(&t->band, &beside, t->slack) > 1)
@@ -257,8 +279,8 @@ static batten_status run_piece(bat_arc_fit *t)
 {
     bool done = false;
     t->first = t->list.count;
-    batten_status status =
-        bat_arcs_keep(t->path, t->from, t->to, t->options.least_radius, &t->list, &done);
+    batten_status status = bat_arcs_keep(t->path, (batten_interval){t->from, t->to},
+                                         t->options.least_radius, &t->list, &done);
     if (status == BATTEN_OK && !done)
         status = try_whole(t, &done);
     if (status != BATTEN_OK || done)
@@ -279,7 +301,7 @@ static batten_status side_of(const bat_arcs_path *p, const batten_arcs_options *
         return BATTEN_OK;
     if (!p->closed)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve that is not closed has no inside");
-    const batten_status status = bat_arcs_take(p, p->domain.a, p->domain.b, 8, 64, samples);
+    const batten_status status = bat_arcs_take(p, p->domain, 8, 64, samples);
     double area = 0;
     for (int i = 0; status == BATTEN_OK && i + 1 < samples->count; i++) {
         const double *o = samples->rows[0], *a = samples->rows[i], *b = samples->rows[i + 1];
@@ -304,7 +326,8 @@ static batten_status run_all(bat_arc_fit *t, batten_arcs_report *report, batten_
     if (status == BATTEN_OK)
         status = bat_arcs_report_errors(t, report);
     if (status == BATTEN_OK)
-        status = bat_arcs_chain(&t->list, &t->options, p->closed, p->scale, report, out);
+        status = bat_arcs_chain(
+            &t->list, &(bat_arcs_chain_task){&t->options, p->closed, p->scale}, report, out);
     return status;
 }
 

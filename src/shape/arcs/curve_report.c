@@ -17,12 +17,11 @@ static void widen(batten_arcs_report *report, const bat_beside *beside)
 }
 
 static batten_status measure_range(bat_arc_fit *t, const batten_biarc *biarc,
-                                   const double range[2], batten_arcs_report *report)
+                                   batten_interval range, batten_arcs_report *report)
 {
     bat_arcs_probe probe;
     bat_beside beside;
-    batten_status status =
-        bat_arcs_take(t->path, range[0], range[1], 16, 64 * biarc->count, &t->samples);
+    batten_status status = bat_arcs_take(t->path, range, 16, 64 * biarc->count, &t->samples);
     if (status == BATTEN_OK)
         status = bat_arcs_measure(t->path, biarc, &t->samples, &beside);
     if (status != BATTEN_OK)
@@ -38,7 +37,7 @@ batten_status bat_arcs_report_errors(bat_arc_fit *t, batten_arcs_report *report)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i < t->list.count; i++) {
-        double ranges[2][2];
+        batten_interval ranges[2];
         const int count = bat_arcs_ranges(t->path, &t->list.parts[i], ranges);
         for (int k = 0; k < count && status == BATTEN_OK; k++)
             status = measure_range(t, &t->list.parts[i].biarc, ranges[k], report);

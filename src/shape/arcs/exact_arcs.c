@@ -48,19 +48,27 @@ static double beside(const batten_span *arc, const double at[2], double tangent[
     return k / 2 * bat_dot(2, d, d) - (T[0] * d[1] - T[1] * d[0]);
 }
 
-/* Is the piece on the arc, and does it go along it once, from t = from to t = to?
+/* A part of a piece, from t = from to t = to. */
+typedef struct {
+    const batten_curve *curve;
+    const bat_piece *piece;
+    double from, to;
+} piece_part;
+
+/* Is the part on the arc, and does it go along it once?
  *
  * At the n + 1 extremes of a Chebyshev polynomial, n = 4 p: what is of degree 2 p and below 1
  * there is nowhere above the root of 2 [EZ64]. */
-static bool lies_on(const batten_curve *curve, const bat_piece *piece, double from, double to,
-                    const batten_span *arc, double tolerance)
+static bool lies_on(const piece_part *part, const batten_span *arc, double tolerance)
 {
-    const int n = 4 * curve->degree;
+    const double from = part->from, to = part->to;
+    const int n = 4 * part->curve->degree;
     double before[2], turn = 0;
     for (int i = 0; i <= n; i++) {
         const double share = i < n ? sin(BAT_PI * i / (2 * n)) : 1;
         double row[4], tangent[2];
-        piece_at(curve, piece, i < n ? from + (to - from) * share * share : to, row);
+        piece_at(part->curve, part->piece, i < n ? from + (to - from) * share * share : to,
+                 row);
         const double off = beside(arc, row, tangent);
         /* At its centre a circle is nowhere near, whatever the square says. */
         if (!(fabs(off) <= tolerance) || !(bat_norm(2, tangent) > 0.5) ||
@@ -75,19 +83,18 @@ static bool lies_on(const batten_curve *curve, const bat_piece *piece, double fr
 /* ---- one piece ---- */
 
 /* A line where it is one within the tolerance, for then its radius is rounding. */
-static bool recognise(const batten_curve *curve, const bat_piece *piece, double from, double to,
-                      double tolerance, batten_span *out)
+static bool recognise(const piece_part *part, double tolerance, batten_span *out)
 {
+    const double from = part->from, to = part->to;
     double a[4], m[4], b[4];
-    piece_at(curve, piece, from, a);
-    piece_at(curve, piece, from + (to - from) / 2, m);
-    piece_at(curve, piece, to, b);
+    piece_at(part->curve, part->piece, from, a);
+    piece_at(part->curve, part->piece, from + (to - from) / 2, m);
+    piece_at(part->curve, part->piece, to, b);
     if (!(bat_distance(2, a, b) > 4 * tolerance))
         return false;
     line_between(a, b, out);
-    return lies_on(curve, piece, from, to, out, tolerance) ||
-           (curve->weights && arc_through(a, m, b, out) &&
-            lies_on(curve, piece, from, to, out, tolerance));
+    return lies_on(part, out, tolerance) ||
+           (part->curve->weights && arc_through(a, m, b, out) && lies_on(part, out, tolerance));
 }
 
 double bat_exact_tolerance(const batten_curve *curve)
@@ -108,10 +115,11 @@ bool bat_exact_piece(const batten_curve *curve, const bat_piece *piece, double t
     piece_at(curve, piece, 1, b);
     /* Beyond half a circle the ends come near, and say less: then half by half. */
     out->count = bat_distance(2, a, b) < bat_distance(2, a, m) ? 2 : 1;
-    for (int i = 0; i < out->count; i++)
-        if (!recognise(curve, piece, (double)i / out->count, (i + 1.0) / out->count, tolerance,
-                       &out->arcs[i]))
+    for (int i = 0; i < out->count; i++) {
+        const piece_part part = {curve, piece, (double)i / out->count, (i + 1.0) / out->count};
+        if (!recognise(&part, tolerance, &out->arcs[i]))
             return false;
+    }
     if (out->count == 2 && bat_exact_merge(&out->arcs[0], &out->arcs[1], tolerance))
         out->count = 1;
     return true;

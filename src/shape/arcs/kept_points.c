@@ -59,9 +59,10 @@ static batten_status add_piece(point_run *r, int knot, bool *kept)
     return status;
 }
 
-batten_status bat_arcs_keep(const bat_arcs_path *path, double from, double to,
-                            double least_radius, bat_arcs_list *list, bool *kept)
+batten_status bat_arcs_keep(const bat_arcs_path *path, batten_interval run, double least_radius,
+                            bat_arcs_list *list, bool *kept)
 {
+    const double from = run.a, to = run.b;
     const batten_curve *curve = path->curve;
     const double *U = curve->knots;
     point_run r = {path, from, to, bat_exact_tolerance(curve), least_radius, list->count, list};

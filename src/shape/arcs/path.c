@@ -203,9 +203,10 @@ static int station_after(const bat_arcs_path *p, double u)
 
 /* Both ends, the stations between, and `inner` places or more between these: `total` in all at
  * least. */
-batten_status bat_arcs_take(const bat_arcs_path *p, double a, double b, int inner, int total,
+batten_status bat_arcs_take(const bat_arcs_path *p, batten_interval over, int inner, int total,
                             bat_samples *samples)
 {
+    const double a = over.a, b = over.b;
     const int first = station_after(p, a);
     int last = first;
     while (last < p->station_count && p->stations[last] < b)
@@ -250,38 +251,45 @@ double bat_arcs_turn(const bat_samples *samples)
 
 /* ---- deviations ---- */
 
+typedef struct {
+    double u, slope; /* the place and how the distance changes there */
+} sloped;
+
+static void widen_beside(double u, double d, bat_beside *beside)
+{
+    if (d < beside->low) {
+        beside->low = d;
+        beside->low_at = u;
+    }
+    if (d > beside->high) {
+        beside->high = d;
+        beside->high_at = u;
+    }
+}
+
 /* The extreme between two samples where the slope changes its sign: by false position, the end
  * that stays counting half. */
-static batten_status refine(const bat_arcs_path *p, const bat_arcs_probe *probe, double a,
-                            double b, double fa, double fb, bat_beside *beside)
+static batten_status refine(const bat_arcs_path *p, const bat_arcs_probe *probe, sloped a,
+                            sloped b, bat_beside *beside)
 {
     double row[4];
     for (int i = 0; i < 12; i++) {
-        const double u = a + (b - a) * (fa / (fa - fb));
-        if (!(u > a && u < b))
+        const double u = a.u + (b.u - a.u) * (a.slope / (a.slope - b.slope));
+        if (!(u > a.u && u < b.u))
             break;
         const batten_status status = batten_curve_evaluate(p->curve, u, 1, row);
         if (status != BATTEN_OK)
             return status;
-        const double f = bat_arcs_slope(probe, row), d = bat_arcs_beside(probe, row);
-        if (d < beside->low) {
-            beside->low = d;
-            beside->low_at = u;
-        }
-        if (d > beside->high) {
-            beside->high = d;
-            beside->high_at = u;
-        }
-        if (f == 0 || b - a < 1e-9 * (fabs(a) + fabs(b)))
+        const sloped middle = {u, bat_arcs_slope(probe, row)};
+        widen_beside(u, bat_arcs_beside(probe, row), beside);
+        if (middle.slope == 0 || b.u - a.u < 1e-9 * (fabs(a.u) + fabs(b.u)))
             break;
-        if ((f > 0) == (fa > 0)) {
-            a = u;
-            fa = f;
-            fb /= 2;
+        if ((middle.slope > 0) == (a.slope > 0)) {
+            a = middle;
+            b.slope /= 2;
         } else {
-            b = u;
-            fb = f;
-            fa /= 2;
+            b = middle;
+            a.slope /= 2;
         }
     }
     return BATTEN_OK;
@@ -294,28 +302,26 @@ batten_status bat_arcs_measure(const bat_arcs_path *p, const batten_biarc *biarc
     bat_arcs_probe probe;
     bat_arcs_probe_make(biarc, &probe);
     *beside = bat_arcs_beside_samples(&probe, samples);
-    double before = bat_arcs_slope(&probe, samples->rows[0]);
+    sloped before = {samples->u[0], bat_arcs_slope(&probe, samples->rows[0])};
     for (int i = 1; i < samples->count; i++) {
-        const double slope = bat_arcs_slope(&probe, samples->rows[i]);
-        if ((slope > 0 && before < 0) || (slope < 0 && before > 0)) {
-            const batten_status status =
-                refine(p, &probe, samples->u[i - 1], samples->u[i], before, slope, beside);
+        const sloped here = {samples->u[i], bat_arcs_slope(&probe, samples->rows[i])};
+        if ((here.slope > 0 && before.slope < 0) || (here.slope < 0 && before.slope > 0)) {
+            const batten_status status = refine(p, &probe, before, here, beside);
             if (status != BATTEN_OK)
                 return status;
         }
-        before = slope;
+        before = here;
     }
     return BATTEN_OK;
 }
 
-int bat_arcs_ranges(const bat_arcs_path *p, const bat_arcs_part *part, double ranges[2][2])
+int bat_arcs_ranges(const bat_arcs_path *p, const bat_arcs_part *part,
+                    batten_interval ranges[2])
 {
     const double a = p->domain.a, b = p->domain.b;
     const double from = part->from >= b ? part->from - (b - a) : part->from;
     const double to = part->from >= b ? part->to - (b - a) : part->to;
-    ranges[0][0] = from;
-    ranges[0][1] = bat_min(to, b);
-    ranges[1][0] = a;
-    ranges[1][1] = a + (to - b);
-    return ranges[1][1] > a ? 2 : 1;
+    ranges[0] = (batten_interval){from, bat_min(to, b)};
+    ranges[1] = (batten_interval){a, a + (to - b)};
+    return ranges[1].b > a ? 2 : 1;
 }

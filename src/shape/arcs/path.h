@@ -27,15 +27,16 @@ batten_status bat_arcs_direction(const bat_arcs_path *p, double u, batten_side s
 
 /* Both ends, the stations between, and `inner` places or more between these: `total` in all at
  * least. */
-batten_status bat_arcs_take(const bat_arcs_path *p, double a, double b, int inner, int total,
+batten_status bat_arcs_take(const bat_arcs_path *p, batten_interval over, int inner, int total,
                             bat_samples *samples);
 /* By how much the curve turns along its samples, all small turns added. */
 double bat_arcs_turn(const bat_samples *samples);
 /* A part as one or two ranges within the domain: a closed curve continues beyond its end. */
-int bat_arcs_ranges(const bat_arcs_path *p, const bat_arcs_part *part, double ranges[2][2]);
+int bat_arcs_ranges(const bat_arcs_path *p, const bat_arcs_part *part,
+                    batten_interval ranges[2]);
 /* The run from one corner to the next as its own lines and arcs, when it is nothing else, has
  * no kinks and no arc below the least radius: then *kept, and they are added to the list. */
-batten_status bat_arcs_keep(const bat_arcs_path *p, double from, double to, double least_radius,
+batten_status bat_arcs_keep(const bat_arcs_path *p, batten_interval run, double least_radius,
                             bat_arcs_list *list, bool *kept);
 /* How far a biarc is beside the curve: the extremes among the samples and at all roots of the
  * slope between them. */

@@ -68,7 +68,6 @@ static batten_status try_part(point_fit *t, int from, int to, bat_arcs_part *par
                               double *share)
 {
     const bat_node a = node_at(t, from), b = node_at(t, to);
-    const double least = t->options.least_radius;
     double turn = 0;
     const batten_status status = take_samples(t, from, to, &turn);
     if (status != BATTEN_OK)
@@ -78,9 +77,9 @@ static batten_status try_part(point_fit *t, int from, int to, bat_arcs_part *par
     if (fabs(turn) > BAT_PI * (1 + 1e-9))
         return BATTEN_OK;
     const bool plain = t->options.joined == BATTEN_ARCS_PLAIN;
+    const bat_arcs_stretch on = {&a, &b, turn, t->options.least_radius, &t->band, &t->samples};
     const bool made =
-        plain ? bat_arcs_single(&a, &b, turn, least, &t->band, &t->samples, &part->biarc)
-              : bat_arcs_biarc(&a, &b, turn, least, &t->band, &t->samples, &part->biarc);
+        plain ? bat_arcs_single(&on, &part->biarc) : bat_arcs_biarc(&on, &part->biarc);
     if (made)
         *share = share_of(t, &part->biarc);
     if (plain && made && *share <= 1) {
@@ -242,8 +241,9 @@ static batten_status run_all(point_fit *t, int count, double *parameters,
         status = bat_arcs_spread(greedy, t, t->options.tolerance, t->options.spread);
     if (status == BATTEN_OK) {
         measure_all(t, at, report);
-        status = bat_arcs_chain(&t->list, &t->options, t->options.closed,
-                                bat_largest(2 * count, t->points), report, out);
+        const bat_arcs_chain_task task = {&t->options, t->options.closed,
+                                          bat_largest(2 * count, t->points)};
+        status = bat_arcs_chain(&t->list, &task, report, out);
     }
     if (status == BATTEN_OK && parameters)
         memcpy(parameters, at, (size_t)count * sizeof *parameters);

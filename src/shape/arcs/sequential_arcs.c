@@ -9,8 +9,10 @@
  * base_i + (-1)^i x: directions are mirrored in the chords, one after another. */
 typedef struct {
     int count; /* of chords */
+    const double *points;
     double *length, *direction;
     double *base;
+    double longest; /* of the lengths */
 } chords;
 
 /* The curvature of arc i, and how it changes with x. */
@@ -21,58 +23,62 @@ static double curvature_of(const chords *c, int i, double x, double *rate)
     return -2 * sin(lean) / c->length[i];
 }
 
+/* The angle of arc i from its chord, -pi .. pi. */
+static double lean_of(const chords *c, int i, double x)
+{
+    return remainder(c->base[i] + (i % 2 == 0 ? x : -x), 2 * BAT_PI);
+}
+
+/* A start x, the sum of the squared jumps of curvature, and its derivatives by x. */
+typedef struct {
+    double x, sum, slope, bend;
+} start_trial;
+
 /* Lengths by the longest chord: the sum is for comparing alone. Infinity where an arc leans
  * from its chord by more than `most`. */
-static double sum_of_jumps(const chords *c, double unit, double most, double x, double *slope,
-                           double *bend)
+static start_trial try_start(const chords *c, double most, double x)
 {
-    double sum = 0, before = 0, rate_before = 0;
-    *slope = *bend = 0;
+    start_trial tried = {.x = x};
+    double before = 0, rate_before = 0;
     for (int i = 0; i < c->count; i++) {
         double rate = 0;
-        const double k = unit * curvature_of(c, i, x, &rate);
-        rate *= unit;
-        if (fabs(remainder(c->base[i] + (i % 2 == 0 ? x : -x), 2 * BAT_PI)) > most)
-            return HUGE_VAL;
+        const double k = c->longest * curvature_of(c, i, x, &rate);
+        rate *= c->longest;
+        if (fabs(lean_of(c, i, x)) > most)
+            return (start_trial){.x = x, .sum = HUGE_VAL};
         if (i > 0) {
             const double jump = k - before, change = rate - rate_before;
-            sum += jump * jump;
-            *slope += 2 * jump * change;
+            tried.sum += jump * jump;
+            tried.slope += 2 * jump * change;
             /* The second derivative of a curvature by x is the curvature, turned about. */
-            *bend += 2 * (change * change - jump * jump);
+            tried.bend += 2 * (change * change - jump * jump);
         }
         before = k;
         rate_before = rate;
     }
-    return sum;
+    return tried;
 }
 
 /* The best of many, mended by Newton's rule while that helps. NAN when all lean too much. */
 static double best_within(const chords *c, double most)
 {
     enum { TRIALS = 256, STEPS = 20 };
-    double unit = 0, best = HUGE_VAL, x = (double)NAN, slope = 0, bend = 0;
-    for (int i = 0; i < c->count; i++)
-        unit = bat_max(unit, c->length[i]);
+    start_trial best = {.x = (double)NAN, .sum = HUGE_VAL};
     /* The chord itself first, then to both sides of it. */
     for (int i = 0; i < TRIALS; i++) {
-        const double y = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * (2 * BAT_PI / TRIALS);
-        const double sum = sum_of_jumps(c, unit, most, y, &slope, &bend);
-        if (sum < best) {
-            best = sum;
-            x = y;
-        }
+        const double x = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * (2 * BAT_PI / TRIALS);
+        const start_trial tried = try_start(c, most, x);
+        if (tried.sum < best.sum)
+            best = tried;
     }
-    for (int i = 0; i < STEPS && best < HUGE_VAL; i++) {
-        sum_of_jumps(c, unit, most, x, &slope, &bend);
-        const double y = bend > 0 ? x - slope / bend : x;
-        const double sum = sum_of_jumps(c, unit, most, y, &slope, &bend);
-        if (!(sum < best))
+    for (int i = 0; i < STEPS && best.sum < HUGE_VAL; i++) {
+        const double x = best.bend > 0 ? best.x - best.slope / best.bend : best.x;
+        const start_trial tried = try_start(c, most, x);
+        if (!(tried.sum < best.sum))
             break;
-        best = sum;
-        x = y;
+        best = tried;
     }
-    return x;
+    return best.x;
 }
 
 /* Large loops may have small jumps, so arcs of more than half a circle come last. */
@@ -82,10 +88,10 @@ static double best_start(const chords *c)
     return isnan(x) ? best_within(c, BAT_PI * (1 - 1e-9)) : x;
 }
 
-static batten_status find_chords(const double *points, const chords *c)
+static batten_status find_chords(chords *c)
 {
     for (int i = 0; i < c->count; i++) {
-        const double *a = points + 2 * i, q[2] = {a[2] - a[0], a[3] - a[1]};
+        const double *a = c->points + 2 * i, q[2] = {a[2] - a[0], a[3] - a[1]};
         c->length[i] = bat_norm(2, q);
         c->direction[i] = atan2(q[1], q[0]);
         if (!(c->length[i] > 0))
@@ -96,60 +102,78 @@ static batten_status find_chords(const double *points, const chords *c)
         c->base[i] = i == 0 ? 0
                             : remainder(-c->base[i - 1] + c->direction[i - 1] - c->direction[i],
                                         2 * BAT_PI);
+        c->longest = bat_max(c->longest, c->length[i]);
     }
     return BATTEN_OK;
 }
 
-static batten_status make_spans(const chords *c, const double *points, double x,
-                                batten_span *spans, double *angles,
-                                batten_chain_sequential_arcs_report *report)
+/* What is made: one span, two angles and two breaks for each chord. */
+typedef struct {
+    batten_span *spans;
+    double *angles, *breaks;
+    batten_chain_sequential_arcs_report report;
+} arc_row;
+
+static void report_arc(const chords *c, int i, double x,
+                       batten_chain_sequential_arcs_report *report)
 {
-    double before = 0;
+    double rate = 0, unused = 0;
+    const double k = curvature_of(c, i, x, &rate);
+    report->long_arcs += fabs(lean_of(c, i, x)) > BAT_PI / 2;
+    if (fabs(rate) > report->sensitivity) {
+        report->sensitivity = fabs(rate);
+        report->sensitive_at = i;
+    }
+    if (i > 0)
+        report->jump = bat_max(report->jump, fabs(k - curvature_of(c, i - 1, x, &unused)));
+}
+
+static batten_status make_spans(const chords *c, double x, arc_row *made)
+{
+    made->report.start_angle = made->angles[0] = c->direction[0] + lean_of(c, 0, x);
     for (int i = 0; i < c->count; i++) {
-        const double lean = remainder(c->base[i] + (i % 2 == 0 ? x : -x), 2 * BAT_PI);
-        double rate = 0;
-        const double k = curvature_of(c, i, x, &rate);
+        const double lean = lean_of(c, i, x);
         if (BAT_PI - fabs(lean) < 1e-9)
             return bat_fail(
                 BATTEN_SINGULAR_HERE,
                 "the arc from point %d to point %d would be a full circle: it begins "
                 "away from its end",
                 i, i + 1);
-        bat_arc_span(points + 2 * i, c->length[i], c->direction[i], -lean, &spans[i]);
-        report->long_arcs += fabs(lean) > BAT_PI / 2;
-        if (fabs(rate) > report->sensitivity) {
-            report->sensitivity = fabs(rate);
-            report->sensitive_at = i;
-        }
-        report->jump = i > 0 ? bat_max(report->jump, fabs(k - before)) : 0;
-        before = k;
-        if (i == 0)
-            report->start_angle = angles[0] = c->direction[0] + lean;
-        angles[i + 1] = angles[i] - 2 * lean;
+        bat_arc_span(c->points + 2 * i, c->length[i], c->direction[i], -lean, &made->spans[i]);
+        made->angles[i + 1] = made->angles[i] - 2 * lean;
+        report_arc(c, i, x, &made->report);
     }
     return BATTEN_OK;
 }
 
-static batten_status make_arc_spans(const chords *c, const double *points, double start_angle,
-                                    batten_span *spans, double *angles, double *breaks,
-                                    batten_chain_sequential_arcs_report *report,
+static batten_status make_arc_spans(chords *c, double start_angle, arc_row *made,
                                     batten_chain **out)
 {
-    batten_status status = find_chords(points, c);
+    batten_status status = find_chords(c);
     if (status != BATTEN_OK)
         return status;
-    const double x = isnan(start_angle) ? best_start(c) : start_angle - c->direction[0];
-    status = make_spans(c, points, x, spans, angles, report);
+    status =
+        make_spans(c, isnan(start_angle) ? best_start(c) : start_angle - c->direction[0], made);
     if (status != BATTEN_OK)
         return status;
-    double size = bat_largest(2 * c->count + 2, points);
+    double size = bat_largest(2 * c->count + 2, c->points), *breaks = made->breaks;
     breaks[0] = 0;
     for (int i = 0; i < c->count; i++) {
-        breaks[i + 1] = breaks[i] + spans[i].length;
-        size = bat_max(size, spans[i].length);
+        breaks[i + 1] = breaks[i] + made->spans[i].length;
+        size = bat_max(size, made->spans[i].length);
     }
-    return batten_chain_create(&(batten_chain_parts){2, c->count, spans, breaks, false},
+    return batten_chain_create(&(batten_chain_parts){2, c->count, made->spans, breaks, false},
                                64 * DBL_EPSILON * size, out);
+}
+
+static void release_work(const chords *c, const arc_row *made)
+{
+    bat_release(c->length);
+    bat_release(c->direction);
+    bat_release(c->base);
+    bat_release(made->spans);
+    bat_release(made->angles);
+    bat_release(made->breaks);
 }
 
 batten_status batten_chain_sequential_arcs(batten_points points, double start_angle,
@@ -166,25 +190,23 @@ batten_status batten_chain_sequential_arcs(batten_points points, double start_an
     if (isinf(start_angle))
         return bat_fail(BATTEN_NOT_FINITE, "the direction at the start is infinite");
     const size_t n = (size_t)points.count;
-    batten_chain_sequential_arcs_report found = {0};
-    chords c = {points.count - 1, bat_array(n, sizeof(double)), bat_array(n, sizeof(double)),
-                bat_array(n, sizeof(double))};
-    batten_span *spans = bat_array(n, sizeof *spans);
-    double *made = bat_array(n, sizeof *made), *breaks = bat_array(n, sizeof *breaks);
+    chords c = {.count = points.count - 1,
+                .points = points.at,
+                .length = bat_array(n, sizeof(double)),
+                .direction = bat_array(n, sizeof(double)),
+                .base = bat_array(n, sizeof(double))};
+    arc_row made = {.spans = bat_array(n, sizeof *made.spans),
+                    .angles = bat_array(n, sizeof *made.angles),
+                    .breaks = bat_array(n, sizeof *made.breaks)};
     status = BATTEN_OUT_OF_MEMORY;
-    if (c.length && c.direction && c.base && spans && made && breaks)
-        status = make_arc_spans(&c, points.at, start_angle, spans, made, breaks, &found, out);
+    if (c.length && c.direction && c.base && made.spans && made.angles && made.breaks)
+        status = make_arc_spans(&c, start_angle, &made, out);
     if (status == BATTEN_OK && angles)
-        memcpy(angles, made, n * sizeof *made);
+        memcpy(angles, made.angles, n * sizeof *angles);
     if (status == BATTEN_OK && parameters)
-        memcpy(parameters, breaks, n * sizeof *breaks);
+        memcpy(parameters, made.breaks, n * sizeof *parameters);
     if (status == BATTEN_OK && report)
-        *report = found;
-    bat_release(c.length);
-    bat_release(c.direction);
-    bat_release(c.base);
-    bat_release(spans);
-    bat_release(made);
-    bat_release(breaks);
+        *report = made.report;
+    release_work(&c, &made);
     return status;
 }

@@ -77,9 +77,11 @@ static batten_status take_rows(const bat_arc_search *s, int from, int to, int st
 
 /* Do both arcs of a biarc bend as the curve? The joint is about where their lengths say. */
 static bool both_bend_alike(const bat_arc_search *s, const batten_biarc *biarc,
-                            const bat_arc_state *a, int end, double lean)
+                            const bat_arc_state *a, const bat_arc_state *b)
 {
     const batten_span *arc = biarc->arcs;
+    const int end = b->place;
+    const double lean = b->lean;
     const bat_smooth_row to = bat_smooth_row_at(s, end);
     for (int i = 0; i < biarc->count; i++)
         if (!bat_smooth_may_bend(s, arc[i].curvature[0]))
@@ -94,16 +96,23 @@ static bool both_bend_alike(const bat_arc_search *s, const batten_biarc *biarc,
            bat_smooth_bends_alike(s, between, &to, lean, arc[1].length);
 }
 
-/* From a state around to the given lean at the end by two arcs: at first with a few looks. */
-static batten_status close_by_two(bat_arc_search *s, int index, int end, double lean,
+static bat_node leaning_node(const bat_smooth_row *row, double lean)
+{
+    const double angle = row->angle + lean;
+    return (bat_node){{row->node[0], row->node[1]}, {cos(angle), sin(angle)}};
+}
+
+/* From a state around to the given one at the end by two arcs: at first with a few looks. */
+static batten_status close_by_two(bat_arc_search *s, int index, const bat_arc_state *b,
                                   bat_arcs_part *part, bool *closed)
 {
     const bat_arc_state *a = &s->states[index];
+    const int end = b->place;
     const bat_smooth_row from = bat_smooth_row_at(s, a->place), to = bat_smooth_row_at(s, end);
-    const double before = from.angle + a->lean, after = to.angle + lean;
-    const bat_node start = {{from.node[0], from.node[1]}, {cos(before), sin(before)}};
-    const bat_node stop = {{to.node[0], to.node[1]}, {cos(after), sin(after)}};
+    const bat_node start = leaning_node(&from, a->lean), stop = leaning_node(&to, b->lean);
     const bat_band band = {s->middle - s->half, s->middle + s->half, s->middle};
+    const bat_arcs_stretch on = {
+        &start, &stop, to.angle - from.angle, s->task->least_radius, &band, s->task->samples};
     *closed = end - a->place >= 2 && end - a->place <= 2 * AHEAD;
     for (int looks = 8; looks < 10 * BAT_SMOOTH_LOOKS && *closed; looks *= 25) {
         const int step = bat_max_int(1, (end - a->place) / looks);
@@ -111,9 +120,7 @@ static batten_status close_by_two(bat_arc_search *s, int index, int end, double 
         if (status != BATTEN_OK)
             return status;
         *part = (bat_arcs_part){.from = from.u, .to = to.u};
-        *closed = bat_arcs_biarc(&start, &stop, to.angle - from.angle, s->task->least_radius,
-                                 &band, s->task->samples, &part->biarc);
-        *closed = *closed && both_bend_alike(s, &part->biarc, a, end, lean);
+        *closed = bat_arcs_biarc(&on, &part->biarc) && both_bend_alike(s, &part->biarc, a, b);
         if (!*closed)
             break;
         bat_arcs_probe probe;
@@ -124,17 +131,22 @@ static batten_status close_by_two(bat_arc_search *s, int index, int end, double 
     return BATTEN_OK;
 }
 
+/* A row of arcs: its last state, -1 when there is none, and how many arcs it has. */
+typedef struct {
+    int last, arcs;
+    bat_arcs_part closing; /* around, of them the last two */
+} arc_row;
+
 /* The first of the states that can be closed by two arcs. */
-static batten_status close_one(bat_arc_search *s, int end, double lean, bat_arcs_part *part,
-                               int *found)
+static batten_status close_one(bat_arc_search *s, const bat_arc_state *end, arc_row *found)
 {
     batten_status status = BATTEN_OK;
-    for (int i = 0; i < BAT_SMOOTH_LEANS && *found < 0 && status == BATTEN_OK; i++) {
+    for (int i = 0; i < BAT_SMOOTH_LEANS && found->last < 0 && status == BATTEN_OK; i++) {
         bool closed = false;
         if (s->now[i] >= 0)
-            status = close_by_two(s, s->now[i], end, lean, part, &closed);
+            status = close_by_two(s, s->now[i], end, &found->closing, &closed);
         if (closed)
-            *found = s->now[i];
+            found->last = s->now[i];
     }
     return status;
 }
@@ -158,30 +170,41 @@ static batten_status begin_states(bat_arc_search *s, int place, const double *le
     return lean ? bat_smooth_add(s, &given, &s->now[BAT_SMOOTH_LEANS / 2]) : BATTEN_OK;
 }
 
-/* The last state of the fewest arcs from `start` to `end`; around, `closing` are two more.
- * *found is -1 when there are none, or no fewer than `most` arcs. */
-static batten_status find_fewest_arcs(bat_arc_search *s, int start, int end, const double *lean,
-                                      int most, bat_arcs_part *closing, int *arcs, int *found)
+/* One arc more from every state; is any of the new ones left? */
+static batten_status go_on_from_all(bat_arc_search *s, int end, int *found, bool *alive)
 {
-    *found = -1;
+    batten_status status = BATTEN_OK;
+    *alive = false;
+    for (int i = 0; i < BAT_SMOOTH_LEANS; i++)
+        s->next[i] = -1;
+    for (int i = 0; i < BAT_SMOOTH_LEANS && *found < 0 && status == BATTEN_OK; i++)
+        if (s->now[i] >= 0)
+            status = go_on(s, s->now[i], end, found);
+    for (int i = 0; i < BAT_SMOOTH_LEANS; i++)
+        *alive = *alive || s->next[i] >= 0;
+    memcpy(s->now, s->next, sizeof s->now);
+    return status;
+}
+
+/* The fewest arcs along all rows from `start`, or around, beginning and ending with a lean;
+ * none when as many as `most` are needed. */
+static batten_status find_fewest_arcs(bat_arc_search *s, int start, const double *lean,
+                                      int most, arc_row *out)
+{
+    const bat_arc_state end = {start + s->count, -1, lean ? *lean : 0};
+    out->last = -1;
     batten_status status = begin_states(s, start, lean);
     for (int n = 0; status == BATTEN_OK; n++) {
         bool alive = false;
         if (lean)
-            status = close_one(s, end, *lean, closing, found);
-        *arcs = n + 2;
-        if (*found >= 0 || *arcs >= most)
+            status = close_one(s, &end, out);
+        out->arcs = n + 2;
+        if (out->last >= 0 || out->arcs >= most)
             break;
-        for (int i = 0; i < BAT_SMOOTH_LEANS; i++)
-            s->next[i] = -1;
-        for (int i = 0; i < BAT_SMOOTH_LEANS && *found < 0 && status == BATTEN_OK; i++)
-            if (s->now[i] >= 0)
-                status = go_on(s, s->now[i], end, found);
-        *arcs = n + 1;
-        for (int i = 0; i < BAT_SMOOTH_LEANS; i++)
-            alive = alive || s->next[i] >= 0;
-        memcpy(s->now, s->next, sizeof s->now);
-        if (*found >= 0 || !alive)
+        if (status == BATTEN_OK)
+            status = go_on_from_all(s, end.place, &out->last, &alive);
+        out->arcs = n + 1;
+        if (out->last >= 0 || !alive)
             break;
     }
     return status;
@@ -224,12 +247,11 @@ static batten_status measure_band_share(const bat_arc_search *s, const bat_arcs_
     const bat_band band = {s->middle - s->half, s->middle + s->half, s->middle};
     *share = 0;
     for (int i = first; i < list->count; i++) {
-        double ranges[2][2];
+        batten_interval ranges[2];
         const int count = bat_arcs_ranges(t->path, &list->parts[i], ranges);
         for (int k = 0; k < count; k++) {
             bat_beside beside = {0, 0, 0, 0};
-            batten_status status =
-                bat_arcs_take(t->path, ranges[k][0], ranges[k][1], 8, 32, t->samples);
+            batten_status status = bat_arcs_take(t->path, ranges[k], 8, 32, t->samples);
             if (status == BATTEN_OK)
                 status = bat_arcs_measure(t->path, &list->parts[i].biarc, t->samples, &beside);
             if (status != BATTEN_OK)
@@ -268,20 +290,17 @@ static batten_status try_starts(bat_arc_search *s, int count, const bat_arc_stat
                                 int least, bat_arcs_list *list)
 {
     const int first = list->count;
-    bat_arcs_part closing;
     batten_status status = BATTEN_OK;
     s->start_arcs = INT_MAX;
     for (int i = 0; i < count && status == BATTEN_OK && s->start_arcs > least; i++) {
-        const int place = starts[i].place;
-        int found = -1, arcs = 0;
-        status = find_fewest_arcs(s, place, place + s->count, &starts[i].lean, s->start_arcs,
-                                  &closing, &arcs, &found);
-        if (status != BATTEN_OK || found < 0)
+        arc_row found;
+        status = find_fewest_arcs(s, starts[i].place, &starts[i].lean, s->start_arcs, &found);
+        if (status != BATTEN_OK || found.last < 0)
             continue;
         s->start = starts[i];
-        s->start_arcs = arcs;
+        s->start_arcs = found.arcs;
         list->count = first;
-        status = put_smooth_arcs(s, found, &closing, list);
+        status = put_smooth_arcs(s, found.last, &found.closing, list);
     }
     return status;
 }
@@ -295,14 +314,15 @@ static batten_status run_around(bat_arc_search *s, bat_arcs_list *list)
     const int room = bat_max_int(1, bat_min_int(TRIES, WORK / s->task->guide->count));
     bat_arc_state starts[TRIES] = {s->start};
     const int before = s->start_arcs, first = list->count;
-    int found = -1, arcs = 0, least = 0;
+    int least = 0;
+    arc_row any;
     batten_status status = BATTEN_OK;
     if (before > 0 && before < INT_MAX)
         status = try_starts(s, 1, starts, before, list);
     if (status != BATTEN_OK || (before > 0 && s->start_arcs <= before))
         return status;
     list->count = first;
-    status = find_fewest_arcs(s, 0, s->count, NULL, INT_MAX, NULL, &arcs, &found);
+    status = find_fewest_arcs(s, 0, NULL, INT_MAX, &any);
     if (status != BATTEN_OK)
         return status;
     const int tries = find_starts(s, room, starts, &least);
@@ -313,11 +333,11 @@ static batten_status find(bat_arc_search *s, bat_arcs_list *list)
 {
     if (s->around)
         return run_around(s, list);
-    int arcs = 0, found = -1;
-    const bat_arcs_part none = {0};
-    const batten_status status =
-        find_fewest_arcs(s, 0, s->count, NULL, INT_MAX, NULL, &arcs, &found);
-    return status == BATTEN_OK && found >= 0 ? put_smooth_arcs(s, found, &none, list) : status;
+    arc_row found = {.last = -1};
+    const batten_status status = find_fewest_arcs(s, 0, NULL, INT_MAX, &found);
+    if (status != BATTEN_OK || found.last < 0)
+        return status;
+    return put_smooth_arcs(s, found.last, &found.closing, list);
 }
 
 /* Round by round in a slightly narrower band, until the arcs are within the whole one. */

@@ -24,10 +24,10 @@ static batten_status curvatures(double alpha, double beta, double l, double tens
 static batten_status spans(double alpha, double beta, double l, double tension,
                            batten_span *out, int *count)
 {
-    static const double origin[2] = {0, 0};
+    const bat_arc_chord chord = {.length = l};
     batten_biarc made;
     (void)tension;
-    const batten_status status = bat_biarc_make(origin, 0, l, alpha, beta, 0.5, &made);
+    const batten_status status = bat_biarc_make(&chord, alpha, beta, 0.5, &made);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i < made.count; i++)

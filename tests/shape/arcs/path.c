@@ -106,7 +106,7 @@ TEST(samples_take_both_ends_the_stations_between_and_enough_besides)
     CHECK(has(p.station_count, p.stations, 0.5, 1e-9)); /* its inflection */
     for (int inner = 1; inner < 4; inner++) {
         bat_samples s = {0};
-        CHECK_OK(bat_arcs_take(&p, 0.2, 0.9, inner, 20, &s));
+        CHECK_OK(bat_arcs_take(&p, (batten_interval){0.2, 0.9}, inner, 20, &s));
         CHECK(s.count >= 20);
         CHECK_NEAR(s.u[0], 0.2, 0);
         CHECK_NEAR(s.u[s.count - 1], 0.9, 0);
