@@ -172,7 +172,8 @@ static void end_slope(int d, int count, const double *row, const double *u, bool
     const int c = count > 2 ? a + 2 * s : a;
     const double h0 = u[a + s] - u[a], h1 = count > 2 ? u[c] - u[a + s] : h0;
     const double *P = row + (ptrdiff_t)a * d, *Q = row + (ptrdiff_t)(a + s) * d;
-    bat_bessel_slope((size_t)d, h0, h1, P, Q, count > 2 ? row + (ptrdiff_t)c * d : P, slope);
+    const double *const points[] = {P, Q, count > 2 ? row + (ptrdiff_t)c * d : P};
+    bat_bessel_slope((size_t)d, (const double[]){h0, h1}, points, slope);
     if (count == 2) /* the line, not a parabola there and back */
         for (int k = 0; k < d; k++)
             slope[k] = (Q[k] - P[k]) / h0;
@@ -202,7 +203,8 @@ static batten_status solve_along_u(task *t)
     t->lines = bat_array3((size_t)t->along_u.count, row, sizeof *t->lines);
     if (!t->lines)
         return BATTEN_OUT_OF_MEMORY;
-    return bat_operator_apply(&t->along_u, row, t->data, NULL, NULL, t->options->du, t->lines);
+    const bat_spline_data given = {.width = row, .data = t->data, .conditions = t->options->du};
+    return bat_operator_apply(&t->along_u, &given, t->lines);
 }
 
 /* The twists that a derivative of the rims has at its ends: [orders_u][2][d] of one order and
@@ -236,8 +238,10 @@ static batten_status solve_rims(task *t)
     for (size_t j = 0; status == BATTEN_OK && j < rims; j++) {
         if (o->du)
             pick_twists(t, twists, j, ends);
-        status = bat_operator_apply(&t->along_u, d, o->dv + j * (size_t)t->count_u * d, NULL,
-                                    NULL, o->du ? ends : NULL,
+        const bat_spline_data given = {.width = d,
+                                       .data = o->dv + j * (size_t)t->count_u * d,
+                                       .conditions = o->du ? ends : NULL};
+        status = bat_operator_apply(&t->along_u, &given,
                                     t->slopes + j * (size_t)t->along_u.count * d);
     }
     return status;
@@ -254,7 +258,8 @@ static batten_status solve_along_v(task *t)
     batten_status status = data && solved && t->control ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         bat_transpose(nu, t->count_v, d, t->lines, data);
-        status = bat_operator_apply(&t->along_v, row, data, NULL, NULL, t->slopes, solved);
+        const bat_spline_data given = {.width = row, .data = data, .conditions = t->slopes};
+        status = bat_operator_apply(&t->along_v, &given, solved);
     }
     if (status == BATTEN_OK)
         bat_transpose(nv, nu, d, solved, t->control);

@@ -120,12 +120,13 @@ static void draw(int d, int pieces, const shape *s, const double *cage, double *
 }
 
 /* Joints are made to be their points, when they are so but for rounding. */
-static batten_status set_joints(int d, int pieces, int count, const double *points,
-                                const double *cage, double *bezier)
+static batten_status set_joints(batten_points points, int pieces, const double *cage,
+                                double *bezier)
 {
+    const int d = points.dimension, count = points.count;
     const double size = bat_largest(d * (count + 2), cage);
     for (int i = 0; i <= pieces; i++) {
-        const double *point = points + i % count * d;
+        const double *point = points.at + i % count * d;
         const double off = bat_distance(d, bezier + 3 * i * d, point);
         if (!(off <= 16 * DBL_EPSILON * size))
             return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the curve misses point %d by %g",
@@ -182,7 +183,7 @@ static batten_status make_beta_curve(const beta_request *r, arrays *a, batten_cu
         return bat_fail(BATTEN_OVERFLOW, "a control point is too large for a number");
     draw(d, pieces, &s, a->cage, a->bezier);
     if (r->use == BATTEN_BETA_THROUGH)
-        status = set_joints(d, pieces, count, points, a->cage, a->bezier);
+        status = set_joints(r->points, pieces, a->cage, a->bezier);
     if (!closed) {
         memcpy(a->bezier, points, (size_t)d * sizeof *points);
         memcpy(a->bezier + 3 * pieces * d, points + pieces * d, (size_t)d * sizeof *points);

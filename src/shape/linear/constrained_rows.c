@@ -48,27 +48,29 @@ int bat_constrained_basis(const bat_constrained_fit *t, double u, int order, dou
     return k - p;
 }
 
-/* normal . sum basis[a] P[first + a], as a row. */
-static void fill_row(const bat_constrained_fit *t, int first, const double *basis,
-                     const double *normal, double *row)
+/* normal . sum basis[a] P[first + a] */
+typedef struct {
+    int first;
+    const double *basis, *normal;
+} linear_form;
+
+static void fill_row(const bat_constrained_fit *t, linear_form of, double *row)
 {
     for (int a = 0; a <= t->degree; a++)
         for (int c = 0; c < t->d; c++)
-            row[(first + a) * t->d + c] = normal[c] * basis[a];
+            row[(of.first + a) * t->d + c] = of.normal[c] * of.basis[a];
 }
 
-static void add_equal(bat_constrained_fit *t, int of, int first, const double *basis,
-                      const double *normal, double value)
+static void add_equal(bat_constrained_fit *t, int of, linear_form form, double value)
 {
-    fill_row(t, first, basis, normal, t->equal + (size_t)t->equal_count * (size_t)t->unknowns);
+    fill_row(t, form, t->equal + (size_t)t->equal_count * (size_t)t->unknowns);
     t->equal_of[t->equal_count] = of;
     t->equal_values[t->equal_count++] = value;
 }
 
-static void add_least(bat_constrained_fit *t, int of, int first, const double *basis,
-                      const double *normal, double value)
+static void add_least(bat_constrained_fit *t, int of, linear_form form, double value)
 {
-    fill_row(t, first, basis, normal, t->least + (size_t)t->least_count * (size_t)t->unknowns);
+    fill_row(t, form, t->least + (size_t)t->least_count * (size_t)t->unknowns);
     t->least_of[t->least_count] = of;
     t->least_values[t->least_count++] = value;
 }
@@ -82,7 +84,7 @@ void bat_constrained_points(bat_constrained_fit *t)
         const int first = bat_constrained_basis(t, t->u[i], 0, basis);
         for (int c = 0; c < t->d && !isfinite(weight); c++) {
             const double axis[3] = {c == 0, c == 1, c == 2};
-            add_equal(t, -1 - i, first, basis, axis, point[c]);
+            add_equal(t, -1 - i, (linear_form){first, basis, axis}, point[c]);
         }
         if (!isfinite(weight))
             continue;
@@ -110,7 +112,7 @@ static void add_direction(bat_constrained_fit *t, int i)
     const int first = bat_constrained_basis(t, t->u[c->from], 1, basis), d = t->d;
     if (d == 1) {
         const double one[3] = {1, 0, 0};
-        add_equal(t, i, first, basis, one, c->normal[0]);
+        add_equal(t, i, (linear_form){first, basis, one}, c->normal[0]);
         return;
     }
     /* Square to it: in space by the axis that is farthest from it, and by both. */
@@ -121,14 +123,14 @@ static void add_direction(bat_constrained_fit *t, int i)
     const int next = (least + 1) % d, last = (least + 2) % d;
     across[next] = -v[last];
     across[last] = v[next];
-    add_equal(t, i, first, basis, across, 0);
+    add_equal(t, i, (linear_form){first, basis, across}, 0);
     if (d == 3) {
         const double a[3] = {across[0], across[1], across[2]};
         for (int k = 0; k < 3; k++)
             across[k] = v[(k + 1) % 3] * a[(k + 2) % 3] - v[(k + 2) % 3] * a[(k + 1) % 3];
-        add_equal(t, i, first, basis, across, 0);
+        add_equal(t, i, (linear_form){first, basis, across}, 0);
     }
-    add_least(t, i, first, basis, v, c->bound * mean_speed(t) * bat_norm(d, v));
+    add_least(t, i, (linear_form){first, basis, v}, c->bound * mean_speed(t) * bat_norm(d, v));
 }
 
 /* The integral of basis function j is its support by degree + 1. */
@@ -191,7 +193,8 @@ static void add_part(bat_constrained_fit *t, int i, double a, double b, double *
     for (int j = 0; j <= m; j++) {
         const double u = m == 0 ? a : a + (b - a) * j / m;
         const double rate = order == 0 ? c->rate : 0;
-        add_least(t, i, first, rows + j * (t->degree + 1), c->normal, c->bound + rate * u);
+        const linear_form form = {first, rows + j * (t->degree + 1), c->normal};
+        add_least(t, i, form, c->bound + rate * u);
     }
 }
 

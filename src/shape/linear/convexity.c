@@ -96,16 +96,15 @@ batten_status batten_spline_convexity(int count, const double *x, const double *
     assert(x && y && out);
     const batten_end natural = {.kind = BATTEN_END_NATURAL};
     const batten_end ends[2] = {start ? *start : natural, end ? *end : natural};
-    batten_end_kind kinds[2];
-    double values[2][3] = {{0}};
+    bat_ends found = {.values = {{0}}};
     bat_chords chords;
     batten_status status = bat_chords_make(count, x, y, &chords);
     if (status != BATTEN_OK)
         return status;
-    status = bat_ends_plain(1, count, y, x, ends, "splines that are asked for convexity", kinds,
-                            values);
+    status = bat_ends_plain((batten_points){1, count, y}, x, ends,
+                            "splines that are asked for convexity", &found);
     if (status == BATTEN_OK)
-        status = find(&chords, kinds, values, out);
+        status = find(&chords, found.kinds, found.values, out);
     bat_chords_free(&chords);
     return status;
 }

@@ -39,16 +39,23 @@ static const double *point(const cornered_fit *w, int i)
 
 /* ---- runs ---- */
 
-static batten_status mark(int count, int index_count, const int *indices, int last,
-                          const char *what, bool *marks)
+/* Places that the options name. */
+typedef struct {
+    const char *what;
+    int count, last; /* how many, and the highest index that is allowed */
+    const int *at;
+} named_places;
+
+static batten_status mark(const cornered_fit *w, const named_places *named, bool *marks)
 {
-    for (int k = 0; k < index_count; k++) {
-        if (indices[k] < 0 || indices[k] > last || (k > 0 && indices[k] <= indices[k - 1]))
+    const int *at = named->at;
+    for (int k = 0; k < named->count; k++) {
+        if (at[k] < 0 || at[k] > named->last || (k > 0 && at[k] <= at[k - 1]))
             return bat_fail(
                 BATTEN_BAD_ARGUMENT,
-                "%s %d is point %d; of %d points it may be 0 to %d, and indices rise", what, k,
-                indices[k], count, last);
-        marks[indices[k]] = true;
+                "%s %d is point %d; of %d points it may be 0 to %d, and indices rise",
+                named->what, k, at[k], w->count, named->last);
+        marks[at[k]] = true;
     }
     return BATTEN_OK;
 }
@@ -204,10 +211,11 @@ static batten_status prepare(cornered_fit *w)
     w->made = bat_array(n, sizeof *w->made);
     if (!w->corner || !w->line || !w->runs || !w->parameters || !w->made)
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status =
-        mark(w->count, o->corner_count, o->corners, w->count - 1, "corner", w->corner);
+    const named_places corners = {"corner", o->corner_count, w->count - 1, o->corners};
+    const named_places lines = {"line", o->line_count, w->count - 2, o->lines};
+    batten_status status = mark(w, &corners, w->corner);
     if (status == BATTEN_OK)
-        status = mark(w->count, o->line_count, o->lines, w->count - 2, "line", w->line);
+        status = mark(w, &lines, w->line);
     if (status == BATTEN_OK)
         status = batten_parametrize((batten_points){w->dimension, w->count, w->points},
                                     o->parameters, false, w->parameters);

@@ -84,50 +84,49 @@ static batten_status resolve_end(const end_view *e, const batten_end *end,
     return BATTEN_OK;
 }
 
-batten_status bat_ends_resolve(int dimension, int count, const double *points,
-                               const double *parameters, const batten_end ends[2],
-                               batten_end_kind kinds[2], double values[2][3])
+batten_status bat_ends_resolve(batten_points points, const double *parameters,
+                               const batten_end ends[2], bat_ends *out)
 {
-    const int d = dimension, n = count;
-    const double *P = points, *Q = P + (size_t)(n - 1) * (size_t)d, *u = parameters;
+    const int d = points.dimension, n = points.count;
+    const double *P = points.at, *Q = P + (size_t)(n - 1) * (size_t)d, *u = parameters;
     const int third = n > 2 ? 2 * d : d;
     const end_view start = {d, n, P, P + d, P + third, u[1] - u[0], 1, "start"};
     const end_view end = {d, n, Q, Q - d, Q - third, u[n - 1] - u[n - 2], -1, "end"};
-    batten_status status = resolve_end(&start, &ends[0], &kinds[0], values[0]);
+    batten_status status = resolve_end(&start, &ends[0], &out->kinds[0], out->values[0]);
     if (status == BATTEN_OK)
-        status = resolve_end(&end, &ends[1], &kinds[1], values[1]);
+        status = resolve_end(&end, &ends[1], &out->kinds[1], out->values[1]);
     return status;
 }
 
 /* The slope of Bessel's parabola at an end; of two points that of the line. */
-static void bessel(int d, int n, const double *points, const double *u, int end, double *slope)
+static void bessel(batten_points points, const double *u, int end, double *slope)
 {
+    const int d = points.dimension, n = points.count;
     const size_t at = (size_t)d, last = (size_t)(n - 1) * at;
-    const double *a = end ? points + last : points, *b = end ? a - at : a + at;
+    const double *a = end ? points.at + last : points.at, *b = end ? a - at : a + at;
     const double h0 = end ? u[n - 1] - u[n - 2] : u[1] - u[0], sign = end ? -1 : 1;
-    if (n > 2)
-        bat_bessel_slope(at, h0, end ? u[n - 2] - u[n - 3] : u[2] - u[1], a, b,
-                         end ? b - at : b + at, slope);
+    if (n > 2) {
+        const double h[2] = {h0, end ? u[n - 2] - u[n - 3] : u[2] - u[1]};
+        bat_bessel_slope(at, h, (const double *const[]){a, b, end ? b - at : b + at}, slope);
+    }
     for (int k = 0; k < d; k++)
         slope[k] = sign * (n > 2 ? slope[k] : (b[k] - a[k]) / h0);
 }
 
-batten_status bat_ends_plain(int dimension, int count, const double *points,
-                             const double *parameters, const batten_end ends[2],
-                             const char *what, batten_end_kind kinds[2], double values[2][3])
+batten_status bat_ends_plain(batten_points points, const double *parameters,
+                             const batten_end ends[2], const char *what, bat_ends *out)
 {
-    const batten_status status =
-        bat_ends_resolve(dimension, count, points, parameters, ends, kinds, values);
+    const batten_status status = bat_ends_resolve(points, parameters, ends, out);
     if (status != BATTEN_OK)
         return status;
     for (int e = 0; e < 2; e++) {
-        const batten_end_kind kind = kinds[e];
+        const batten_end_kind kind = out->kinds[e];
         if (kind == BATTEN_END_BESSEL) {
-            bessel(dimension, count, points, parameters, e, values[e]);
-            kinds[e] = BATTEN_END_CLAMPED;
+            bessel(points, parameters, e, out->values[e]);
+            out->kinds[e] = BATTEN_END_CLAMPED;
         } else if (kind == BATTEN_END_NATURAL) {
-            memset(values[e], 0, sizeof values[e]);
-            kinds[e] = BATTEN_END_SECOND;
+            memset(out->values[e], 0, sizeof out->values[e]);
+            out->kinds[e] = BATTEN_END_SECOND;
         } else if (kind != BATTEN_END_CLAMPED && kind != BATTEN_END_SECOND &&
                    kind != BATTEN_END_PARABOLIC)
             return bat_fail(BATTEN_BAD_ARGUMENT,

@@ -44,14 +44,13 @@ static batten_status find_parameters(spline_problem *t)
 static batten_status find_ends(spline_problem *t)
 {
     const batten_end ends[2] = {t->options->start, t->options->end};
-    batten_end_kind kinds[2];
-    double values[2][3] = {{0}};
-    const batten_status status =
-        bat_ends_resolve(t->dimension, t->count, t->points, t->parameters, ends, kinds, values);
-    t->request.start = kinds[0];
-    t->request.end = kinds[1];
-    memcpy(t->start, values[0], sizeof t->start);
-    memcpy(t->end, values[1], sizeof t->end);
+    bat_ends found = {.values = {{0}}};
+    const batten_status status = bat_ends_resolve(
+        (batten_points){t->dimension, t->count, t->points}, t->parameters, ends, &found);
+    t->request.start = found.kinds[0];
+    t->request.end = found.kinds[1];
+    memcpy(t->start, found.values[0], sizeof t->start);
+    memcpy(t->end, found.values[1], sizeof t->end);
     return status;
 }
 
@@ -75,8 +74,9 @@ static batten_status find_conditions(spline_problem *t)
 
 static batten_status solve_with_slopes(spline_problem *t)
 {
-    return bat_operator_apply(&t->op, (size_t)t->dimension, t->points, t->start, t->end,
-                              t->conditions, t->control);
+    const bat_spline_data given = {(size_t)t->dimension, t->points, t->start, t->end,
+                                   t->conditions};
+    return bat_operator_apply(&t->op, &given, t->control);
 }
 
 /* ---- curvature at an end ---- */
@@ -109,8 +109,9 @@ static batten_status find_model(spline_problem *t, end_model *model)
     batten_status status = solve_with_slopes(t);
     end_tangents(&t->op, t->dimension, t->control, model->base[0], model->base[1]);
     for (int f = 0; status == BATTEN_OK && f < 2; f++) {
-        status = bat_operator_apply(&t->op, 1, zeros, f == 0 ? &one : &zero,
-                                    f == 1 ? &one : &zero, zeros, t->control);
+        const bat_spline_data given = {1, zeros, f == 0 ? &one : &zero, f == 1 ? &one : &zero,
+                                       zeros};
+        status = bat_operator_apply(&t->op, &given, t->control);
         end_tangents(&t->op, 1, t->control, &model->response[0][f], &model->response[1][f]);
     }
     bat_release(zeros);

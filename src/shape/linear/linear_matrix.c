@@ -8,39 +8,43 @@
 
 /* ---- the matrix ---- */
 
-/* The columns first .. last in which a row is not zero, and the span it is taken on; spans are
- * asked for in increasing order and `span` begins as p. */
-static void row_columns(const bat_request *r, const bat_operator *op, int i, int *span,
-                        int *first, int *last)
+/* The columns first .. last in which a row is not zero, and the span it is taken on. */
+typedef struct {
+    int span, first, last;
+} row_columns;
+
+/* Rows are asked for in increasing order of their spans; `at` begins with the span p. */
+static void go_to_row(const bat_request *r, const bat_operator *op, int i, row_columns *at)
 {
     const int p = op->degree, n = op->count;
     const bat_row row = op->rows[i];
     const int order = bat_min_int(row.order, p);
     const double u = r->parameters[row.index], *U = op->knots;
-    while (*span < n - 1 && U[*span + 1] <= u)
-        (*span)++;
-    *first = *span - p;
-    *last = *span;
+    while (at->span < n - 1 && U[at->span + 1] <= u)
+        at->span++;
+    at->first = at->span - p;
+    at->last = at->span;
     if (row.index == 0)
-        *last = order;
+        at->last = order;
     else if (row.index == r->count - 1)
-        *first = n - 1 - order;
-    else if (U[*span] == u && U[*span - 1] < u && order < p)
-        (*last)--; /* the newest function begins here, smoothly */
+        at->first = n - 1 - order;
+    else if (U[at->span] == u && U[at->span - 1] < u && order < p)
+        at->last--; /* the newest function begins here, smoothly */
 }
 
 static batten_status find_band(const bat_request *r, bat_operator *op)
 {
     const int p = op->degree;
-    for (int i = 0, span = p, first, last; i < op->count; i++) {
-        row_columns(r, op, i, &span, &first, &last);
-        if (i < first || i > last) /* Schoenberg and Whitney */
+    row_columns at = {.span = p};
+    for (int i = 0; i < op->count; i++) {
+        go_to_row(r, op, i, &at);
+        if (i < at.first || i > at.last) /* Schoenberg and Whitney */
             return bat_fail(
                 BATTEN_SINGULAR_SYSTEM,
                 "parameter %.17g of equation %d lies outside its knots, %.17g to %.17g",
                 r->parameters[op->rows[i].index], i, op->knots[i], op->knots[i + p + 1]);
-        op->lower = bat_max_int(op->lower, i - first);
-        op->upper = bat_max_int(op->upper, last - i);
+        op->lower = bat_max_int(op->lower, i - at.first);
+        op->upper = bat_max_int(op->upper, at.last - i);
     }
     return BATTEN_OK;
 }
@@ -48,13 +52,14 @@ static batten_status find_band(const bat_request *r, bat_operator *op)
 static void fill_matrix(const bat_request *r, bat_operator *op, double *basis)
 {
     const int p = op->degree, w = op->lower + op->upper + 1;
-    for (int i = 0, span = p, first, last; i < op->count; i++) {
+    row_columns at = {.span = p};
+    for (int i = 0; i < op->count; i++) {
         const bat_row row = op->rows[i];
-        row_columns(r, op, i, &span, &first, &last);
-        bat_basis(p, op->knots, span, r->parameters[row.index], row.order, basis);
-        const double *values = basis + row.order * (p + 1) + p - span;
+        go_to_row(r, op, i, &at);
+        bat_basis(p, op->knots, at.span, r->parameters[row.index], row.order, basis);
+        const double *values = basis + row.order * (p + 1) + p - at.span;
         double *a = op->matrix + (size_t)i * (size_t)w + (op->lower - i);
-        for (int j = first; j <= last; j++)
+        for (int j = at.first; j <= at.last; j++)
             a[j] = values[j];
     }
 }

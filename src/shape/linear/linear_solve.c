@@ -9,12 +9,13 @@
 #include <float.h>
 #include <string.h>
 
-void bat_bessel_slope(size_t width, double h0, double h1, const double *a, const double *b,
-                      const double *c, double *slope)
+void bat_bessel_slope(size_t width, const double h[2], const double *const points[3],
+                      double *slope)
 {
-    const double share = h0 / (h0 + h1);
+    const double *a = points[0], *b = points[1], *c = points[2];
+    const double share = h[0] / (h[0] + h[1]);
     for (size_t k = 0; k < width; k++) {
-        const double d0 = (b[k] - a[k]) / h0, d1 = (c[k] - b[k]) / h1;
+        const double d0 = (b[k] - a[k]) / h[0], d1 = (c[k] - b[k]) / h[1];
         slope[k] = d0 + share * (d0 - d1);
     }
 }
@@ -22,8 +23,7 @@ void bat_bessel_slope(size_t width, double h0, double h1, const double *a, const
 /* All that the right sides are made from. */
 typedef struct {
     const bat_operator *op;
-    size_t width;
-    const double *data, *start, *end, *conditions;
+    bat_spline_data given;
     double *slopes; /* [2][width], at the ends */
     double *zeros;  /* [width] */
 } right_side;
@@ -32,19 +32,19 @@ static const double *row_of(const right_side *b, const bat_row *row)
 {
     switch (row->source) {
     case BAT_FROM_DATA:
-        return b->data + (size_t)row->index * b->width;
+        return b->given.data + (size_t)row->index * b->given.width;
     case BAT_FROM_START:
-        return b->start ? b->start : b->zeros;
+        return b->given.start ? b->given.start : b->zeros;
     case BAT_FROM_END:
-        return b->end ? b->end : b->zeros;
+        return b->given.end ? b->given.end : b->zeros;
     case BAT_FROM_BESSEL_START:
         return b->slopes;
     case BAT_FROM_BESSEL_END:
-        return b->slopes + b->width;
+        return b->slopes + b->given.width;
     case BAT_FROM_ZERO:
         return b->zeros;
     default:
-        return b->conditions + (size_t)row->source * b->width;
+        return b->given.conditions + (size_t)row->source * b->given.width;
     }
 }
 
@@ -57,8 +57,8 @@ static void fill_right_side(const right_side *b, double *x)
             if (op->rows[end].source != BAT_FROM_DATA ||
                 op->rows[end].index != op->rows[end - 1].index + 1)
                 break;
-        memcpy(x + (size_t)i * b->width, row_of(b, &op->rows[i]),
-               (size_t)(end - i) * b->width * sizeof *x);
+        memcpy(x + (size_t)i * b->given.width, row_of(b, &op->rows[i]),
+               (size_t)(end - i) * b->given.width * sizeof *x);
     }
 }
 
@@ -66,13 +66,13 @@ static void fill_right_side(const right_side *b, double *x)
 static void make_slopes(const right_side *b)
 {
     const bat_operator *op = b->op;
-    const size_t w = b->width, last = (size_t)op->data_count - 1;
-    const double *first = b->data, *end = b->data + last * w;
+    const size_t w = b->given.width, last = (size_t)op->data_count - 1;
+    const double *first = b->given.data, *end = b->given.data + last * w;
     const bool two = op->data_count == 2;
-    bat_bessel_slope(w, op->step[0], op->step[1], first, first + w, two ? end : first + 2 * w,
-                     b->slopes);
-    bat_bessel_slope(w, -op->step[3], -op->step[2], end, end - w, two ? first : end - 2 * w,
-                     b->slopes + w);
+    const double *const from_start[] = {first, first + w, two ? end : first + 2 * w};
+    const double *const from_end[] = {end, end - w, two ? first : end - 2 * w};
+    bat_bessel_slope(w, (const double[]){op->step[0], op->step[1]}, from_start, b->slopes);
+    bat_bessel_slope(w, (const double[]){-op->step[3], -op->step[2]}, from_end, b->slopes + w);
 }
 
 /* In place: solve, and for a periodic spline turn the sequence so that it begins with point 0.
@@ -104,11 +104,11 @@ static void make_fair(const right_side *b, double *x)
     const int ends = op->fair_count;
     const double determinant =
         ends == 2 ? op->gram[0][0] * op->gram[1][1] - op->gram[0][1] * op->gram[1][0] : 0;
-    for (size_t k = 0; k < b->width; k++) {
+    for (size_t k = 0; k < b->given.width; k++) {
         double pull[2] = {0, 0}, change[2];
         for (int e = 0; e < ends; e++)
             for (size_t i = 0; i < n; i++)
-                pull[e] -= op->gradient[(size_t)e * n + i] * x[i * b->width + k];
+                pull[e] -= op->gradient[(size_t)e * n + i] * x[i * b->given.width + k];
         change[0] = ends == 1
                         ? pull[0] / op->gram[0][0]
                         : (pull[0] * op->gram[1][1] - pull[1] * op->gram[0][1]) / determinant;
@@ -116,9 +116,9 @@ static void make_fair(const right_side *b, double *x)
             ends == 1 ? 0 : (pull[1] * op->gram[0][0] - pull[0] * op->gram[1][0]) / determinant;
         for (int e = 0; e < ends; e++) {
             const bool at_start = op->rows[op->fair_row[e]].source == BAT_FROM_BESSEL_START;
-            b->slopes[(at_start ? 0 : b->width) + k] += change[e];
+            b->slopes[(at_start ? 0 : b->given.width) + k] += change[e];
             for (size_t i = 0; i < n; i++)
-                x[i * b->width + k] += change[e] * op->response[(size_t)e * n + i];
+                x[i * b->given.width + k] += change[e] * op->response[(size_t)e * n + i];
         }
     }
 }
@@ -174,7 +174,7 @@ ALWAYS_INLINE double worst_of(const right_side *b, size_t width, const double *x
 static double worst_miss(const right_side *b, const double *x, double *residual, int *where)
 {
     double few[3];
-    switch (b->width) {
+    switch (b->given.width) {
     case 1:
         return worst_of(b, 1, x, few, where);
     case 2:
@@ -182,20 +182,20 @@ static double worst_miss(const right_side *b, const double *x, double *residual,
     case 3:
         return worst_of(b, 3, x, few, where);
     default:
-        return worst_of(b, b->width, x, residual, where);
+        return worst_of(b, b->given.width, x, residual, where);
     }
 }
 
 /* One step of iterative refinement. */
 static batten_status refine(const right_side *b, double *x)
 {
-    const size_t size = (size_t)b->op->count * b->width;
+    const size_t size = (size_t)b->op->count * b->given.width;
     double *step = bat_array(size, sizeof *step);
     if (!step)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < b->op->count; i++)
-        residual_row(b, b->width, x, i, step + (size_t)i * b->width);
-    const batten_status status = solve(b->op, b->width, step);
+        residual_row(b, b->given.width, x, i, step + (size_t)i * b->given.width);
+    const batten_status status = solve(b->op, b->given.width, step);
     for (size_t i = 0; status == BATTEN_OK && i < size; i++)
         x[i] += step[i];
     bat_release(step);
@@ -204,10 +204,10 @@ static batten_status refine(const right_side *b, double *x)
 
 static batten_status check_residual(const right_side *b, double *x, double *residual)
 {
-    const size_t n = (size_t)b->op->count * b->width;
+    const size_t n = (size_t)b->op->count * b->given.width;
     for (int attempt = 0;; attempt++) {
-        const double size =
-            bat_max(largest((size_t)b->op->data_count * b->width, b->data), largest(n, x));
+        const double size = bat_max(
+            largest((size_t)b->op->data_count * b->given.width, b->given.data), largest(n, x));
         if (bat_first_not_finite(x, n) < n)
             return bat_fail(BATTEN_OVERFLOW, "a control point became too large");
         int where = 0;
@@ -225,15 +225,14 @@ static batten_status check_residual(const right_side *b, double *x, double *resi
     }
 }
 
-batten_status bat_operator_apply(const bat_operator *op, size_t width, const double *data,
-                                 const double *start, const double *end,
-                                 const double *conditions, double *control)
+batten_status bat_operator_apply(const bat_operator *op, const bat_spline_data *given,
+                                 double *control)
 {
+    const size_t width = given->width;
     double *scratch = bat_array3(4, width, sizeof *scratch);
     if (!scratch)
         return BATTEN_OUT_OF_MEMORY;
-    const right_side b = {op,  width,      data,    start,
-                          end, conditions, scratch, scratch + 2 * width};
+    const right_side b = {op, *given, scratch, scratch + 2 * width};
     if (!op->periodic)
         make_slopes(&b);
     fill_right_side(&b, control);

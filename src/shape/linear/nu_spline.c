@@ -29,8 +29,7 @@ typedef struct {
     double *off;      /* [spans] beside it: the last one joins a closed curve's ends */
     double *matrix;   /* [count][2] */
     double *slopes;   /* [count][dimension + closed]: the solution, and the border */
-    batten_end_kind kinds[2];
-    double values[2][3];
+    bat_ends ends;
 } nu_spline;
 
 /* ---- the data ---- */
@@ -105,15 +104,15 @@ static void set_end(nu_spline *t, int end)
     const int d = t->dimension, i = end ? t->count - 1 : 0, beside = end ? i - 1 : 1;
     const int span = end ? t->spans - 1 : 0;
     const double c = t->c[span], h = t->u[span + 1] - t->u[span], sign = end ? -1 : 1;
-    const bool line = t->kinds[0] == BATTEN_END_PARABOLIC &&
-                      t->kinds[1] == BATTEN_END_PARABOLIC && t->count == 2;
+    const bool line = t->ends.kinds[0] == BATTEN_END_PARABOLIC &&
+                      t->ends.kinds[1] == BATTEN_END_PARABOLIC && t->count == 2;
     double *right = t->right + i * d;
-    if (t->kinds[end] == BATTEN_END_SECOND) {
+    if (t->ends.kinds[end] == BATTEN_END_SECOND) {
         for (int k = 0; k < d; k++)
-            right[k] -= sign * (c * h) * t->values[end][k] / 2;
+            right[k] -= sign * (c * h) * t->ends.values[end][k] / 2;
         return;
     }
-    if (t->kinds[end] == BATTEN_END_PARABOLIC && !line) {
+    if (t->ends.kinds[end] == BATTEN_END_PARABOLIC && !line) {
         t->diagonal[i] = c;
         for (int k = 0; k < d; k++)
             right[k] = 2 * c * chord_slope(t, span, k);
@@ -121,7 +120,7 @@ static void set_end(nu_spline *t, int end)
     }
     t->diagonal[i] = 1;
     for (int k = 0; k < d; k++) {
-        right[k] = line ? chord_slope(t, span, k) : t->values[end][k];
+        right[k] = line ? chord_slope(t, span, k) : t->ends.values[end][k];
         t->right[beside * d + k] -= t->off[span] * right[k];
     }
     t->off[span] = 0;
@@ -135,7 +134,7 @@ static void assemble(nu_spline *t)
         t->diagonal[i] += t->nu[i] / 2;
     if (!t->closed) {
         /* A clamped end moves its part to the other row before that is replaced. */
-        const int first = t->kinds[0] == BATTEN_END_CLAMPED ? 1 : 0;
+        const int first = t->ends.kinds[0] == BATTEN_END_CLAMPED ? 1 : 0;
         set_end(t, first);
         set_end(t, 1 - first);
     }
@@ -253,8 +252,8 @@ static batten_status solve(nu_spline *t, const batten_curve_weighted_options *o)
     batten_status status = bat_parameters_of(t->dimension, t->count, t->points, o->parameters,
                                              o->given, o->closed, &t->u);
     if (status == BATTEN_OK && !o->closed)
-        status = bat_ends_plain(t->dimension, t->count, t->points, t->u, ends,
-                                "weighted splines", t->kinds, t->values);
+        status = bat_ends_plain((batten_points){t->dimension, t->count, t->points}, t->u, ends,
+                                "weighted splines", &t->ends);
     if (status == BATTEN_OK)
         status = allocate(t);
     if (status == BATTEN_OK)

@@ -237,17 +237,15 @@ static batten_status make_quadratic(quadratic_spline *q,
 }
 
 /* Averaged knots of degree 2 are those midway between the data. */
-static batten_status between(int dimension, int count, const double *points,
-                             const batten_curve_quadratic_options *o, double *parameters,
-                             batten_curve **out)
+static batten_status between(batten_points points, const batten_curve_quadratic_options *o,
+                             double *parameters, batten_curve **out)
 {
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.degree = 2;
     options.knots_at_data = false;
     options.parameters = o->parameters;
     options.given = o->given;
-    return batten_curve_interpolate((batten_points){dimension, count, points}, &options,
-                                    parameters, out);
+    return batten_curve_interpolate(points, &options, parameters, out);
 }
 
 batten_status batten_curve_quadratic(batten_points points,
@@ -267,7 +265,7 @@ batten_status batten_curve_quadratic(batten_points points,
                         "there is no quadratic spline of kind %d, slope %d", (int)o->kind,
                         (int)o->slope);
     if (o->kind == BATTEN_QUADRATIC_BETWEEN)
-        return between(points.dimension, points.count, points.at, o, parameters, out);
+        return between(points, o, parameters, out);
     status = bat_points_check(points.dimension, points.count, points.at, has_midpoints ? 3 : 2);
     if (status != BATTEN_OK)
         return status;

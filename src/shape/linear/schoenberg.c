@@ -19,16 +19,20 @@ batten_curve_schoenberg_options batten_curve_schoenberg_defaults(void)
                                              .parameters = BATTEN_CHORD};
 }
 
-typedef struct {
+typedef struct refinement refinement;
+
+struct refinement {
     int dimension, count; /* of the data */
     const double *points;
+    int most_degree; /* of what `make` can do */
+    void (*make)(refinement *t);
     bool periodic;
     double *t;       /* [count], periodic [count + 1] */
     int degree;      /* p */
     int values;      /* control points; periodic: of one period */
     double *U;       /* all knots, those of a period wrapped */
     double *control; /* [values][dimension] */
-} refinement;
+};
 
 /* ---- blossoms ---- */
 
@@ -192,15 +196,14 @@ static batten_status make_curve(const refinement *t, batten_curve **out)
                                      t->degree, NULL, t->U, out);
 }
 
-static batten_status begin_refining(refinement *t, const batten_curve_schoenberg_options *o,
-                                    int most_degree)
+static batten_status begin_refining(refinement *t, const batten_curve_schoenberg_options *o)
 {
     batten_status status = bat_points_check(t->dimension, t->count, t->points, 2);
     if (status != BATTEN_OK)
         return status;
-    if (o->degree < 1 || o->degree > most_degree)
+    if (o->degree < 1 || o->degree > t->most_degree)
         return bat_fail(BATTEN_BAD_DEGREE, "the degree is %d; it must be in 1..%d", o->degree,
-                        most_degree);
+                        t->most_degree);
     if ((int)o->parameters < 0 || o->parameters > BATTEN_GIVEN)
         return bat_fail(BATTEN_BAD_ARGUMENT, "unknown parametrization %d", (int)o->parameters);
     if (o->closed && o->bernstein)
@@ -215,18 +218,17 @@ static batten_status begin_refining(refinement *t, const batten_curve_schoenberg
 }
 
 static batten_status refine_until_near(refinement *t, const batten_curve_schoenberg_options *o,
-                                       int most_degree, void (*make)(refinement *t),
                                        double *parameters,
                                        batten_curve_schoenberg_report *report,
                                        batten_curve **out)
 {
     batten_curve_schoenberg_report reached;
     batten_curve *curve = NULL;
-    batten_status status = begin_refining(t, o, most_degree);
+    batten_status status = begin_refining(t, o);
     if (status == BATTEN_OK)
         status = make_knots(t, o->bernstein);
     if (status == BATTEN_OK) {
-        make(t);
+        t->make(t);
         status = make_curve(t, &curve);
     }
     if (status == BATTEN_OK)
@@ -256,9 +258,12 @@ batten_status batten_curve_schoenberg(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_schoenberg_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    refinement t = {.dimension = points.dimension, .count = points.count, .points = points.at};
-    return refine_until_near(&t, &chosen, BATTEN_MAX_DEGREE, make_schoenberg, parameters,
-                             report, out);
+    refinement t = {.dimension = points.dimension,
+                    .count = points.count,
+                    .points = points.at,
+                    .most_degree = BATTEN_MAX_DEGREE,
+                    .make = make_schoenberg};
+    return refine_until_near(&t, &chosen, parameters, report, out);
 }
 
 batten_status batten_curve_quasi_interpolate(batten_points points,
@@ -271,11 +276,14 @@ batten_status batten_curve_quasi_interpolate(batten_points points,
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_schoenberg_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    refinement t = {.dimension = points.dimension, .count = points.count, .points = points.at};
+    refinement t = {.dimension = points.dimension,
+                    .count = points.count,
+                    .points = points.at,
+                    .most_degree = MOST_LOCAL_DEGREE,
+                    .make = make_quasi};
     if (chosen.bernstein)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a quasi-interpolant has its knots at the data");
-    return refine_until_near(&t, &chosen, MOST_LOCAL_DEGREE, make_quasi, parameters, report,
-                             out);
+    return refine_until_near(&t, &chosen, parameters, report, out);
 }
 
 /* ---- functions that are known everywhere ---- */

@@ -97,8 +97,8 @@ static batten_status prepare(bat_tension *t, const batten_chain_tension_options 
     batten_status status = bat_parameters_of(t->dimension, t->count, t->points, o->parameters,
                                              o->given, o->closed, &t->u);
     if (status == BATTEN_OK && !o->closed)
-        status = bat_ends_plain(t->dimension, t->count, t->points, t->u, ends,
-                                "splines in tension", t->kinds, t->values);
+        status = bat_ends_plain((batten_points){t->dimension, t->count, t->points}, t->u, ends,
+                                "splines in tension", &t->ends);
     if (status == BATTEN_OK)
         status = allocate(t);
     return status == BATTEN_OK ? fill(t, o) : status;

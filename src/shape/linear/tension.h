@@ -3,6 +3,7 @@
 #ifndef BAT_TENSION_H
 #define BAT_TENSION_H
 #include "numeric/vector.h"
+#include "shape/linear/end_conditions.h"
 #include <batten/interpolate.h>
 
 typedef struct {
@@ -16,8 +17,7 @@ typedef struct {
                              and at the other */
     double *matrix;       /* [count][3] */
     double *moments;      /* [count][dimension] second derivatives */
-    batten_end_kind kinds[2]; /* CLAMPED, SECOND, PARABOLIC */
-    double values[2][3];
+    bat_ends ends;        /* CLAMPED, SECOND, PARABOLIC */
 } bat_tension;
 
 /* The second derivatives for the tensions as they are. */

@@ -117,10 +117,10 @@ static bool slopes_at(const bat_tension *t, int i, batten_vec3 *before, batten_v
 {
     const int left = span_before(t, i), right = span_after(t, i);
     const int end = left < 0 ? 0 : 1;
-    if ((left < 0 || right < 0) && t->kinds[end] != BATTEN_END_CLAMPED)
+    if ((left < 0 || right < 0) && t->ends.kinds[end] != BATTEN_END_CLAMPED)
         return false;
-    *before = left < 0 ? slope_of(t, t->values[0]) : chord_slope(t, left);
-    *after = right < 0 ? slope_of(t, t->values[1]) : chord_slope(t, right);
+    *before = left < 0 ? slope_of(t, t->ends.values[0]) : chord_slope(t, left);
+    *after = right < 0 ? slope_of(t, t->ends.values[1]) : chord_slope(t, right);
     *rounding = (left < 0 ? 0 : slope_rounding(t, left) * bat_vec3_norm(*after)) +
                 (right < 0 ? 0 : slope_rounding(t, right) * bat_vec3_norm(*before));
     return true;
@@ -274,11 +274,11 @@ static rise rise_of(const bat_tension *t, int i, int k)
               .end = end[k],
               .M = t->moments[i * d + k],
               .N = t->moments[next * d + k]};
-    r.has_before = left >= 0 || t->kinds[0] == BATTEN_END_CLAMPED;
-    r.before = left >= 0 ? t->slopes[left * d + k] : t->values[0][k];
+    r.has_before = left >= 0 || t->ends.kinds[0] == BATTEN_END_CLAMPED;
+    r.before = left >= 0 ? t->slopes[left * d + k] : t->ends.values[0][k];
     if (!t->closed && i + 1 == t->spans) {
-        r.has_after = t->kinds[1] == BATTEN_END_CLAMPED;
-        r.after = t->values[1][k];
+        r.has_after = t->ends.kinds[1] == BATTEN_END_CLAMPED;
+        r.after = t->ends.values[1][k];
     } else {
         r.has_after = true;
         r.after = t->slopes[right * d + k];

@@ -34,20 +34,20 @@ static void inner_row(bat_tension *t, int i, int before, int after)
 static void end_row(bat_tension *t, int end)
 {
     const int d = t->dimension, i = end ? t->count - 1 : 0, span = end ? t->spans - 1 : 0;
-    const bool line = t->count == 2 && t->kinds[1 - end] == BATTEN_END_PARABOLIC;
+    const bool line = t->count == 2 && t->ends.kinds[1 - end] == BATTEN_END_PARABOLIC;
     double *row = t->matrix + 3 * (size_t)i, *right = t->moments + (size_t)i * (size_t)d;
     const double *slope = t->slopes + (size_t)span * (size_t)d;
     const double sign = end ? -1 : 1;
     memset(row, 0, 3 * sizeof *row);
     memset(right, 0, (size_t)d * sizeof *right);
     row[1] = 1;
-    if (t->kinds[end] == BATTEN_END_CLAMPED) {
+    if (t->ends.kinds[end] == BATTEN_END_CLAMPED) {
         row[1] = t->a[span];
         row[end ? 0 : 2] = t->b[span];
         for (int k = 0; k < d; k++)
-            right[k] = sign * (slope[k] - t->values[end][k]);
-    } else if (t->kinds[end] == BATTEN_END_SECOND)
-        memcpy(right, t->values[end], (size_t)d * sizeof *right);
+            right[k] = sign * (slope[k] - t->ends.values[end][k]);
+    } else if (t->ends.kinds[end] == BATTEN_END_SECOND)
+        memcpy(right, t->ends.values[end], (size_t)d * sizeof *right);
     else if (!line) /* which two parabolic ends of one span are */
         row[end ? 0 : 2] = -1;
 }

@@ -62,10 +62,11 @@ static void tangent_at(const bezier_fit *t, int i, double *out)
         return;
     }
     const int step = i == 0 ? 1 : -1;
-    const double h0 = t->parameters[i + step] - t->parameters[i],
-                 h1 = t->parameters[i + 2 * step] - t->parameters[i + step];
-    bat_bessel_slope((size_t)d, h0, h1, point_at(t, i), point_at(t, i + step),
-                     point_at(t, i + 2 * step), out);
+    const double h[2] = {t->parameters[i + step] - t->parameters[i],
+                         t->parameters[i + 2 * step] - t->parameters[i + step]};
+    const double *const points[] = {point_at(t, i), point_at(t, i + step),
+                                    point_at(t, i + 2 * step)};
+    bat_bessel_slope((size_t)d, h, points, out);
     const double length = bat_norm(d, out);
     if (!(length > 0))
         direction(t, i == 0 ? 0 : i - 1, i == 0 ? 1 : i, out);

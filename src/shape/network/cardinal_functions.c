@@ -70,7 +70,7 @@ batten_status bat_network_make_cardinal(const bat_network *net, int family, bool
     for (size_t i = 0; status == BATTEN_OK && i < m; i++)
         unit[i * m + i] = 1;
     if (status == BATTEN_OK)
-        status = bat_operator_apply(&op, m, unit, NULL, NULL, NULL, control);
+        status = bat_operator_apply(&op, &(bat_spline_data){.width = m, .data = unit}, control);
     if (status == BATTEN_OK)
         status = from_operator(&op, control, m, out);
     bat_release(control);

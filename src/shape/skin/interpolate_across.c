@@ -227,8 +227,8 @@ batten_status bat_skin_across(bat_skin *t)
         status = bat_operator_make(&request, &t->across);
     if (status == BATTEN_OK) {
         t->control = bat_array3((size_t)t->across.count, row, sizeof *t->control);
-        status = t->control ? bat_operator_apply(&t->across, row, t->rows, ends, ends + row,
-                                                 NULL, t->control)
+        const bat_spline_data given = {row, t->rows, ends, ends + row, NULL};
+        status = t->control ? bat_operator_apply(&t->across, &given, t->control)
                             : BATTEN_OUT_OF_MEMORY;
     }
     bat_release(ends);

@@ -194,7 +194,8 @@ static batten_status make_rows(const procedural *s, const bat_operator *op, doub
         unit[k * width + k] = 1;
     memcpy(start + n, s->options.start.vector, d * sizeof *start);
     memcpy(end + n, s->options.end.vector, d * sizeof *end);
-    const batten_status status = bat_operator_apply(op, width, unit, start, end, NULL, rows);
+    const bat_spline_data given = {width, unit, start, end, NULL};
+    const batten_status status = bat_operator_apply(op, &given, rows);
     bat_release(unit);
     return status;
 }
