@@ -35,7 +35,8 @@ batten_status bat_energy_spline_begin(bat_energy_spline *t)
     if (!t->points || !t->parameters)
         return BATTEN_OUT_OF_MEMORY;
     double *u = t->parameters;
-    batten_status status = bat_parametrize(d, n, t->given, BATTEN_CHORD, t->options->closed, u);
+    batten_status status =
+        bat_parametrize((batten_points){d, n, t->given}, BATTEN_CHORD, t->options->closed, u);
     if (status != BATTEN_OK)
         return status;
     const int spans = t->options->closed ? n : n - 1;

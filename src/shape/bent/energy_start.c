@@ -119,8 +119,8 @@ static batten_status make_cubic(const bat_energy_spline *t, batten_parametrizati
     const batten_curve_minimum_energy_options *o = t->options;
     const bool natural = o->energy == BATTEN_ENERGY_BENDING;
     batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
-    const batten_status status =
-        bat_parametrize(t->d, t->count, t->points, parameters, o->closed, out->parameters);
+    const batten_status status = bat_parametrize((batten_points){t->d, t->count, t->points},
+                                                 parameters, o->closed, out->parameters);
     if (status != BATTEN_OK)
         return status;
     options.parameters = BATTEN_GIVEN;

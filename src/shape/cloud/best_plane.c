@@ -34,15 +34,21 @@ static void turn_axes(double from[2][3], double angle, double to[2][3])
     }
 }
 
-/* How wide the points are along both axes, by `size`. */
-static void widths_along(size_t count, const double *points, const double mean[3], double size,
-                         double axes[2][3], double widths[2])
+/* Points about their mean, by a size. */
+typedef struct {
+    size_t count;
+    const double *points, *mean;
+    double size;
+} centred;
+
+/* How wide the points are along both axes. */
+static void widths_along(const centred *p, double axes[2][3], double widths[2])
 {
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    for (size_t t = 0; t < count; t++) {
+    for (size_t t = 0; t < p->count; t++) {
         double off[3];
         for (size_t c = 0; c < 3; c++)
-            off[c] = (points[3 * t + c] - mean[c]) / size;
+            off[c] = (p->points[3 * t + c] - p->mean[c]) / p->size;
         for (int k = 0; k < 2; k++) {
             const double at = bat_dot(3, off, axes[k]);
             low[k] = bat_min(low[k], at);
@@ -60,12 +66,13 @@ static void turn_to_smallest(size_t count, const double *points, const double me
                              double size, double axes[2][3])
 {
     double found[2][3], turned[2][3], widths[2], least;
-    widths_along(count, points, mean, size, axes, widths);
+    const centred all = {count, points, mean, size};
+    widths_along(&all, axes, widths);
     least = 0.9 * widths[0] * widths[1];
     memcpy(found, axes, sizeof found);
     for (int degrees = 1; degrees < 90; degrees++) {
         turn_axes(axes, degrees * BAT_PI / 180, turned);
-        widths_along(count, points, mean, size, turned, widths);
+        widths_along(&all, turned, widths);
         if (widths[0] * widths[1] >= least)
             continue;
         least = widths[0] * widths[1];

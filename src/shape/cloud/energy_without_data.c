@@ -75,10 +75,17 @@ static batten_status find_places(const bat_net_axis *axis, quadrature_places *at
     return BATTEN_OK;
 }
 
-/* Add a place in knot spans (i, j) with its weight, from derivatives along u and v. */
-static void add_place(const bat_scatter *s, int i, int j, double w, const double *u,
-                      const double *v)
+/* A place in knot spans (i, j) with its weight; derivatives of basis functions along u and v. */
+typedef struct {
+    int i, j;
+    double weight;
+    const double *u, *v;
+} weighted_place;
+
+static void add_place(const bat_scatter *s, const weighted_place *place)
 {
+    const int i = place->i, j = place->j;
+    const double w = place->weight, *u = place->u, *v = place->v;
     const int p = s->axis[0].degree, q = s->axis[1].degree, row = 2 * q + 1;
     const double factors[3] = {w, 2 * w, w};
     double second[3][WIDE * WIDE];
@@ -111,9 +118,10 @@ static void add_cell(const bat_scatter *s, const bins *b, const quadrature_place
             const double w = at[0].w[here[0]] * at[1].w[here[1]];
             const int bin = bin_of(s, b, 0, at[0].x[here[0]]) * b->counts[1] +
                             bin_of(s, b, 1, at[1].x[here[1]]);
+            const weighted_place place = {i, j, w, at[0].basis + here[0] * 3 * m,
+                                          at[1].basis + here[1] * 3 * n};
             if (w > 0 && !b->held[bin])
-                add_place(s, i, j, w, at[0].basis + here[0] * 3 * m,
-                          at[1].basis + here[1] * 3 * n);
+                add_place(s, &place);
         }
 }
 

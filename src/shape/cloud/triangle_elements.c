@@ -251,20 +251,22 @@ static batten_status cut_edges(const element_data *data, const bat_triangle_edge
     return status;
 }
 
-/* The two pieces on edge e; z next to the centre, at the corners and `centre` in it. */
-static void set_two_pieces(const element_data *data, const six_split *split, int t, int e,
-                           const double z[3], double centre, batten_triangles *made)
+/* The two pieces on edge e of triangle t, side = 3 t + e; z next to the centre at the corners,
+ * and in it. */
+static void set_two_pieces(const element_data *data, const six_split *split, int side,
+                           const double z[4], batten_triangles *made)
 {
+    const int t = side / 3, e = side % 3;
     const int *corner = data->domain->corners + 3 * t;
     const int ci = (e + 1) % 3, cj = (e + 2) % 3, i = corner[ci], j = corner[cj];
-    const int edge = split->edge_of[3 * t + e];
+    const int edge = split->edge_of[side];
     const double from_low = split->cut[edge], m = i < j ? from_low : 1 - from_low;
     const int first = data->domain->vertex_count, on_edge = first + data->count + edge;
     const double *r = made->vertices + 2 * (size_t)on_edge;
     const double ei = ahead(data, i, r, 0.5), ej = ahead(data, j, r, 0.5);
     const double at_edge = (1 - m) * ei + m * ej, between = (1 - m) * z[ci] + m * z[cj];
-    const double one[6] = {data->f[i], ei, z[ci], at_edge, between, centre};
-    const double two[6] = {at_edge, ej, between, data->f[j], z[cj], centre};
+    const double one[6] = {data->f[i], ei, z[ci], at_edge, between, z[3]};
+    const double two[6] = {at_edge, ej, between, data->f[j], z[cj], z[3]};
     const int piece = 6 * t + 2 * e;
     bat_triangle_set(made, piece, 1, one);
     bat_triangle_set(made, piece + 1, 1, two);
@@ -277,20 +279,20 @@ static void powell_sabin(const element_data *data, const six_split *split, int t
 {
     const int *corner = data->domain->corners + 3 * t;
     const double *centre = split->centres + 2 * (size_t)t;
-    double z[3], b[3], side[3];
+    double z[4], b[3], side[3];
     for (int e = 0; e < 3; e++) {
         const double *p = vertex(data, corner[(e + 1) % 3]),
                      *q = vertex(data, corner[(e + 2) % 3]);
         side[e] = hypot(q[0] - p[0], q[1] - p[1]);
         z[e] = ahead(data, corner[e], centre, 0.5);
     }
-    double value = 0;
+    z[3] = 0;
     for (int e = 0; e < 3; e++) {
         b[e] = side[e] / (side[0] + side[1] + side[2]);
-        value += b[e] * z[e];
+        z[3] += b[e] * z[e];
     }
     for (int e = 0; e < 3; e++)
-        set_two_pieces(data, split, t, e, z, value, made);
+        set_two_pieces(data, split, 3 * t + e, z, made);
 }
 
 static void fill_new_vertices(const element_data *data, const six_split *split,

@@ -86,16 +86,16 @@ static void derivatives(const bat_side *side, double v, batten_vec3 out[MOST])
 }
 
 /* Bezier points 0 .. order from the derivatives at 0: b_k = sum of C(k, j) (n - j)! / n! P(j),
- * each one less than its binomial. `way` -1 runs backwards. */
-static void place_points(int n, int order, const batten_vec3 *derivative, double way,
-                         batten_vec3 *out, int step)
+ * each one less than its binomial. `step` -1 runs backwards, from the last point. */
+static void place_points(int n, int order, const batten_vec3 *derivative, int step,
+                         batten_vec3 *out)
 {
     for (int k = 0; k <= order; k++) {
         batten_vec3 sum = {0, 0, 0};
-        double factor = 1; /* C(k, j) (n - j)! / n! way^j */
+        double factor = 1; /* C(k, j) (n - j)! / n! step^j */
         for (int j = 0; j <= k; j++) {
             sum = bat_vec3_along(sum, factor, derivative[j]);
-            factor *= way * (k - j) / ((j + 1.0) * (n - j));
+            factor *= (double)step * (k - j) / ((j + 1.0) * (n - j));
         }
         out[k * step] = sum;
     }
@@ -109,9 +109,9 @@ static batten_status build_blend(int d, const bat_side sides[2], const batten_bl
     batten_vec3 derivative[MOST], b[MOST_DEGREE + 1];
     double points[(MOST_DEGREE + 1) * 3];
     derivatives(&sides[0], v[0], derivative);
-    place_points(n, ends[0].continuity, derivative, 1, b, 1);
+    place_points(n, ends[0].continuity, derivative, 1, b);
     derivatives(&sides[1], v[1], derivative);
-    place_points(n, ends[1].continuity, derivative, -1, b + n, -1);
+    place_points(n, ends[1].continuity, derivative, -1, b + n);
     for (int i = 0; i <= n; i++) {
         const double p[3] = {b[i].x, b[i].y, b[i].z};
         for (int k = 0; k < d; k++)

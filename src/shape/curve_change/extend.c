@@ -23,6 +23,7 @@ static batten_status tip_at(const batten_curve *curve, bat_tip *out)
         return bat_fail(BATTEN_SINGULAR_HERE, "the curve stands still at its end");
     const double bent = bat_vec3_norm(side.curvature), rate = bat_vec3_norm(side.rate);
     *out = (bat_tip){.dimension = curve->dimension,
+                     .u = batten_curve_domain(curve).b,
                      .p = side.c[0],
                      .t = side.tangent,
                      .speed = bat_vec3_norm(side.c[1])};
@@ -50,9 +51,9 @@ static void put_point(int d, batten_vec3 p, double *to)
         to[k] = values[k];
 }
 
-static batten_status line_piece(const bat_tip *tip, double length, double b, batten_curve **out)
+static batten_status line_piece(const bat_tip *tip, double length, batten_curve **out)
 {
-    const double breaks[2] = {b, b + length / tip->speed};
+    const double breaks[2] = {tip->u, tip->u + length / tip->speed};
     double points[2 * 3];
     put_point(tip->dimension, tip->p, points);
     put_point(tip->dimension, point_beside_tip(tip, tip->p, length, 0),
@@ -64,7 +65,7 @@ static batten_status line_piece(const bat_tip *tip, double length, double b, bat
 /* Rational quadratics that each turn by 90 degrees at most. At the angle a the circle has come
  * (sin a / k, 2 sin^2(a / 2) / k) from the tip, which is right for tiny k as well. The speed at
  * the ends of a piece is that of the tip when it lasts 2 sin(turn / 2) / (k speed). */
-static batten_status arc_piece(const bat_tip *tip, double length, double b, batten_curve **out)
+static batten_status arc_piece(const bat_tip *tip, double length, batten_curve **out)
 {
     enum { MOST = 4 };
     /* A full quarter turn is one piece though its angle be rounded up. */
@@ -82,7 +83,7 @@ static batten_status arc_piece(const bat_tip *tip, double length, double b, batt
         const double a = i * turn, half = sin(a / 2);
         const batten_vec3 on = point_beside_tip(tip, tip->p, sin(a) / k, 2 * half * half / k);
         put_point(d, on, points + (size_t)(2 * i * d));
-        breaks[i] = b + i * (2 * sin(turn / 2) / (k * tip->speed));
+        breaks[i] = tip->u + i * (2 * sin(turn / 2) / (k * tip->speed));
         weights[2 * i] = 1;
         if (i == count)
             break;
@@ -93,13 +94,13 @@ static batten_status arc_piece(const bat_tip *tip, double length, double b, batt
     return batten_curve_from_bezier(d, (batten_pieces){2, count, breaks}, points, weights, out);
 }
 
-static batten_status spiral_piece(const bat_tip *tip, double length, double tolerance, double b,
+static batten_status spiral_piece(const bat_tip *tip, double length, double tolerance,
                                   double *error, batten_curve **out)
 {
     const batten_span span = {
         .kind = BATTEN_SPAN_SPIRAL, .length = length, .curvature = {tip->curvature, tip->rate}};
     const batten_frame frame = {tip->p, tip->t, bat_vec3_cross(tip->t, tip->n)};
-    const double breaks[2] = {b, b + length / tip->speed};
+    const double breaks[2] = {tip->u, tip->u + length / tip->speed};
     batten_chain *flat = NULL, *placed = NULL;
     batten_curve *space = NULL;
     batten_status status =
@@ -116,19 +117,18 @@ static batten_status spiral_piece(const bat_tip *tip, double length, double tole
     return status;
 }
 
-batten_status bat_tip_piece(const bat_tip *tip, batten_extension extension, double length,
-                            double tolerance, double b, double *error, batten_curve **out)
+batten_status bat_tip_piece(const bat_tip *tip, batten_lengthening how, double length,
+                            double *error, batten_curve **out)
 {
     *error = 0;
     /* What bends by less than rounding is straight. */
     const double size = fabs(tip->p.x) + fabs(tip->p.y) + fabs(tip->p.z) + length;
     const double sag = (tip->curvature + fabs(tip->rate) * length) * length * length;
-    if (extension == BATTEN_EXTEND_SPIRAL && tip->rate != 0 && sag > DBL_EPSILON * size)
-        return spiral_piece(tip, length, tolerance, b, error, out);
-    if (extension != BATTEN_EXTEND_LINE &&
-        tip->curvature * length * length > DBL_EPSILON * size)
-        return arc_piece(tip, length, b, out);
-    return line_piece(tip, length, b, out);
+    if (how.kind == BATTEN_EXTEND_SPIRAL && tip->rate != 0 && sag > DBL_EPSILON * size)
+        return spiral_piece(tip, length, how.tolerance, error, out);
+    if (how.kind != BATTEN_EXTEND_LINE && tip->curvature * length * length > DBL_EPSILON * size)
+        return arc_piece(tip, length, out);
+    return line_piece(tip, length, out);
 }
 
 /* ---- at work: beyond the end; for the start the curve is reversed ---- */
@@ -169,8 +169,8 @@ static batten_status add_piece(lengthening *t)
     batten_status status = tip_at(t->curve, &tip);
     const double length = isnan(t->length) ? tip.speed * (t->to - b) : t->length;
     if (status == BATTEN_OK)
-        status = bat_tip_piece(&tip, t->extension, length, t->tolerance, b, &t->report.error,
-                               &piece);
+        status = bat_tip_piece(&tip, (batten_lengthening){t->extension, t->tolerance}, length,
+                               &t->report.error, &piece);
     if (status == BATTEN_OK)
         status = set_end(piece, t->to, &timed);
     if (status == BATTEN_OK)

@@ -8,14 +8,15 @@
 /* Where a curve ends and how it bends there: in space, T and N of length one, N across T. */
 typedef struct {
     int dimension;
+    double u; /* of the tip on its curve, where the domain of a piece begins */
     batten_vec3 p, t, n;
     double speed, curvature, rate; /* curvature and its rate by arc length, towards n */
 } bat_tip;
 
-/* What continues the tip by an arc length, on the domain [b, ..] with the speed of the tip.
+/* What continues the tip by an arc length, on the domain [tip->u, ..] with the speed of the tip.
  * @param error as in batten_curve_extend_report */
-batten_status bat_tip_piece(const bat_tip *tip, batten_extension extension, double length,
-                            double tolerance, double b, double *error, batten_curve **out);
+batten_status bat_tip_piece(const bat_tip *tip, batten_lengthening how, double length,
+                            double *error, batten_curve **out);
 /* A spline clamped at its end, of rows of any width, with its last piece continued to u. */
 batten_status bat_spline_go_on(const bat_spline *from, double u, bat_spline *out);
 /* The clamped curve with its last piece continued to u, beyond its end (extend_natural.c). */

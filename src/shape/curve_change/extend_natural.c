@@ -87,20 +87,20 @@ batten_status bat_curve_go_on(const batten_curve *curve, double u, batten_curve 
     return status;
 }
 
-/* The length from b to u of the curve continued to u; and the parameter at `length`, if it is
- * that long. */
-static batten_status reach_parameter(const batten_curve *curve, double b, double u,
-                                     double length, double tolerance, bool *enough, double *at)
+/* The parameter at `length` from the end of the curve, continued to u; NAN if that is not as
+ * long. */
+static batten_status reach_parameter(const batten_curve *curve, double u, double length,
+                                     double tolerance, double *at)
 {
     batten_curve *longer = NULL, *tail = NULL;
     double reached = 0;
     batten_status status = bat_curve_go_on(curve, u, &longer);
     if (status == BATTEN_OK)
-        status = batten_curve_subrange(longer, b, u, &tail);
+        status = batten_curve_subrange(longer, batten_curve_domain(curve).b, u, &tail);
     if (status == BATTEN_OK)
         status = batten_curve_length(tail, tolerance / 4, NULL, &reached);
-    *enough = reached >= length;
-    if (status == BATTEN_OK && *enough)
+    *at = (double)NAN;
+    if (status == BATTEN_OK && reached >= length)
         status = batten_curve_at_length(tail, 1, &length, tolerance / 2, at);
     batten_curve_unref(tail);
     batten_curve_unref(longer);
@@ -115,12 +115,14 @@ batten_status bat_curve_go_on_by(const batten_curve *curve, double length, doubl
     double low = 0, high = HUGE_VAL, way = first;
     batten_status status = BATTEN_OK;
     for (int i = 0; i < ROUNDS && b + way > b && isfinite(b + way); i++) {
-        bool enough = false;
-        status = reach_parameter(curve, b, b + way, length, tolerance, &enough, u);
+        double at;
+        status = reach_parameter(curve, b + way, length, tolerance, &at);
         if (status != BATTEN_OK && status != BATTEN_BAD_WEIGHT)
             return status;
-        if (status == BATTEN_OK && enough)
+        if (status == BATTEN_OK && !isnan(at)) {
+            *u = at;
             return BATTEN_OK;
+        }
         if (status == BATTEN_OK)
             low = way;
         else

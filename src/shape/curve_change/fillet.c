@@ -99,9 +99,13 @@ static batten_status point_and_slope(const batten_curve *curve, double u, batten
     return status;
 }
 
+typedef struct {
+    batten_curve *curve;
+    batten_curves_fillet_report report;
+} fillet_arc;
+
 static batten_status make_arc(const batten_curve *const curves[2], const batten_frame *frame,
-                              double radius, const bat_fillet_place *place,
-                              batten_curves_fillet_report *report, batten_curve **out)
+                              double radius, const bat_fillet_place *place, fillet_arc *out)
 {
     const batten_vec3 z = bat_vec3_scale(frame->z, place->side / bat_vec3_norm(frame->z));
     batten_vec3 p[2], slope[2];
@@ -112,6 +116,7 @@ static batten_status make_arc(const batten_curve *const curves[2], const batten_
         return status;
     const double speed = bat_vec3_norm(slope[0]);
     const bat_tip tip = {.dimension = curves[0]->dimension,
+                         .u = place->u[0],
                          .p = p[0],
                          .t = bat_vec3_scale(slope[0], 1 / speed),
                          .n = bat_vec3_cross(z, bat_vec3_scale(slope[0], 1 / speed)),
@@ -121,22 +126,22 @@ static batten_status make_arc(const batten_curve *const curves[2], const batten_
     const double angle = atan2(sine, bat_vec3_dot(slope[0], slope[1]));
     double none, last[3];
     batten_curve *made = NULL;
-    status =
-        bat_tip_piece(&tip, BATTEN_EXTEND_ARC, radius * angle, 1, place->u[0], &none, &made);
+    status = bat_tip_piece(&tip, (batten_lengthening){BATTEN_EXTEND_ARC, 1}, radius * angle,
+                           &none, &made);
     if (status == BATTEN_OK)
         status = batten_curve_evaluate(made, batten_curve_domain(made).b, 0, last);
     if (status != BATTEN_OK) {
         batten_curve_unref(made);
         return status;
     }
-    *report = (batten_curves_fillet_report){
+    out->report = (batten_curves_fillet_report){
         .u = {place->u[0], place->u[1]},
         .center = bat_vec3_along(p[0], radius, tip.n),
         .angle = angle,
         .gap = bat_vec3_norm(bat_vec3_subtract(bat_vec3_of(tip.dimension, last), p[1])),
         .found = place->found,
         .complete = place->complete};
-    *out = made;
+    out->curve = made;
     return BATTEN_OK;
 }
 
@@ -188,10 +193,10 @@ batten_status batten_curves_fillet(const batten_curve *first, const batten_curve
 {
     assert(first && second && arc);
     const batten_curve *const curves[2] = {first, second};
-    batten_curve *flat[2] = {NULL, NULL}, *made = NULL;
+    batten_curve *flat[2] = {NULL, NULL};
+    fillet_arc made = {.curve = NULL};
     batten_frame frame;
     bat_fillet_place place = {{0, 0}, 1, 0, false};
-    batten_curves_fillet_report done = {.found = 0};
     batten_status status = check_curves(curves, radius, tolerance);
     if (status != BATTEN_OK)
         return status;
@@ -202,16 +207,16 @@ batten_status batten_curves_fillet(const batten_curve *first, const batten_curve
     if (status == BATTEN_OK)
         status = bat_fillet_search((const batten_curve *const *)flat, radius, &place);
     if (status == BATTEN_OK)
-        status = make_arc(curves, &frame, radius, &place, &done, &made);
+        status = make_arc(curves, &frame, radius, &place, &made);
     const double gap = tolerance + 64 * DBL_EPSILON * (size + radius);
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
-        status = verify_join(curves[k], made, place.u[k], k == 0, gap);
+        status = verify_join(curves[k], made.curve, place.u[k], k == 0, gap);
     if (status == BATTEN_OK) {
         if (report)
-            *report = done;
-        *arc = made;
+            *report = made.report;
+        *arc = made.curve;
     } else {
-        batten_curve_unref(made);
+        batten_curve_unref(made.curve);
     }
     batten_curve_unref(flat[1]);
     batten_curve_unref(flat[0]);

@@ -27,10 +27,13 @@ typedef struct {
 
 /* ---- one place ---- */
 
-/* The centre of the circle that touches at u, how it moves with u, and the unit tangent there.
- */
-static batten_status center_at(const search *s, int k, int side, double u, double center[2],
-                               double slope[2], double tangent[2])
+/* The centre of the circle that touches at a parameter, how it moves with that, and the unit
+ * tangent there. */
+typedef struct {
+    double center[2], slope[2], tangent[2];
+} contact;
+
+static batten_status contact_at(const search *s, int k, int side, double u, contact *out)
 {
     double c[3 * 2];
     const batten_status status = batten_curve_evaluate(s->curves[k], u, 2, c);
@@ -39,11 +42,11 @@ static batten_status center_at(const search *s, int k, int side, double u, doubl
     const double v = bat_norm(2, c + 2), bend = (c[2] * c[5] - c[3] * c[4]) / (v * v * v);
     const double r = side * s->radius;
     for (int i = 0; i < 2; i++) {
-        tangent[i] = c[2 + i] / v;
-        slope[i] = (1 - r * bend) * c[2 + i];
+        out->tangent[i] = c[2 + i] / v;
+        out->slope[i] = (1 - r * bend) * c[2 + i];
     }
-    center[0] = c[0] - r * tangent[1];
-    center[1] = c[1] + r * tangent[0];
+    out->center[0] = c[0] - r * out->tangent[1];
+    out->center[1] = c[1] + r * out->tangent[0];
     return BATTEN_OK;
 }
 
@@ -58,23 +61,26 @@ static bool turns(int side, const double *ta, const double *tb)
 static batten_status refine_centre(const search *s, int side, double u[2], bool *good)
 {
     enum { ROUNDS = 40 };
-    double c[2][2], d[2][2], t[2][2];
+    contact at[2];
     *good = false;
     for (int round = 0; round < ROUNDS; round++) {
         for (int k = 0; k < 2; k++) {
-            const batten_status status = center_at(s, k, side, u[k], c[k], d[k], t[k]);
+            const batten_status status = contact_at(s, k, side, u[k], &at[k]);
             if (status != BATTEN_OK)
                 return status;
         }
-        const double f[2] = {c[1][0] - c[0][0], c[1][1] - c[0][1]};
-        const double det = d[0][1] * d[1][0] - d[0][0] * d[1][1];
+        const double f[2] = {at[1].center[0] - at[0].center[0],
+                             at[1].center[1] - at[0].center[1]};
+        const double *d0 = at[0].slope, *d1 = at[1].slope;
+        const double det = d0[1] * d1[0] - d0[0] * d1[1];
         const double before[2] = {u[0], u[1]};
         /* Both centres are one but for rounding. */
-        *good = bat_norm(2, f) <= 1e-12 * (s->size + s->radius) && turns(side, t[0], t[1]);
+        *good = bat_norm(2, f) <= 1e-12 * (s->size + s->radius) &&
+                turns(side, at[0].tangent, at[1].tangent);
         if (!isfinite(bat_norm(2, f)) || !(fabs(det) > 0))
             return BATTEN_OK;
-        u[0] += (d[1][0] * f[1] - d[1][1] * f[0]) / det;
-        u[1] += (d[0][0] * f[1] - d[0][1] * f[0]) / det;
+        u[0] += (d1[0] * f[1] - d1[1] * f[0]) / det;
+        u[1] += (d0[0] * f[1] - d0[1] * f[0]) / det;
         for (int k = 0; k < 2; k++) {
             const batten_interval domain = batten_curve_domain(s->curves[k]);
             u[k] = bat_min(domain.b, bat_max(domain.a, u[k]));

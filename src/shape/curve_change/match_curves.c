@@ -237,22 +237,22 @@ static batten_status check_match(const batten_curve *first, const batten_curve *
 
 /* With clamped curves. */
 static batten_status match(const batten_curve *first, const batten_curve *second,
-                           batten_match_kind kind, int order, batten_match_mover mover,
-                           double *moved, batten_curve **made)
+                           batten_match how, double *moved, batten_curve **made)
 {
-    const bool moves[2] = {mover != BATTEN_MATCH_MOVES_SECOND,
-                           mover != BATTEN_MATCH_MOVES_FIRST};
+    const int order = how.order;
+    const bool moves[2] = {how.mover != BATTEN_MATCH_MOVES_SECOND,
+                           how.mover != BATTEN_MATCH_MOVES_FIRST};
     end left, right;
     end *const ends[2] = {&left, &right};
     batten_status status = look_at_end(first, true, order, &left);
     if (status == BATTEN_OK)
         status = look_at_end(second, false, order, &right);
     if (status == BATTEN_OK)
-        status = kind == BATTEN_MATCH_PARAMETRIC ? match_derivatives(ends, moves)
-                                                 : match_shapes(ends, moves, order);
+        status = how.kind == BATTEN_MATCH_PARAMETRIC ? match_derivatives(ends, moves)
+                                                     : match_shapes(ends, moves, order);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         status = rebuild(ends[k], moved, &made[k]);
-    return status == BATTEN_OK ? verify_match(made[0], made[1], kind, order) : status;
+    return status == BATTEN_OK ? verify_match(made[0], made[1], how.kind, order) : status;
 }
 
 batten_status batten_curves_match(const batten_curve *first, const batten_curve *second,
@@ -267,7 +267,7 @@ batten_status batten_curves_match(const batten_curve *first, const batten_curve 
     if (status == BATTEN_OK)
         status = batten_curve_clamp(second, &clamped[1]);
     if (status == BATTEN_OK)
-        status = match(clamped[0], clamped[1], how.kind, how.order, how.mover, &longest, made);
+        status = match(clamped[0], clamped[1], how, &longest, made);
     if (status == BATTEN_OK) {
         *first_out = batten_curve_ref(made[0]);
         *second_out = batten_curve_ref(made[1]);

@@ -32,10 +32,16 @@ void bat_offset_runs_release(bat_offset *o);
 bool bat_plan_is_line(const batten_curve *part);
 /* Take a run over, also after a failure. */
 batten_status bat_offset_add(bat_offset *o, batten_status status, batten_curve *curve);
-/* From q to r around the outside of the corner at p: `turn` is the angle from the tangent
- * before, `t`, to that behind (offset_corners.c). */
-batten_status bat_offset_corner(bat_offset *o, const double *p, const double *t, double turn,
-                                const double *q, const double *r);
+/* A corner of the plan, and what the offset leaves and takes up there. */
+typedef struct {
+    const double *p;     /* the corner */
+    const double *t;     /* the tangent before it; at the end of a curve NULL */
+    double turn;         /* the angle to the tangent behind */
+    const double *q, *r; /* where the offset stops and goes on; r is NULL at an end */
+} bat_offset_gap;
+
+/* From q to r around the outside of the corner (offset_corners.c). */
+batten_status bat_offset_corner(bat_offset *o, const bat_offset_gap *at);
 /* Where runs cross the rest of the rim of all that is nearer than the distance: the offset on
  * the other side and the round caps of the ends. Each is added with the passage of the run in
  * both places (offset_entries.c). */

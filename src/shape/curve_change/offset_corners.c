@@ -31,11 +31,11 @@ static batten_status add_arc(bat_offset *o, const double *p, double turn, const 
 }
 
 /* The points at which the sides, extended by `further`, are left. */
-static batten_status add_straight(bat_offset *o, const double *t, double turn, double further,
-                                  bool mitre, const double *q, const double *r)
+static batten_status add_straight(bat_offset *o, const bat_offset_gap *at, double further,
+                                  bool mitre)
 {
     const int d = o->full->dimension;
-    const double c = cos(turn), s = sin(turn);
+    const double *t = at->t, *q = at->q, *r = at->r, c = cos(at->turn), s = sin(at->turn);
     const double behind[2] = {c * t[0] - s * t[1], s * t[0] + c * t[1]};
     double points[4 * 3] = {0};
     for (int k = 0; k < d; k++) {
@@ -51,13 +51,12 @@ static batten_status add_straight(bat_offset *o, const double *t, double turn, d
     return add_polyline(o, 3, points);
 }
 
-batten_status bat_offset_corner(bat_offset *o, const double *p, const double *t, double turn,
-                                const double *q, const double *r)
+batten_status bat_offset_corner(bat_offset *o, const bat_offset_gap *at)
 {
-    const double radius = fabs(o->distance), half = fabs(turn) / 2;
+    const double radius = fabs(o->distance), half = fabs(at->turn) / 2;
     const bool mitre =
         o->options.corners == BATTEN_OFFSET_MITRE && cos(half) * o->options.mitre_limit >= 1;
     if (o->options.corners == BATTEN_OFFSET_ROUND)
-        return add_arc(o, p, turn, q);
-    return add_straight(o, t, turn, radius * (mitre ? tan(half) : tan(half / 2)), mitre, q, r);
+        return add_arc(o, at->p, at->turn, at->q);
+    return add_straight(o, at, radius * (mitre ? tan(half) : tan(half / 2)), mitre);
 }

@@ -9,7 +9,8 @@
 static batten_status add_cap(const bat_offset *o, const double *p, const double *q,
                              bat_offset *rim)
 {
-    return bat_offset_corner(rim, p, NULL, -copysign(BAT_PI, o->distance), q, NULL);
+    const bat_offset_gap gap = {.p = p, .turn = -copysign(BAT_PI, o->distance), .q = q};
+    return bat_offset_corner(rim, &gap);
 }
 
 /* Behind the last run, so that caps follow runs end to start: around the end of the curve, the

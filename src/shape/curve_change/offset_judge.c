@@ -36,10 +36,11 @@ batten_status bat_offset_distances(const bat_offset_trimming *t, int count,
         NULL, out, &all);
 }
 
-/* Between a, judged `good`, and b, judged otherwise: the last good place. */
-static batten_status find_change(const bat_offset_trimming *t, int run, double a, double b,
+/* Between two places, the first judged `good` and the second otherwise: the last good one. */
+static batten_status find_change(const bat_offset_trimming *t, int run, batten_interval between,
                                  bool good, double *at)
 {
+    double a = between.a, b = between.b;
     for (int i = 0; i < HALVINGS; i++) {
         double point[2], distance;
         const double middle = a + (b - a) / 2;
@@ -76,9 +77,10 @@ static batten_status add_sample(samples *s, int run, double a, double b, double 
 }
 
 /* Between two cuts of a run, POINTS on each of its pieces, and the cuts themselves. */
-static batten_status add_samples(samples *s, int run, double a, double b, int break_count,
+static batten_status add_samples(samples *s, int run, batten_interval cuts, int break_count,
                                  const double *breaks)
 {
+    const double a = cuts.a, b = cuts.b;
     batten_status status = add_sample(s, run, a, b, a);
     double from = a;
     for (int i = 0; i < break_count && status == BATTEN_OK && from < b; i++) {
@@ -116,7 +118,7 @@ static batten_status sample_run(const bat_offset_trimming *t, int run, int count
         const double a = snapped(cuts[i], breaks, at), b = snapped(cuts[i + 1], breaks, at);
         /* What rounding leaves between two cuts at one place is no part. */
         if (b - a > BAT_ROUNDING * (at[breaks - 1] - at[0]))
-            status = add_samples(s, run, a, b, breaks, at);
+            status = add_samples(s, run, (batten_interval){a, b}, breaks, at);
     }
     bat_release(at);
     return status;
@@ -251,7 +253,8 @@ static batten_status keep_good(bat_offset_trimming *t, const samples *s)
             if (same && (s->far[i + 1] >= t->least) == good)
                 continue;
             if (same)
-                status = find_change(t, first->run, s->at[i].u, s->at[i + 1].u, good, &to);
+                status = find_change(t, first->run,
+                                     (batten_interval){s->at[i].u, s->at[i + 1].u}, good, &to);
             if (status == BATTEN_OK && good)
                 status = add_part(t, first->run, from, to);
             t->removed += !good;

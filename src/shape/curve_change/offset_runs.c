@@ -140,12 +140,12 @@ static batten_status is_arc(const bat_offset *o, const batten_curve *part,
 }
 
 /* The map that takes a line or an arc to its offset; false when the part is neither. */
-static batten_status exact_map(const bat_offset *o, double a, double b,
-                               const bat_run_place *start, bool *exact, batten_affine *map)
+static batten_status exact_map(const bat_offset *o, const bat_run_place *start,
+                               const bat_run_place *end, bool *exact, batten_affine *map)
 {
     batten_curve *part = NULL;
     double centre[2] = {0, 0};
-    batten_status status = bat_bezier_part(o->plan, a, b, &part);
+    batten_status status = bat_bezier_part(o->plan, start->u, end->u, &part);
     if (status != BATTEN_OK)
         return status;
     *exact = bat_plan_is_line(part);
@@ -211,7 +211,8 @@ static batten_status add_corner(bat_offset *o, const bat_run_place *left,
     if (fabs(turn * o->distance) <= bat_min(o->options.tolerance / 4, 1e-6 * o->size))
         return BATTEN_OK;
     if (turn * o->distance < 0)
-        return bat_offset_corner(o, left->p, left->t, turn, left->q[0], right->q[0]);
+        return bat_offset_corner(
+            o, &(bat_offset_gap){left->p, left->t, turn, left->q[0], right->q[0]});
     if (o->options.loops == BATTEN_LOOPS_REMOVE)
         return BATTEN_OK;
     const int d = o->full->dimension;
@@ -226,7 +227,7 @@ static batten_status add_part(bat_offset *o, bat_strand *s, bat_run_place *start
 {
     bool exact;
     batten_affine map;
-    batten_status status = exact_map(o, start->u, end->u, start, &exact, &map);
+    batten_status status = exact_map(o, start, end, &exact, &map);
     if (status == BATTEN_OK && exact) {
         status = bat_strand_hand_over(o, s);
         if (status == BATTEN_OK && !(start->k != 0 && collapses(o, start)))

@@ -32,15 +32,26 @@ static double *sample_places(const batten_surface *surface, batten_direction dir
     return places;
 }
 
-/* The box of `count` points, `step` numbers apart, and the largest second difference. */
-static void widen_by_line(int d, size_t count, size_t step, const double *points, double low[3],
-                          double high[3], double bend[3])
+/* Points of a grid that stand in a line, `step` numbers apart. */
+typedef struct {
+    size_t count, step;
+    const double *points;
+} grid_line;
+
+typedef struct {
+    double low[3], high[3];
+} extent;
+
+/* The box of the points, and their largest second difference. */
+static void widen_by_line(int d, const grid_line *line, extent *box, double bend[3])
 {
+    const size_t count = line->count, step = line->step;
+    const double *points = line->points;
     for (size_t i = 0; i < count; i++)
         for (int x = 0; x < d; x++) {
             const double at = points[i * step + (size_t)x];
-            low[x] = bat_min(low[x], at);
-            high[x] = bat_max(high[x], at);
+            box->low[x] = bat_min(box->low[x], at);
+            box->high[x] = bat_max(box->high[x], at);
             if (i == 0 || i + 1 == count)
                 continue;
             const double before = points[(i - 1) * step + (size_t)x],
@@ -51,19 +62,21 @@ static void widen_by_line(int d, size_t count, size_t step, const double *points
 
 static batten_box box_of_samples(int d, size_t count_u, size_t count_v, const double *points)
 {
-    double low[3] = {0}, high[3] = {0}, bend_u[3] = {0}, bend_v[3] = {0};
+    extent box = {{0}, {0}};
+    double bend_u[3] = {0}, bend_v[3] = {0};
     const size_t n = (size_t)d;
-    memcpy(low, points, n * sizeof *low);
-    memcpy(high, points, n * sizeof *high);
+    memcpy(box.low, points, n * sizeof *points);
+    memcpy(box.high, points, n * sizeof *points);
     for (size_t j = 0; j < count_v; j++)
-        widen_by_line(d, count_u, count_v * n, points + j * n, low, high, bend_u);
+        widen_by_line(d, &(grid_line){count_u, count_v * n, points + j * n}, &box, bend_u);
     for (size_t i = 0; i < count_u; i++)
-        widen_by_line(d, count_v, n, points + i * count_v * n, low, high, bend_v);
+        widen_by_line(d, &(grid_line){count_v, n, points + i * count_v * n}, &box, bend_v);
     /* Between two samples a parabola leaves its chord by an eighth of the second difference. */
     for (int x = 0; x < d; x++) {
-        low[x] -= (bend_u[x] + bend_v[x]) / 8;
-        high[x] += (bend_u[x] + bend_v[x]) / 8;
+        box.low[x] -= (bend_u[x] + bend_v[x]) / 8;
+        box.high[x] += (bend_u[x] + bend_v[x]) / 8;
     }
+    const double *low = box.low, *high = box.high;
     return (batten_box){{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 

@@ -39,8 +39,7 @@ static double *places_of(const bat_formula_line *l)
 }
 
 /* The values of the spline that is made on a grid. */
-static batten_status evaluate_made(const bat_formula_fit *t, size_t count_u, const double *u,
-                                   size_t count_v, const double *v, double *out)
+static batten_status evaluate_made(const bat_formula_fit *t, batten_uv_grid at, double *out)
 {
     batten_surface *surface = NULL;
     batten_curve *curve = NULL;
@@ -48,14 +47,13 @@ static batten_status evaluate_made(const bat_formula_fit *t, size_t count_u, con
     if (t->lines[0].span_count > 0 && t->lines[1].span_count > 0) {
         status = bat_formula_fit_surface(t, &surface);
         if (status == BATTEN_OK)
-            status = batten_surface_evaluate_grid(
-                surface, (batten_uv_grid){count_u, count_v, u, v}, 0, NULL, out);
+            status = batten_surface_evaluate_grid(surface, at, 0, NULL, out);
     } else {
         const bool along_u = t->lines[0].span_count > 0;
         status = bat_formula_fit_curve(t, &t->lines[along_u ? 0 : 1], &curve);
         if (status == BATTEN_OK)
-            status = batten_curve_evaluate_many(curve, along_u ? count_u : count_v,
-                                                along_u ? u : v, 0, NULL, out);
+            status = batten_curve_evaluate_many(curve, along_u ? at.count_u : at.count_v,
+                                                along_u ? at.u : at.v, 0, NULL, out);
     }
     batten_surface_unref(surface);
     batten_curve_unref(curve);
@@ -63,18 +61,17 @@ static batten_status evaluate_made(const bat_formula_fit *t, size_t count_u, con
 }
 
 /* Compare on the grid of places; errors go to the spans of those directions that are probed. */
-static batten_status compare(bat_formula_fit *t, size_t count_u, const double *u, bool probe_u,
-                             size_t count_v, const double *v, bool probe_v)
+static batten_status compare(bat_formula_fit *t, batten_uv_grid places, bool probe_u,
+                             bool probe_v)
 {
-    const size_t d = (size_t)t->dimension;
+    const size_t d = (size_t)t->dimension, count_u = places.count_u, count_v = places.count_v;
     double *truth = bat_array3(count_u * count_v, d, sizeof *truth);
     double *made = bat_array3(count_u * count_v, d, sizeof *made);
     batten_status status = truth && made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_surface_evaluate_grid(
-            t->surface, (batten_uv_grid){count_u, count_v, u, v}, 0, NULL, truth);
+        status = batten_surface_evaluate_grid(t->surface, places, 0, NULL, truth);
     if (status == BATTEN_OK)
-        status = evaluate_made(t, count_u, u, count_v, v, made);
+        status = evaluate_made(t, places, made);
     for (size_t i = 0; status == BATTEN_OK && i < count_u; i++)
         for (size_t j = 0; j < count_v; j++) {
             const size_t at = (i * count_v + j) * d;
@@ -113,11 +110,13 @@ batten_status bat_formula_fit_errors(bat_formula_fit *t, bool between)
                  probes_v = (size_t)v->span_count * PROBES;
     t->error = 0;
     if (status == BATTEN_OK && between && at_u && at_v)
-        status = compare(t, probes_u, at_u, true, probes_v, at_v, true);
+        status = compare(t, (batten_uv_grid){probes_u, probes_v, at_u, at_v}, true, true);
     if (status == BATTEN_OK && !between && at_u)
-        status = compare(t, probes_u, at_u, true, (size_t)v->count, v->greville, false);
+        status = compare(t, (batten_uv_grid){probes_u, (size_t)v->count, at_u, v->greville},
+                         true, false);
     if (status == BATTEN_OK && !between && at_v)
-        status = compare(t, (size_t)u->count, u->greville, false, probes_v, at_v, true);
+        status = compare(t, (batten_uv_grid){(size_t)u->count, probes_v, u->greville, at_v},
+                         false, true);
     bat_release(at_u);
     bat_release(at_v);
     return status;

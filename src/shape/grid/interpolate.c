@@ -320,14 +320,14 @@ static batten_status divide(task *t)
 /* Given derivatives along a rim make it more than a point. */
 static void keep_poles(const task *t)
 {
-    const int data[2] = {t->count_u, t->count_v},
-              control[2] = {t->along_u.count, t->along_v.count};
+    const batten_grid data = {t->dimension, t->count_u, t->count_v, t->points};
+    const int control[2] = {t->along_u.count, t->along_v.count};
     const batten_surface_interpolate_options *o = t->options;
     for (int at_start = 0; at_start < 2; at_start++) {
         if (!o->closed_u && !o->dv)
-            bat_keep_pole(t->dimension, data, t->points, control, t->control, 0, at_start);
+            bat_keep_pole(data, control, t->control, 0, at_start);
         if (!o->closed_v && !o->du)
-            bat_keep_pole(t->dimension, data, t->points, control, t->control, 1, at_start);
+            bat_keep_pole(data, control, t->control, 1, at_start);
     }
 }
 

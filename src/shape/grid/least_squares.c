@@ -66,8 +66,8 @@ static batten_status solve_both(bat_grid_fit *t)
         bat_transpose(t->wanted[1], t->wanted[0], d, solved, t->control);
     for (int k = 0; k < 4 && status == BATTEN_OK && t->options->hold_rims; k++)
         if (!t->periodic[k / 2])
-            bat_keep_pole(t->dimension, t->count, t->points, t->wanted, t->control, k / 2,
-                          k % 2);
+            bat_keep_pole((batten_grid){t->dimension, t->count[0], t->count[1], t->points},
+                          t->wanted, t->control, k / 2, k % 2);
     bat_release(solved);
     bat_release(turned);
     bat_release(along);

@@ -249,8 +249,8 @@ static batten_status find(bat_constrained_fit *t, batten_curve_constrained_repor
                           batten_curve **out)
 {
     const batten_curve_constrained_options *o = t->options;
-    batten_status status =
-        bat_parameters_of(t->d, t->count, t->points, o->parameters, o->given, false, &t->u);
+    batten_status status = bat_parameters_of((batten_points){t->d, t->count, t->points},
+                                             o->parameters, o->given, false, &t->u);
     if (status == BATTEN_OK)
         status = make_knots(t);
     if (status == BATTEN_OK)

@@ -37,8 +37,8 @@ typedef struct {
 static batten_status find_parameters(spline_problem *t)
 {
     const batten_curve_interpolate_options *o = t->options;
-    return bat_parameters_of(t->dimension, t->count, t->points, o->parameters, o->given,
-                             o->closed, &t->parameters);
+    return bat_parameters_of((batten_points){t->dimension, t->count, t->points}, o->parameters,
+                             o->given, o->closed, &t->parameters);
 }
 
 static batten_status find_ends(spline_problem *t)

@@ -249,8 +249,8 @@ static void release(nu_spline *t)
 static batten_status solve(nu_spline *t, const batten_curve_weighted_options *o)
 {
     const batten_end ends[2] = {o->start, o->end};
-    batten_status status = bat_parameters_of(t->dimension, t->count, t->points, o->parameters,
-                                             o->given, o->closed, &t->u);
+    batten_status status = bat_parameters_of((batten_points){t->dimension, t->count, t->points},
+                                             o->parameters, o->given, o->closed, &t->u);
     if (status == BATTEN_OK && !o->closed)
         status = bat_ends_plain((batten_points){t->dimension, t->count, t->points}, t->u, ends,
                                 "weighted splines", &t->ends);

@@ -167,8 +167,8 @@ static batten_status find_parameters(quadratic_spline *q,
                                      const batten_curve_quadratic_options *o)
 {
     if (o->kind != BATTEN_QUADRATIC_MIDPOINTS || o->parameters == BATTEN_GIVEN)
-        return bat_parameters_of(q->dimension, q->count, q->points, o->parameters, o->given,
-                                 false, &q->t);
+        return bat_parameters_of((batten_points){q->dimension, q->count, q->points},
+                                 o->parameters, o->given, false, &q->t);
     q->t = bat_array((size_t)q->count, sizeof *q->t);
     for (int i = 1; q->t && i < q->count; i++)
         q->t[i] = i <= q->spans ? i - 0.5 : q->spans;

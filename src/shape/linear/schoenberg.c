@@ -213,8 +213,8 @@ static batten_status begin_refining(refinement *t, const batten_curve_schoenberg
                         bat_plural(t->count));
     t->periodic = o->closed;
     t->degree = o->closed || o->bernstein ? o->degree : bat_min_int(o->degree, t->count - 1);
-    return bat_parameters_of(t->dimension, t->count, t->points, o->parameters, o->given,
-                             o->closed, &t->t);
+    return bat_parameters_of((batten_points){t->dimension, t->count, t->points}, o->parameters,
+                             o->given, o->closed, &t->t);
 }
 
 static batten_status refine_until_near(refinement *t, const batten_curve_schoenberg_options *o,

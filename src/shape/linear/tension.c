@@ -94,8 +94,8 @@ static batten_status prepare(bat_tension *t, const batten_chain_tension_options 
     const batten_end ends[2] = {o->start, o->end};
     if (!(o->slack > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the slack is %g, not above 0", o->slack);
-    batten_status status = bat_parameters_of(t->dimension, t->count, t->points, o->parameters,
-                                             o->given, o->closed, &t->u);
+    batten_status status = bat_parameters_of((batten_points){t->dimension, t->count, t->points},
+                                             o->parameters, o->given, o->closed, &t->u);
     if (status == BATTEN_OK && !o->closed)
         status = bat_ends_plain((batten_points){t->dimension, t->count, t->points}, t->u, ends,
                                 "splines in tension", &t->ends);

@@ -79,7 +79,7 @@ static batten_status make_quintic(curvature_fit *t, const double *tangents,
                                   batten_curve **curve)
 {
     batten_status status =
-        bat_parametrize(2, t->count, t->points, BATTEN_CHORD, t->closed, t->t);
+        bat_parametrize((batten_points){2, t->count, t->points}, BATTEN_CHORD, t->closed, t->t);
     if (status == BATTEN_OK)
         status = make_units(t, tangents);
     if (status != BATTEN_OK)
@@ -167,7 +167,7 @@ batten_status batten_circle_curvatures(batten_points points, bool closed, double
     double *made = bat_array((size_t)points.count + 1, sizeof *made);
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
-    status = bat_parametrize(2, points.count, points.at, BATTEN_CHORD, closed, made);
+    status = bat_parametrize(points, BATTEN_CHORD, closed, made);
     for (int i = 0; i < points.count && status == BATTEN_OK; i++) {
         const int at = closed ? i : bat_max_int(1, bat_min_int(i, points.count - 2));
         const double *a = points.at + 2 * bat_around(points.count, at - 1);

@@ -353,11 +353,11 @@ static batten_status find_steps(tangent_rule *t)
 
 static batten_status find(tangent_rule *t)
 {
-    batten_status status =
-        bat_parametrize(t->d, t->count, t->points, BATTEN_CHORD, closed(t), t->t);
+    batten_status status = bat_parametrize((batten_points){t->d, t->count, t->points},
+                                           BATTEN_CHORD, closed(t), t->t);
     if (status != BATTEN_OK)
         return status;
-    bat_steps(t->d, t->count, t->points, BATTEN_CHORD, closed(t), t->l);
+    bat_steps((batten_points){t->d, t->count, t->points}, BATTEN_CHORD, closed(t), t->l);
     t->report.first_turned_back = -1;
     if (t->options->rule == BATTEN_TANGENT_GIVEN)
         status = take_given(t);

@@ -49,7 +49,7 @@ batten_status bat_fit_parameters(int dimension, int count, const double *points,
             return status;
         memcpy(parameters, given, (size_t)wanted * sizeof *parameters);
     } else {
-        bat_steps(dimension, count, points, kind, periodic, parameters + 1);
+        bat_steps((batten_points){dimension, count, points}, kind, periodic, parameters + 1);
         parameters[0] = 0;
         for (int i = 1; i < wanted; i++)
             parameters[i] += parameters[i - 1];

@@ -43,7 +43,8 @@ static batten_status polish_pair(const bat_plate *plate, int k, double f, bat_pa
     *out = (bat_pair){a->x + f * (b->x - a->x), a->y + f * (b->y - a->y)};
     if (plate->rough || !(length > 0))
         return BATTEN_OK;
-    return bat_plate_root(plate, *out, across, reach, reach, &found, out);
+    return bat_plate_root(plate, &(bat_pair_line){*out, across},
+                          (batten_interval){-reach, reach}, &found, out);
 }
 
 static bool follows(bat_pair a, bat_pair b)

@@ -55,10 +55,15 @@ batten_status bat_plate_warp(const bat_plate *plate, bat_pair at, bool *has, dou
 batten_status bat_plate_find_path(bat_plate *plate);
 /* Each pair towards the mean of its neighbours, so often; the ends stay. */
 void bat_plate_smooth(bat_plate *plate, int passes);
-/* Where the warp is 0 nearest to `from`, at most `reach` along a direction of length 1, inside
+/* From a pair along a direction of length 1. */
+typedef struct {
+    bat_pair from, along;
+} bat_pair_line;
+
+/* Where on a line the warp is 0 nearest to `from`, within `reach` (from -.. to ..) and inside
  * the unit square; *found says whether there is one. */
-batten_status bat_plate_root(const bat_plate *plate, bat_pair from, bat_pair along,
-                             double backward, double forward, bool *found, bat_pair *out);
+batten_status bat_plate_root(const bat_plate *plate, const bat_pair_line *on,
+                             batten_interval reach, bool *found, bat_pair *out);
 
 /* The surface between the cones, through so many of its rulings. */
 typedef struct {

@@ -132,27 +132,33 @@ static void trace(const node *nodes, bat_plate *plate)
 
 /* ---- roots beside the lattice ---- */
 
-static batten_status signed_warp(const bat_plate *plate, bat_pair from, bat_pair along,
-                                 double by, bool *has, double *sine)
+static bat_pair pair_on(const bat_pair_line *on, double by)
+{
+    return (bat_pair){bat_min(1, bat_max(0, on->from.x + by * on->along.x)),
+                      bat_min(1, bat_max(0, on->from.y + by * on->along.y))};
+}
+
+static batten_status signed_warp(const bat_plate *plate, const bat_pair_line *on, double by,
+                                 bool *has, double *sine)
 {
     double cosine = -1;
-    const bat_pair at = {bat_min(1, bat_max(0, from.x + by * along.x)),
-                         bat_min(1, bat_max(0, from.y + by * along.y))};
+    const bat_pair at = pair_on(on, by);
     const batten_status status = bat_plate_warp(plate, at, has, sine, &cosine);
     *has = *has && cosine > 0;
     return status;
 }
 
-/* Between a and b, where the sines have different signs. */
-static batten_status halve_step(const bat_plate *plate, bat_pair from, bat_pair along, double a,
-                                double sine_a, double b, double *root)
+/* Between two places, where the sines have different signs; that at the first is given. */
+static batten_status halve_step(const bat_plate *plate, const bat_pair_line *on,
+                                batten_interval between, double sine_a, double *root)
 {
+    double a = between.a, b = between.b;
     batten_status status = BATTEN_OK;
     for (int k = 0; k < HALVINGS && status == BATTEN_OK; k++) {
         const double middle = (a + b) / 2;
         bool has;
         double sine = 0;
-        status = signed_warp(plate, from, along, middle, &has, &sine);
+        status = signed_warp(plate, on, middle, &has, &sine);
         if (sine * sine_a > 0)
             a = middle;
         else
@@ -162,17 +168,17 @@ static batten_status halve_step(const bat_plate *plate, bat_pair from, bat_pair 
     return status;
 }
 
-batten_status bat_plate_root(const bat_plate *plate, bat_pair from, bat_pair along,
-                             double backward, double forward, bool *found, bat_pair *out)
+batten_status bat_plate_root(const bat_plate *plate, const bat_pair_line *on,
+                             batten_interval reach, bool *found, bat_pair *out)
 {
     double at[BRACKETS + 1], sine[BRACKETS + 1], best = HUGE_VAL, largest = 0;
     bool has[BRACKETS + 1];
     batten_status status = BATTEN_OK;
     *found = false;
     for (int k = 0; k <= BRACKETS && status == BATTEN_OK; k++) {
-        at[k] = -backward + (backward + forward) * k / BRACKETS;
+        at[k] = reach.a + (reach.b - reach.a) * k / BRACKETS;
         sine[k] = 0;
-        status = signed_warp(plate, from, along, at[k], &has[k], &sine[k]);
+        status = signed_warp(plate, on, at[k], &has[k], &sine[k]);
         largest = bat_max(largest, fabs(sine[k]));
     }
     /* All directions do: a plane, or the rulings of a plane part. */
@@ -182,15 +188,14 @@ batten_status bat_plate_root(const bat_plate *plate, bat_pair from, bat_pair alo
         if (!has[k] || !has[k + 1] || sine[k] * sine[k + 1] > 0)
             continue;
         double root = 0;
-        status = halve_step(plate, from, along, at[k], sine[k], at[k + 1], &root);
+        status = halve_step(plate, on, (batten_interval){at[k], at[k + 1]}, sine[k], &root);
         if (status == BATTEN_OK && fabs(root) < fabs(best)) {
             best = root;
             *found = true;
         }
     }
     if (*found)
-        *out = (bat_pair){bat_min(1, bat_max(0, from.x + best * along.x)),
-                          bat_min(1, bat_max(0, from.y + best * along.y))};
+        *out = pair_on(on, best);
     return status;
 }
 
@@ -217,8 +222,10 @@ static batten_status find_departure(const bat_plate *plate, bat_pair corner,
         bat_pair root;
         batten_status status = BATTEN_OK;
         if (on_side)
-            status = bat_plate_root(plate, node_there, along, bat_min(reach, off),
-                                    bat_min(reach, 1 - off), &found, &root);
+            status =
+                bat_plate_root(plate, &(bat_pair_line){node_there, along},
+                               (batten_interval){-bat_min(reach, off), bat_min(reach, 1 - off)},
+                               &found, &root);
         if (status != BATTEN_OK)
             return status;
         const double moved =

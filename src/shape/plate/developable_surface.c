@@ -92,16 +92,25 @@ static batten_status put_ruling(const bat_plate *plate, bat_pair pair, double u,
     return BATTEN_OK;
 }
 
+/* A cone before or behind what lies between both edges. */
+typedef struct {
+    bat_pair from, to;
+    batten_interval u;
+    bool at_start;
+} cone;
+
 /* Rulings of a cone by equal shares of length; those at its ends belong to its neighbours or to
  * the outside. */
-static batten_status put_cone_rulings(const bat_plate *plate, bat_pair a, bat_pair b, double u0,
-                                      double u1, bool at_start, batten_developable *out)
+static batten_status put_cone_rulings(const bat_plate *plate, const cone *c,
+                                      batten_developable *out)
 {
+    const bat_pair a = c->from, b = c->to;
     batten_status status = BATTEN_OK;
-    for (int k = at_start ? 0 : 1; k < CONE_RULINGS + !at_start && status == BATTEN_OK; k++) {
+    for (int k = c->at_start ? 0 : 1; k < CONE_RULINGS + !c->at_start && status == BATTEN_OK;
+         k++) {
         const double f = (double)k / CONE_RULINGS;
         const bat_pair pair = {a.x + f * (b.x - a.x), a.y + f * (b.y - a.y)};
-        status = put_ruling(plate, pair, u0 + f * (u1 - u0), out);
+        status = put_ruling(plate, pair, c->u.a + f * (c->u.b - c->u.a), out);
         if (status == BATTEN_OK)
             out->rulings[out->count - 1].warp = 0;
     }
@@ -119,7 +128,8 @@ static batten_status put_rulings(const bat_plate *plate, const bat_middle *m, do
         return BATTEN_OUT_OF_MEMORY;
     batten_status status = BATTEN_OK;
     if (before > 0)
-        status = put_cone_rulings(plate, start, m->pairs[0], 0, before / whole, true, out);
+        status = put_cone_rulings(plate, &(cone){start, m->pairs[0], {0, before / whole}, true},
+                                  out);
     for (int i = 0; i < m->count && status == BATTEN_OK; i++) {
         const batten_interval domain = batten_curve_domain(plate->edge[0].curve);
         /* Exact edges keep their parameter. */
@@ -129,8 +139,9 @@ static batten_status put_rulings(const bat_plate *plate, const bat_middle *m, do
         status = put_ruling(plate, m->pairs[i], u, out);
     }
     if (behind > 0 && status == BATTEN_OK)
-        status = put_cone_rulings(plate, m->pairs[m->count - 1], end, (before + length) / whole,
-                                  1, false, out);
+        status = put_cone_rulings(
+            plate, &(cone){m->pairs[m->count - 1], end, {(before + length) / whole, 1}, false},
+            out);
     return status;
 }
 

@@ -5,7 +5,7 @@
 
 /* From sample i to the next: direction and point of the flat crease. */
 static batten_status flat_step(const bat_fold_task *t, const bat_flat_rule *rule, int i,
-                               double *phi, double *x, double *y)
+                               double *phi, double at[2])
 {
     bat_flat_rates rates = {{0}, {0}, {0}};
     const double u = t->at[i].u, h = t->at[i + 1].u - u;
@@ -23,7 +23,7 @@ static batten_status flat_step(const bat_fold_task *t, const bat_flat_rule *rule
         rates.along[j] = bat_norm(3, values + 3) * h;
         rates.turn[j] = p.k * cos(p.a) * rates.along[j];
     }
-    bat_flat_step(rule, &rates, phi, x, y);
+    bat_flat_step(rule, &rates, phi, &at[0], &at[1]);
     return BATTEN_OK;
 }
 
@@ -36,16 +36,16 @@ static void flat_ruling(double phi, double b, double sign, double *out)
 batten_status bat_fold_flatten(bat_fold_task *t)
 {
     bat_flat_rule rule;
-    double phi = 0, x = 0, y = 0;
+    double phi = 0, at[2] = {0, 0};
     batten_status status = BATTEN_OK;
     bat_flat_rule_make(&rule);
     for (int i = 0; i < t->count && status == BATTEN_OK; i++) {
-        t->made.flat[2 * i] = x;
-        t->made.flat[2 * i + 1] = y;
+        t->made.flat[2 * i] = at[0];
+        t->made.flat[2 * i + 1] = at[1];
         flat_ruling(phi, t->b[0][i], 1, t->made.left.flat_rulings + 2 * i);
         flat_ruling(phi, t->b[1][i], -1, t->made.right.flat_rulings + 2 * i);
         if (i + 1 < t->count)
-            status = flat_step(t, &rule, i, &phi, &x, &y);
+            status = flat_step(t, &rule, i, &phi, at);
     }
     t->made.flat_turn = phi;
     return status;

@@ -142,23 +142,23 @@ static double distance_from(const bat_flat_strip *coarse, const bat_flat_strip *
     return largest;
 }
 
-static batten_status refine_strip(const bat_strip *strip, int knot_count, const double *knots,
+static batten_status refine_strip(const bat_strip *strip, batten_parameters knots,
                                   double tolerance, bat_flat_strip *out, double *error)
 {
     bat_flat_strip coarse = {0}, fine = {0};
     int steps = FIRST_STEPS;
-    batten_status status = bat_strip_flatten(strip, knot_count, knots, steps, &coarse);
+    batten_status status = bat_strip_flatten(strip, knots.count, knots.at, steps, &coarse);
     *error = HUGE_VAL;
     while (status == BATTEN_OK && *error > tolerance) {
         steps *= 2;
-        if ((double)(knot_count - 1) * steps > MAX_RULINGS) {
+        if ((double)(knots.count - 1) * steps > MAX_RULINGS) {
             status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
                               "the flat edges are within %g with %d rulings, not within %g",
                               *error, coarse.count, tolerance);
             break;
         }
         bat_flat_strip_release(&fine);
-        status = bat_strip_flatten(strip, knot_count, knots, steps, &fine);
+        status = bat_strip_flatten(strip, knots.count, knots.at, steps, &fine);
         if (status != BATTEN_OK)
             break;
         *error = distance_from(&coarse, &fine);
@@ -230,8 +230,8 @@ static batten_status unroll_strip(const bat_strip *strip, double tolerance,
         return BATTEN_OUT_OF_MEMORY;
     batten_surface_spans(out->surface, BATTEN_U, knots);
     bat_flat_strip flat = {0};
-    batten_status status =
-        refine_strip(strip, knot_count, knots, tolerance, &flat, &out->error);
+    batten_status status = refine_strip(strip, (batten_parameters){knot_count, knots},
+                                        tolerance, &flat, &out->error);
     if (status == BATTEN_OK)
         status = edge_curve(&flat, 0, &out->first);
     if (status == BATTEN_OK)

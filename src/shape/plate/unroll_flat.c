@@ -148,11 +148,18 @@ static void put_rates(const bat_strip_ruling *g, double phi, double *first, doub
     }
 }
 
+/* From one ruling to the next. */
+typedef struct {
+    double u, h;   /* where it begins, and how long it is */
+    batten_vec3 n; /* the normal there */
+} strip_step;
+
 /* The rates over one step, and what it adds to lengths and strains. */
-static batten_status find_rates(const bat_strip *strip, const bat_flat_rule *rule, double u,
-                                double h, const batten_vec3 *n, bat_flat_strip *flat,
+static batten_status find_rates(const bat_strip *strip, const bat_flat_rule *rule,
+                                const strip_step *step, bat_flat_strip *flat,
                                 bat_flat_rates *rates)
 {
+    const double u = step->u, h = step->h;
     for (int j = 0; j < BAT_FLAT_NODES; j++) {
         bat_strip_ruling g;
         const double at = u + rule->c[j] * h;
@@ -161,7 +168,7 @@ static batten_status find_rates(const bat_strip *strip, const bat_flat_rule *rul
             return status;
         if (!(g.length > 0))
             return no_ruling(at, "its edges meet there");
-        if (bat_vec3_dot(g.n, *n) < 0)
+        if (bat_vec3_dot(g.n, step->n) < 0)
             return no_ruling(at, "its normal turns over, as at an edge of regression");
         const batten_vec3 rate = bat_vec3_subtract(g.D[1], g.D[0]);
         rates->turn[j] = h * bat_vec3_dot(rate, g.m) / g.length;
@@ -185,16 +192,16 @@ static batten_status lay_flat(const bat_strip *strip, bat_flat_strip *flat)
     for (int i = 0; i + 1 < flat->count; i++) {
         const double u = flat->u[i], h = flat->u[i + 1] - u;
         double *rates = flat->rates + (size_t)8 * (size_t)i;
-        bat_flat_rates step;
+        bat_flat_rates over;
         status = ruling_at(strip, u, BATTEN_FROM_RIGHT, &g);
         if (status == BATTEN_OK)
             status = ruling_at(strip, flat->u[i + 1], BATTEN_FROM_LEFT, &next);
         if (status == BATTEN_OK)
-            status = find_rates(strip, &rule, u, h, &g.n, flat, &step);
+            status = find_rates(strip, &rule, &(strip_step){u, h, g.n}, flat, &over);
         if (status != BATTEN_OK)
             return status;
         put_rates(&g, phi, rates, rates + 4);
-        bat_flat_step(&rule, &step, &phi, &at[0], &at[1]);
+        bat_flat_step(&rule, &over, &phi, &at[0], &at[1]);
         put_rates(&next, phi, rates + 2, rates + 6);
         put_ends(&next, phi, at, flat->points + 4 * (i + 1));
         measure_diagonals(flat, i, g.P, next.P);

@@ -18,7 +18,7 @@ static bool line_shares(const bat_family *g, int line, batten_parametrization ki
     const double *from = g->points + (size_t)line * g->line_step;
     for (size_t i = 0; i < (size_t)g->count; i++)
         memcpy(points + i * d, from + i * g->point_step, d * sizeof *points);
-    bat_steps(g->dimension, g->count, points, kind, g->periodic, shares);
+    bat_steps((batten_points){g->dimension, g->count, points}, kind, g->periodic, shares);
     double total = 0;
     for (int i = 0; i < step_count(g); i++)
         total += shares[i];

@@ -15,12 +15,13 @@ static size_t rim_of(const int count[2], int k, bool at_start, size_t *points, s
     return k == 0 ? (size_t)(count[0] - 1) * nv : nv - 1;
 }
 
-void bat_keep_pole(int dimension, const int data_count[2], const double *data,
-                   const int control_count[2], double *control, int direction, bool at_start)
+void bat_keep_pole(batten_grid data, const int control_count[2], double *control, int direction,
+                   bool at_start)
 {
-    const size_t d = (size_t)dimension;
+    const int data_count[2] = {data.count_u, data.count_v};
+    const size_t d = (size_t)data.dimension;
     size_t points, step;
-    const double *pole = data + rim_of(data_count, direction, at_start, &points, &step) * d;
+    const double *pole = data.at + rim_of(data_count, direction, at_start, &points, &step) * d;
     for (size_t i = 1; i < points; i++)
         for (size_t k = 0; k < d; k++)
             if (pole[i * step * d + k] != pole[k])

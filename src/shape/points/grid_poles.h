@@ -2,10 +2,11 @@
 #ifndef BAT_GRID_POLES_H
 #define BAT_GRID_POLES_H
 #include "base/base.h"
+#include <batten/geometry.h>
 
 /* When all data of a rim, that at the start or end of direction 0 (u) or 1, are one point, so
  * are, but for rounding, all its control points: make them it. */
-void bat_keep_pole(int dimension, const int data_count[2], const double *data,
-                   const int control_count[2], double *control, int direction, bool at_start);
+void bat_keep_pole(batten_grid data, const int control_count[2], double *control, int direction,
+                   bool at_start);
 
 #endif

@@ -34,7 +34,7 @@ batten_status bat_row_beyond_make(batten_points points, const bat_beyond_rule *r
     if (!row->t)
         return BATTEN_OUT_OF_MEMORY;
     if (!rule->given)
-        return bat_parametrize_power(d, count, points.at, rule->alpha, closed, row->t);
+        return bat_parametrize_power(points, rule->alpha, closed, row->t);
     memcpy(row->t, rule->given, ((size_t)count + closed) * sizeof *row->t);
     return bat_parameters_check(count + closed, row->t);
 }

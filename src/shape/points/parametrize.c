@@ -66,31 +66,34 @@ static double step_length(const metric *m, const double *from, const double *to)
 /* ---- the metric of Nielson ---- */
 
 /* Mean and standard deviation of coordinate k; scaled by its range, so nothing overflows. */
-static void find_spread(int d, int count, const double *points, int k, double *mean,
-                        double *spread)
+static void find_spread(batten_points points, int k, double *mean, double *spread)
 {
-    double low = points[k], high = points[k], sum = 0, squares = 0;
+    const int count = points.count;
+    const double *at = points.at + k;
+    const size_t d = (size_t)points.dimension;
+    double low = at[0], high = at[0], sum = 0, squares = 0;
     for (int i = 0; i < count; i++) {
-        low = bat_min(low, points[(size_t)i * (size_t)d + (size_t)k]);
-        high = bat_max(high, points[(size_t)i * (size_t)d + (size_t)k]);
+        low = bat_min(low, at[(size_t)i * d]);
+        high = bat_max(high, at[(size_t)i * d]);
     }
     const double range = high > low ? high - low : 1;
     for (int i = 0; i < count; i++)
-        sum += (points[(size_t)i * (size_t)d + (size_t)k] - low) / range;
+        sum += (at[(size_t)i * d] - low) / range;
     *mean = low + sum / count * range;
     for (int i = 0; i < count; i++) {
-        const double off = (points[(size_t)i * (size_t)d + (size_t)k] - *mean) / range;
+        const double off = (at[(size_t)i * d] - *mean) / range;
         squares += off * off;
     }
     *spread = high > low ? range * sqrt(squares / count) : 0;
 }
 
-static double correlation(int d, int count, const double *points, const double *mean,
-                          const double *spread, int a, int b)
+static double correlation(batten_points points, const double *mean, const double *spread, int a,
+                          int b)
 {
+    const int count = points.count;
     double sum = 0;
     for (int i = 0; i < count && spread[a] > 0 && spread[b] > 0; i++) {
-        const double *point = points + (size_t)i * (size_t)d;
+        const double *point = points.at + (size_t)i * (size_t)points.dimension;
         sum += (point[a] - mean[a]) / spread[a] * ((point[b] - mean[b]) / spread[b]);
     }
     return sum / count;
@@ -132,15 +135,16 @@ static void factor_metric(double c[3][3], metric *m)
     }
 }
 
-static metric metric_of(int d, int count, const double *points)
+static metric metric_of(batten_points points)
 {
+    const int d = points.dimension;
     metric m = {.dimension = d, .row = {0, 1, 2}};
     double mean[3], c[3][3] = {{0}};
     for (int k = 0; k < d; k++)
-        find_spread(d, count, points, k, &mean[k], &m.scale[k]);
+        find_spread(points, k, &mean[k], &m.scale[k]);
     for (int a = 0; a < d; a++)
         for (int b = 0; b < d; b++)
-            c[a][b] = correlation(d, count, points, mean, m.scale, a, b);
+            c[a][b] = correlation(points, mean, m.scale, a, b);
     factor_metric(c, &m);
     return m;
 }
@@ -222,12 +226,12 @@ static batten_status bad_pair(int count, int i, double step)
     return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", i, next);
 }
 
-void bat_steps(int dimension, int count, const double *points, batten_parametrization kind,
-               bool closed, double *steps)
+void bat_steps(batten_points points, batten_parametrization kind, bool closed, double *steps)
 {
-    polygon p = {dimension, count, closed, points, {.dimension = dimension}};
+    const int d = points.dimension, count = points.count;
+    polygon p = {d, count, closed, points.at, {.dimension = d}};
     if (kind == BATTEN_FOLEY)
-        p.metric = metric_of(dimension, count, points);
+        p.metric = metric_of(points);
     for (int i = 0; i < (closed ? count : count - 1); i++)
         steps[i] = step_of(&p, kind, i);
 }
@@ -249,24 +253,24 @@ static batten_status sum_steps(int count, bool closed, double *parameters)
     return BATTEN_OK;
 }
 
-batten_status bat_parametrize(int dimension, int count, const double *points,
-                              batten_parametrization kind, bool closed, double *parameters)
+batten_status bat_parametrize(batten_points points, batten_parametrization kind, bool closed,
+                              double *parameters)
 {
-    bat_steps(dimension, count, points, kind, closed, parameters + 1);
-    return sum_steps(count, closed, parameters);
+    bat_steps(points, kind, closed, parameters + 1);
+    return sum_steps(points.count, closed, parameters);
 }
 
-batten_status bat_parametrize_power(int dimension, int count, const double *points,
-                                    double alpha, bool closed, double *parameters)
+batten_status bat_parametrize_power(batten_points points, double alpha, bool closed,
+                                    double *parameters)
 {
     const batten_parametrization kind = alpha == 0     ? BATTEN_UNIFORM
                                         : alpha == 0.5 ? BATTEN_CENTRIPETAL
                                                        : BATTEN_CHORD;
-    bat_steps(dimension, count, points, kind, closed, parameters + 1);
+    bat_steps(points, kind, closed, parameters + 1);
     if (kind == BATTEN_CHORD && alpha != 1)
-        for (int i = 1; i < count + closed; i++)
+        for (int i = 1; i < points.count + closed; i++)
             parameters[i] = pow(parameters[i], alpha);
-    return sum_steps(count, closed, parameters);
+    return sum_steps(points.count, closed, parameters);
 }
 
 batten_status batten_parametrize(batten_points points, batten_parametrization kind, bool closed,
@@ -282,23 +286,22 @@ batten_status batten_parametrize(batten_points points, batten_parametrization ki
     double *made = bat_array(wanted, sizeof *made);
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
-    status = bat_parametrize(points.dimension, points.count, points.at, kind, closed, made);
+    status = bat_parametrize(points, kind, closed, made);
     if (status == BATTEN_OK)
         memcpy(parameters, made, wanted * sizeof *made);
     bat_release(made);
     return status;
 }
 
-batten_status bat_parameters_of(int dimension, int count, const double *points,
-                                batten_parametrization kind, const double *given, bool closed,
-                                double **out)
+batten_status bat_parameters_of(batten_points points, batten_parametrization kind,
+                                const double *given, bool closed, double **out)
 {
-    const int wanted = count + closed;
+    const int wanted = points.count + closed;
     *out = bat_resize(NULL, (size_t)wanted, sizeof **out);
     if (!*out)
         return BATTEN_OUT_OF_MEMORY;
     if (kind != BATTEN_GIVEN)
-        return bat_parametrize(dimension, count, points, kind, closed, *out);
+        return bat_parametrize(points, kind, closed, *out);
     if (!given)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the parameters must be given, and are missing");
     memcpy(*out, given, (size_t)wanted * sizeof **out);

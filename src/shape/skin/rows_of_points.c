@@ -94,7 +94,8 @@ static batten_status parametrize_row(const rows *r, int k)
         memcpy(u, r->options->given + r->first[k], (size_t)n * sizeof *u);
         status = bat_parameters_check(n, u);
     } else
-        status = bat_parametrize(r->dimension, n, points, r->options->parameters, false, u);
+        status = bat_parametrize((batten_points){r->dimension, n, points},
+                                 r->options->parameters, false, u);
     if (status != BATTEN_OK) {
         char reason[160];
         snprintf(reason, sizeof reason, "%s", batten_message());

@@ -33,7 +33,8 @@ TEST(a_rim_of_data_that_is_one_point_makes_the_rim_of_the_net_that_point_and_not
                 }
             if (odd >= on)
                 continue;
-            bat_keep_pole(2, data_count, data, control_count, control, rim / 2, rim % 2 == 0);
+            bat_keep_pole((batten_grid){2, data_count[0], data_count[1], data}, control_count,
+                          control, rim / 2, rim % 2 == 0);
             CHECK(!memcmp(control, expected, sizeof control));
         }
 }
