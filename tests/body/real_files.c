@@ -117,7 +117,8 @@ static const struct {
     {"step/ug_io1_nurbs.stp", 9e-5, 2e-4, false},
     {"hull_surfaces/cargo_hull_surface.igs", 8e-6, 0, true},
     {"hull_surfaces/ropax_maxsurf.igs", 3e-5, 0, true},
-    {"iges/euclid_bearing.iges", 3e-6, 0, true}, /* of face 197 the edges miss by 1.6e-3 */
+    /* Of face 197 the edges miss by 1.6e-3; all areas are known to 9e-5. */
+    {"iges/euclid_bearing.iges", 7e-6, 0, true},
     {"iges/euclid_hammer.iges", 1e-4, 0, true},
     {"iges/femap_multisolids.igs", 7e-6, 4e-5, true},
     {"iges/femap_nozzle.igs", 1e-5, 5e-5, true},

@@ -48,7 +48,8 @@ typedef enum {
     BAT_CONE,       /* radius a at v = 0, growing with tan(b) along z: (a + v sin b, v cos b) */
     BAT_SPHERE,     /* radius a */
     BAT_TORUS,      /* major a, minor b; b > a is allowed when it is bounded off its crossing;
-                       the normal of the inner part, the lemon, points to the axis */
+                       the normal of the inner part, the lemon, points to the axis. The torus of
+                       -a is that of a with its normal turned */
     BAT_EXTRUSION,  /* curve + v z; z of the frame may have any length */
     BAT_REVOLUTION, /* curve about the z-axis of the frame, u around; where it crosses the axis
                        it is cut, and the part taken to which the points belong */

@@ -130,23 +130,32 @@ batten_status bat_stand_sphere(const bat_stand *stand, batten_surface **out)
 static bool is_lemon(const bat_stand *stand)
 {
     double apple = 0, lemon = 0;
+    const double a = fabs(stand->of->a);
     for (int i = 0; i < stand->count; i++) {
         const double *p = stand->points + 3 * (size_t)i;
         const double r = hypot(bat_stand_coordinate(stand, p, 0),
                                bat_stand_coordinate(stand, p, 1)),
                      z = bat_stand_coordinate(stand, p, 2);
-        apple += fabs(hypot(r - stand->of->a, z) - stand->of->b);
-        lemon += fabs(hypot(r + stand->of->a, z) - stand->of->b);
+        apple += fabs(hypot(r - a, z) - stand->of->b);
+        lemon += fabs(hypot(r + a, z) - stand->of->b);
     }
     /* Points on the circle where both sheets meet fit either, to the tolerance or rounding. */
     const double near = bat_max(stand->tolerance, 1e-9 * stand->of->b) * stand->count;
-    return fabs(lemon - apple) <= near ? stand->of->is_inner : lemon < apple;
+    const bool is_inner = stand->of->is_inner || stand->of->a < 0;
+    return fabs(lemon - apple) <= near ? is_inner : lemon < apple;
+}
+
+static batten_status turn_normal(batten_surface **made)
+{
+    batten_surface *down = NULL;
+    const batten_status status = batten_surface_reverse(*made, BATTEN_V, &down);
+    return bat_surface_replace(status, made, &down);
 }
 
 /* The arc of the tube on one side of the axis, from pole to pole, turned. */
 static batten_status spindle(const bat_stand *stand, batten_surface **out)
 {
-    const double a = stand->of->a, b = stand->of->b;
+    const double a = fabs(stand->of->a), b = stand->of->b;
     const double to_centre = is_lemon(stand) ? -a : a, half = acos(-to_centre / b);
     bat_conic tube = {.kind = BAT_ELLIPSE, .frame = stand->frame, .a = b, .b = b};
     tube.frame.origin = bat_vec3_along(stand->frame.origin, to_centre, stand->frame.x);
@@ -157,13 +166,10 @@ static batten_status spindle(const bat_stand *stand, batten_surface **out)
     if (status == BATTEN_OK)
         status = batten_surface_revolved(arc, stand->frame.origin, stand->frame.z, 2 * BAT_PI,
                                          &made);
-    /* ISO 10303-42 runs the other way up the lemon, where a + b cos v is negative: the normal
-     * of its parametrisation points to the axis, and files count on it. */
-    if (status == BATTEN_OK && to_centre < 0) {
-        batten_surface *down = NULL;
-        status = batten_surface_reverse(made, BATTEN_V, &down);
-        status = bat_surface_replace(status, &made, &down);
-    }
+    /* The normal of the parametrisation of ISO 10303-42, a + b cos v from the axis, points to
+     * the axis where that is negative, and files count on it. */
+    if (status == BATTEN_OK && to_centre * stand->of->a < 0)
+        status = turn_normal(&made);
     if (status == BATTEN_OK)
         status = with_domain(made, -half, half, out);
     batten_surface_unref(made);
@@ -176,12 +182,12 @@ batten_status bat_stand_torus(const bat_stand *stand, batten_surface **out)
     const double a = stand->of->a, b = stand->of->b;
     batten_surface *made = NULL;
     batten_status status = check_radius(b, "tube of the torus");
-    if (status == BATTEN_OK && a < 0)
-        status = bat_fail(BATTEN_BAD_ARGUMENT, "the major radius of the torus is %g", a);
-    if (status == BATTEN_OK && a <= b)
+    if (status == BATTEN_OK && fabs(a) <= b)
         return spindle(stand, out);
     if (status == BATTEN_OK)
-        status = batten_surface_torus(&stand->frame, a, b, &made);
+        status = batten_surface_torus(&stand->frame, fabs(a), b, &made);
+    if (status == BATTEN_OK && a < 0)
+        status = turn_normal(&made);
     if (status == BATTEN_OK)
         status = with_domain(made, 0, 2 * BAT_PI, out);
     batten_surface_unref(made);

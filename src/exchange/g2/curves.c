@@ -68,14 +68,21 @@ static batten_status read_spline(bat_words *words, batten_curve **out)
 }
 
 batten_status bat_g2_read_range(bat_words *words, bool alone, batten_interval standard,
-                                batten_interval *range)
+                                batten_interval *range, bool *is_backwards)
 {
     *range = standard;
+    *is_backwards = false;
     if (alone && bat_g2_is_at_end(words))
         return BATTEN_OK;
     batten_status status = bat_words_real(words, "the start of a range", &range->a);
     if (status == BATTEN_OK)
         status = bat_words_real(words, "the end of a range", &range->b);
+    if (status == BATTEN_OK && range->b < range->a) {
+        batten_notes_add(words->input->notes, words->input->file, words->line, "",
+                         "a range runs backwards, from %g to %g", range->a, range->b);
+        *range = (batten_interval){range->b, range->a};
+        *is_backwards = true;
+    }
     if (status == BATTEN_OK && !(range->b > range->a))
         status = bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
                                 "the range %g..%g is empty", range->a, range->b);
@@ -137,7 +144,7 @@ static batten_status read_line(bat_words *words, bool alone, batten_curve **out)
     int dimension = 0, bounded = 0;
     batten_vec3 point = {0, 0, 0}, way = {0, 0, 0};
     batten_interval range = {0, 1};
-    bool turned = false;
+    bool turned = false, backwards = false;
     batten_curve *line = NULL;
     batten_status status = bat_words_integer(words, "the dimension", 2, 3, &dimension);
     if (status == BATTEN_OK)
@@ -150,7 +157,7 @@ static batten_status read_line(bat_words *words, bool alone, batten_curve **out)
         return bat_input_fail(words->input, BATTEN_UNSUPPORTED, words->line,
                               "the line has no ends");
     if (status == BATTEN_OK)
-        status = bat_g2_read_range(words, false, range, &range);
+        status = bat_g2_read_range(words, false, range, &range, &backwards);
     if (status == BATTEN_OK)
         status = read_turned(words, alone, &turned);
     if (status == BATTEN_OK) {
@@ -159,7 +166,7 @@ static batten_status read_line(bat_words *words, bool alone, batten_curve **out)
         status =
             batten_curve_line(3, (double[]){a.x, a.y, a.z}, (double[]){b.x, b.y, b.z}, &line);
     }
-    return finish_curve(status, turned, dimension, line, out);
+    return finish_curve(status, turned != backwards, dimension, line, out);
 }
 
 /* Circles have one radius, ellipses two. In the plane there is no normal. */
@@ -170,7 +177,7 @@ static batten_status read_ellipse(bat_words *words, bool alone, bool is_circle,
     double a = 0, b = 0;
     batten_frame frame = batten_frame_world();
     batten_interval range;
-    bool turned = false;
+    bool turned = false, backwards = false;
     batten_curve *space = NULL;
     batten_status status = bat_words_integer(words, "the dimension", 2, 3, &dimension);
     if (status == BATTEN_OK)
@@ -185,7 +192,8 @@ static batten_status read_ellipse(bat_words *words, bool alone, bool is_circle,
     if (status == BATTEN_OK)
         status = bat_g2_read_vector(words, "the direction of the x-axis", dimension, &frame.x);
     if (status == BATTEN_OK)
-        status = bat_g2_read_range(words, alone, (batten_interval){0, 2 * BAT_PI}, &range);
+        status = bat_g2_read_range(words, alone, (batten_interval){0, 2 * BAT_PI}, &range,
+                                   &backwards);
     if (status == BATTEN_OK)
         status = read_turned(words, alone, &turned);
     if (status == BATTEN_OK)
@@ -195,7 +203,7 @@ static batten_status read_ellipse(bat_words *words, bool alone, bool is_circle,
         status =
             bat_conic_between(&conic, range.a, bat_min(range.b, range.a + 2 * BAT_PI), &space);
     }
-    return finish_curve(status, turned, dimension, space, out);
+    return finish_curve(status, turned != backwards, dimension, space, out);
 }
 
 batten_status bat_g2_read_curve(bat_words *words, int class, bool alone, batten_curve **out)

@@ -1,49 +1,32 @@
 /* Bounded surfaces of .g2 files: a surface and loops of curves on it, as one face. */
-#include "body/trace/lift.h"
 #include "exchange/g2/g2.h"
+#include "numeric/box.h"
+#include "numeric/vector.h"
 
 #include <string.h>
 
-/* One curve of a loop: in the parameters, in space, or both. */
 typedef struct {
-    batten_curve *parameters, *space;
-} trim;
+    int count;     /* of its trims */
+    double stated; /* its tolerance in the file */
+    int line;
+} loop;
 
-static void release(bat_list *trims)
+typedef struct {
+    bat_words *words;
+    bat_g2_ground ground;
+    bat_list trims; /* of all loops, one after another */
+    bat_list loops;
+    double size, tolerance; /* of what the loops are, and of the body so far */
+} face_reading;
+
+static void release_trims(bat_list *trims)
 {
-    trim *items = trims->items;
+    bat_g2_trim *items = trims->items;
     for (size_t i = 0; i < trims->count; i++) {
         batten_curve_unref(items[i].parameters);
         batten_curve_unref(items[i].space);
     }
     bat_release(items);
-    *trims = (bat_list){.size = sizeof(trim)};
-}
-
-/* "1 100 100": which is the master, and the classes of both curves, 0 for none; old files write
- * 1 for splines. */
-static batten_status read_trim(bat_words *words, trim *t)
-{
-    int master = 0, classes[2] = {0, 0};
-    batten_status status =
-        bat_words_integer(words, "the mark of the master curve", 0, 1, &master);
-    for (int k = 0; status == BATTEN_OK && k < 2; k++) {
-        status = bat_words_integer(words, "the class of a trimming curve", 0, 999, &classes[k]);
-        if (classes[k] == 1)
-            classes[k] = BAT_G2_CURVE;
-    }
-    if (status == BATTEN_OK && classes[0])
-        status = bat_g2_read_curve(words, classes[0], false, &t->parameters);
-    if (status == BATTEN_OK && classes[1])
-        status = bat_g2_read_curve(words, classes[1], false, &t->space);
-    if (status == BATTEN_OK && !t->parameters && !t->space)
-        status = bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
-                                "a trimming curve has neither form");
-    if (status == BATTEN_OK && ((t->parameters && batten_curve_dimension(t->parameters) != 2) ||
-                                (t->space && batten_curve_dimension(t->space) != 3)))
-        status = bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
-                                "a trimming curve has the wrong dimension");
-    return status;
 }
 
 /* Is the curve one point, as where a loop passes a pole? */
@@ -56,30 +39,6 @@ static bool is_point(const batten_curve *curve, double tolerance)
     return true;
 }
 
-/* The curve in space of a trim, made when the file has none. Parameters that are not those of
- * the surface go. */
-static batten_status complete(bat_words *words, const batten_surface *surface, bool is_spline,
-                              double tolerance, trim *t)
-{
-    double error = 0;
-    if (!t->space && !is_spline)
-        return bat_input_fail(words->input, BATTEN_UNSUPPORTED, words->line,
-                              "a trimming curve on an elementary surface has no form in space");
-    batten_status status = BATTEN_OK;
-    if (!t->space) {
-        status = bat_lift(surface, t->parameters, tolerance, &t->space, &error);
-        if (status == BATTEN_OK && error > 0)
-            batten_notes_add(
-                words->input->notes, words->input->file, words->line, "bounded surface",
-                "a curve in space was made from that in the parameters, within %g", error);
-    }
-    if (!is_spline) {
-        batten_curve_unref(t->parameters);
-        t->parameters = NULL;
-    }
-    return status;
-}
-
 static batten_status start_of(const batten_curve *curve, double point[3])
 {
     return batten_curve_evaluate(curve, batten_curve_domain(curve).a, 0, point);
@@ -88,10 +47,9 @@ static batten_status start_of(const batten_curve *curve, double point[3])
 /* Edges and uses of a loop, head to tail: the start of each curve is a vertex. A pole ends
  * where it begins, and the next curve goes on from there; so a loop begins with those at its
  * end. */
-static batten_status build_loop(bat_builder *builder, const bat_list *trims, double tolerance)
+static batten_status build_loop(bat_builder *builder, const bat_g2_trim *items, int count,
+                                double tolerance)
 {
-    const trim *items = trims->items;
-    const int count = (int)trims->count;
     int turn = count;
     while (turn > 0 && is_point(items[turn - 1].space, tolerance))
         turn--;
@@ -99,7 +57,7 @@ static batten_status build_loop(bat_builder *builder, const bat_list *trims, dou
     bool after_pole = false;
     batten_status status = bat_builder_loop(builder);
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
-        const trim *t = &items[(i + turn) % count];
+        const bat_g2_trim *t = &items[(i + turn) % count];
         const bool is_pole = is_point(t->space, tolerance);
         double point[3];
         status = start_of(t->space, point);
@@ -117,76 +75,180 @@ static batten_status build_loop(bat_builder *builder, const bat_list *trims, dou
     return status;
 }
 
-static batten_status read_loop(bat_words *words, const batten_surface *surface, bool is_spline,
-                               bat_builder *builder)
+/* ---- a face, read before it is built: where it has no bounds, its loops are them ---- */
+
+static batten_status read_loop(face_reading *r)
 {
-    int count = 0;
-    double tolerance = 0;
-    bat_list trims = {.size = sizeof(trim)};
+    bat_words *words = r->words;
+    loop made = {.line = words->line};
     batten_status status =
-        bat_words_integer(words, "the number of curves of a loop", 1, 1000000, &count);
+        bat_words_integer(words, "the number of curves of a loop", 1, 1000000, &made.count);
     if (status == BATTEN_OK)
-        status = bat_words_real(words, "the tolerance of a loop", &tolerance);
+        status = bat_words_real(words, "the tolerance of a loop", &made.stated);
     if (status == BATTEN_OK)
-        status = bat_words_check(words, "curves of a loop", (size_t)count, 10);
-    /* A twentieth: edges that are off their face are written with their true distance. */
-    const double stated = tolerance;
-    const batten_box box = batten_surface_box(surface);
-    const double size =
-        hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
-    tolerance =
-        stated > 0 ? bat_judged_accuracy(stated, size, 5e-2, stated) : builder->parts.tolerance;
-    if (stated > 0 && tolerance != stated)
-        batten_notes_remark(words->input->notes, words->input->file, words->line,
-                            "bounded surface",
-                            "a loop states a tolerance of %g at a size of %g; %g is used",
-                            stated, size, tolerance);
-    builder->parts.tolerance = bat_max(builder->parts.tolerance, tolerance);
-    for (int i = 0; status == BATTEN_OK && i < count; i++) {
-        trim t = {NULL, NULL};
-        status = read_trim(words, &t);
+        status = bat_words_check(words, "curves of a loop", (size_t)made.count, 10);
+    if (status == BATTEN_OK)
+        status = bat_list_add(words->input, &r->loops, &made);
+    for (int i = 0; status == BATTEN_OK && i < made.count; i++) {
+        bat_g2_trim t;
+        status = bat_g2_read_trim(words, &r->ground, &t);
         if (status == BATTEN_OK)
-            status = complete(words, surface, is_spline, tolerance, &t);
-        if (status == BATTEN_OK)
-            status = bat_list_add(words->input, &trims, &t);
+            status = bat_list_add(words->input, &r->trims, &t);
         if (status != BATTEN_OK) {
             batten_curve_unref(t.parameters);
             batten_curve_unref(t.space);
         }
     }
+    return status;
+}
+
+/* A twentieth: edges that are off their face are written with their true distance. */
+static double judge_tolerance(const face_reading *r, const loop *of)
+{
+    const bat_input *input = r->words->input;
+    const double judged = of->stated > 0
+                              ? bat_judged_accuracy(of->stated, r->size, 5e-2, of->stated)
+                              : r->tolerance;
+    if (of->stated > 0 && judged != of->stated)
+        batten_notes_remark(input->notes, input->file, of->line, "bounded surface",
+                            "a loop states a tolerance of %g at a size of %g; %g is used",
+                            of->stated, r->size, judged);
+    return judged;
+}
+
+static double box_size(batten_box box)
+{
+    return hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
+}
+
+static batten_status add_samples(bat_input *input, const batten_curve *curve, bat_list *points)
+{
+    enum { EACH = 8, MOST = 1000 };
+    const batten_interval domain = batten_curve_domain(curve);
+    const int steps = bat_min_int(MOST, EACH * batten_curve_spans(curve, NULL));
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i <= steps; i++) {
+        const double t = i < steps ? domain.a + i * (domain.b - domain.a) / steps : domain.b;
+        double point[3];
+        status = batten_curve_evaluate(curve, t, 0, point);
+        if (status == BATTEN_OK)
+            status = bat_list_add(input, points, point);
+    }
+    return status;
+}
+
+/* Points of all trims, of an unbounded surface; they must be in space. */
+static batten_status sample_trims(face_reading *r, bat_around *around, bat_list *points)
+{
+    const bat_g2_trim *trims = r->trims.items;
+    batten_box box = bat_box_of_nothing();
+    batten_status status = BATTEN_OK;
+    for (size_t i = 0; status == BATTEN_OK && i < r->trims.count; i++) {
+        if (!trims[i].space)
+            return bat_input_fail(
+                r->words->input, BATTEN_UNSUPPORTED, r->words->line,
+                "a trimming curve on an elementary surface has no form in space");
+        status = add_samples(r->words->input, trims[i].space, points);
+        if (status == BATTEN_OK)
+            status = bat_around_add(around, trims[i].space, false);
+    }
+    for (size_t k = 0; k < points->count; k++)
+        bat_box_join(&box, bat_box_at((const double *)points->items + 3 * k));
+    r->size = points->count ? box_size(box) : 0;
+    return status;
+}
+
+/* As much of the surface as its loops need. */
+static batten_status bound_by_loops(face_reading *r)
+{
+    bat_list points = {.size = 3 * sizeof(double)};
+    batten_surface *made = NULL;
+    bat_around around;
+    double error = 0;
+    batten_status status = bat_around_begin(&r->ground.unbounded, 0, &around);
     if (status == BATTEN_OK)
-        status = build_loop(builder, &trims, tolerance);
-    release(&trims);
+        status = sample_trims(r, &around, &points);
+    r->ground.unbounded.goes_on = status == BATTEN_OK && bat_around_is_once(&around);
+    if (status == BATTEN_OK)
+        status = bat_elementary_surface(&r->ground.unbounded, (int)points.count, points.items,
+                                        BAT_WRITTEN * r->size, &made, &error);
+    if (status == BATTEN_OK && r->ground.is_swapped)
+        status = batten_surface_swap(made, &r->ground.surface);
+    else if (status == BATTEN_OK)
+        r->ground.surface = batten_surface_ref(made);
+    batten_surface_unref(made);
+    bat_release(points.items);
+    return status;
+}
+
+static batten_status read_parts(face_reading *r)
+{
+    int class = 0, loops = 0;
+    batten_status status =
+        bat_words_integer(r->words, "the class of the bounded surface", 0, 999, &class);
+    if (status == BATTEN_OK)
+        status = bat_g2_read_surface(r->words, class, false, &r->ground);
+    if (status == BATTEN_OK)
+        status = bat_words_integer(r->words, "the number of loops", 0, 1000000, &loops);
+    for (int i = 0; status == BATTEN_OK && i < loops; i++)
+        status = read_loop(r);
+    if (status == BATTEN_OK && !r->ground.surface)
+        status = bound_by_loops(r);
+    else if (status == BATTEN_OK)
+        r->size = box_size(batten_surface_box(r->ground.surface));
+    return status;
+}
+
+static batten_status build_face(face_reading *r, const batten_body_face *look,
+                                bat_builder *builder)
+{
+    batten_body_face face = *look;
+    const loop *loops = r->loops.items;
+    bat_g2_trim *trims = r->trims.items;
+    double parted = 0;
+    face.surface = r->ground.surface;
+    batten_status status = bat_builder_shell(builder, false);
+    if (status == BATTEN_OK)
+        status = bat_builder_face(builder, &face);
+    for (size_t k = 0; status == BATTEN_OK && k < r->loops.count; k++) {
+        const double tolerance = judge_tolerance(r, &loops[k]);
+        builder->parts.tolerance = r->tolerance = bat_max(r->tolerance, tolerance);
+        for (int i = 0; status == BATTEN_OK && i < loops[k].count; i++)
+            status = bat_g2_settle_trim(r->words, &r->ground, r->size, tolerance, &trims[i],
+                                        &parted);
+        if (status == BATTEN_OK)
+            status = build_loop(builder, trims, loops[k].count, tolerance);
+        trims += loops[k].count;
+    }
+    if (parted > 0)
+        batten_notes_remark(r->words->input->notes, r->words->input->file, r->words->line,
+                            "bounded surface",
+                            "its trimming curves in space are up to %g from those in the "
+                            "parameters; what the file calls the master is taken",
+                            parted);
     return status;
 }
 
 batten_status bat_g2_read_face(bat_words *words, const batten_body_face *look,
                                batten_body **out)
 {
-    int class = 0, loops = 0;
-    bool is_spline = false;
-    batten_surface *surface = NULL;
-    bat_builder builder;
     /* Only to begin with: the tolerance of the body is that of its loops. */
-    bat_builder_begin(&builder, 1e-12);
-    batten_body_face face = *look;
-    batten_status status =
-        bat_words_integer(words, "the class of the bounded surface", 0, 999, &class);
+    const double least = 1e-12;
+    face_reading r = {.words = words,
+                      .trims = {.size = sizeof(bat_g2_trim)},
+                      .loops = {.size = sizeof(loop)},
+                      .tolerance = least};
+    bat_builder builder;
+    bat_builder_begin(&builder, least);
+    batten_status status = read_parts(&r);
     if (status == BATTEN_OK)
-        status = bat_g2_read_surface(words, class, false, &is_spline, &surface);
-    if (status == BATTEN_OK)
-        status = bat_words_integer(words, "the number of loops", 0, 1000000, &loops);
-    face.surface = surface;
-    if (status == BATTEN_OK)
-        status = bat_builder_shell(&builder, false);
-    if (status == BATTEN_OK)
-        status = bat_builder_face(&builder, &face);
-    for (int i = 0; status == BATTEN_OK && i < loops; i++)
-        status = read_loop(words, surface, is_spline, &builder);
+        status = build_face(&r, look, &builder);
     if (status == BATTEN_OK)
         status = bat_builder_finish(&builder, false, out);
     else
         bat_builder_end(&builder);
-    batten_surface_unref(surface);
+    batten_surface_unref(r.ground.surface);
+    release_trims(&r.trims);
+    bat_release(r.loops.items);
     return status;
 }

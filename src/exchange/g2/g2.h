@@ -67,9 +67,9 @@ batten_status bat_g2_read_vector(bat_words *words, const char *what, int count,
                                  batten_vec3 *out);
 /* z and x as they were read become square and of length one. */
 batten_status bat_g2_make_frame(const bat_words *words, batten_frame *frame);
-/* Two numbers of a range, a < b; the standard one when the object is alone and none follow. */
+/* Two numbers of a range, a < b, whichever comes first; the standard one when the object is alone and none follow. */
 batten_status bat_g2_read_range(bat_words *words, bool alone, batten_interval standard,
-                                batten_interval *range);
+                                batten_interval *range, bool *is_backwards);
 
 /* ---- objects ---- */
 
@@ -77,9 +77,31 @@ batten_status bat_g2_read_range(bat_words *words, bool alone, batten_interval st
  * @param alone  it stands under its own header: then old files leave out the ranges of
  * elementary ones */
 batten_status bat_g2_read_curve(bat_words *words, int class, bool alone, batten_curve **out);
-/* *is_spline: parameter curves on it are in the parameters of *out. */
-batten_status bat_g2_read_surface(bat_words *words, int class, bool alone, bool *is_spline,
-                                  batten_surface **out);
+/* What a surface of a file is. */
+typedef struct {
+    batten_surface *surface;  /* NULL where the file gives it no bounds */
+    bat_elementary unbounded; /* what it is then, */
+    bool is_swapped;          /* with u and v exchanged */
+    bool is_spline;           /* parameter curves on it are in the parameters of the surface */
+    bool is_plane;            /* and here in lengths along x and y of `frame`, */
+    batten_frame frame;
+} bat_g2_ground;
+
+/* @param alone  it stands under its own header: then it must have bounds */
+batten_status bat_g2_read_surface(bat_words *words, int class, bool alone, bat_g2_ground *out);
+/* One curve of a loop: in the parameters, in space, or both. */
+typedef struct {
+    batten_curve *parameters, *space;
+    bool by_parameters; /* these are its master */
+} bat_g2_trim;
+
+/* On a plane it is in space afterwards; what was read is the caller's also where it fails. */
+batten_status bat_g2_read_trim(bat_words *words, const bat_g2_ground *ground,
+                               bat_g2_trim *trim);
+/* In space afterwards, and in the parameters where these are the surface's; where both forms were there and part by more
+ * than 1e-6 of the size, the other is made of the master, and *parted grows to their distance. */
+batten_status bat_g2_settle_trim(bat_words *words, const bat_g2_ground *ground, double size,
+                                 double tolerance, bat_g2_trim *trim, double *parted);
 /* A bounded surface: one face. */
 batten_status bat_g2_read_face(bat_words *words, const batten_body_face *look,
                                batten_body **out);

@@ -46,15 +46,14 @@ static batten_status add_curve(reading *r, int class)
 
 static batten_status add_surface(reading *r, int class)
 {
-    bool is_spline = false;
-    batten_surface *surface = NULL;
+    bat_g2_ground ground;
     batten_object object = r->look;
-    batten_status status = bat_g2_read_surface(&r->words, class, true, &is_spline, &surface);
+    batten_status status = bat_g2_read_surface(&r->words, class, true, &ground);
     object.kind = BATTEN_OBJECT_SURFACE;
-    object.surface = surface;
+    object.surface = ground.surface;
     if (status == BATTEN_OK)
         status = batten_model_add(r->model, &object);
-    batten_surface_unref(surface);
+    batten_surface_unref(ground.surface);
     return status;
 }
 

@@ -80,6 +80,10 @@ static batten_status read_place(bat_words *words, elementary *e)
         status = bat_words_real(words, "the radius", &e->radius);
     if (status == BATTEN_OK && e->class == BAT_G2_TORUS)
         status = bat_words_real(words, "the small radius", &e->other);
+    if (status == BATTEN_OK && e->class == BAT_G2_TORUS && e->radius < 0)
+        batten_notes_add(words->input->notes, words->input->file, words->line, "torus",
+                         "its radius is %g; it is taken as the formula of the surface has it",
+                         e->radius);
     if (status == BATTEN_OK)
         status = bat_g2_read_vector(words, "the centre", 3, &e->frame.origin);
     if (status == BATTEN_OK)
@@ -96,6 +100,7 @@ static batten_status read_place(bat_words *words, elementary *e)
 static batten_status read_bounds(bat_words *words, bool alone, elementary *e)
 {
     const bool has_mark = e->class != BAT_G2_SPHERE;
+    bool backwards = false; /* the same surface */
     int bounded = e->class == BAT_G2_SPHERE || e->class == BAT_G2_TORUS, swapped = 0;
     batten_status status = BATTEN_OK;
     e->u = whole;
@@ -107,9 +112,9 @@ static batten_status read_bounds(bat_words *words, bool alone, elementary *e)
         status = bat_words_integer(words, "the mark of a bounded surface", 0, 1, &bounded);
     e->is_bounded |= bounded;
     if (status == BATTEN_OK && (bounded || e->class != BAT_G2_PLANE))
-        status = bat_g2_read_range(words, false, whole, &e->u);
+        status = bat_g2_read_range(words, false, whole, &e->u, &backwards);
     if (status == BATTEN_OK && bounded)
-        status = bat_g2_read_range(words, false, whole, &e->v);
+        status = bat_g2_read_range(words, false, whole, &e->v, &backwards);
     if (status == BATTEN_OK && !(alone && bat_g2_is_at_end(words)))
         status = bat_words_integer(words, "the mark of swapped parameters", 0, 1, &swapped);
     e->is_swapped = swapped;
@@ -152,13 +157,9 @@ static batten_status make_profile(const elementary *e, batten_curve **out)
     return batten_curve_line(3, (double[]){p.x, p.y, p.z}, (double[]){q.x, q.y, q.z}, out);
 }
 
-static batten_status make_elementary(const bat_words *words, const elementary *e,
-                                     batten_surface **out)
+static batten_status make_elementary(const elementary *e, batten_surface **out)
 {
     batten_curve *profile = NULL;
-    if (!e->is_bounded)
-        return bat_input_fail(words->input, BATTEN_UNSUPPORTED, words->line,
-                              "the surface has no bounds");
     if (e->class == BAT_G2_PLANE)
         return batten_surface_bilinear(at(e, e->u.a, e->v.a, 0), at(e, e->u.b, e->v.a, 0),
                                        at(e, e->u.a, e->v.b, 0), at(e, e->u.b, e->v.b, 0), out);
@@ -170,20 +171,39 @@ static batten_status make_elementary(const bat_words *words, const elementary *e
     return status;
 }
 
+/* Planes, cylinders and cones alone may be without bounds. */
+static bat_elementary without_bounds(const elementary *e)
+{
+    const bat_elementary_kind kind = e->class == BAT_G2_PLANE  ? BAT_PLANE
+                                     : e->class == BAT_G2_CONE ? BAT_CONE
+                                                               : BAT_CYLINDER;
+    return (bat_elementary){.kind = kind, .frame = e->frame, .a = e->radius, .b = e->angle};
+}
+
 static batten_status read_elementary(bat_words *words, int class, bool alone,
-                                     batten_surface **out)
+                                     bat_g2_ground *out)
 {
     elementary e = {.class = class};
     batten_surface *made = NULL;
     batten_status status = read_place(words, &e);
     if (status == BATTEN_OK)
         status = read_bounds(words, alone, &e);
-    if (status == BATTEN_OK)
-        status = make_elementary(words, &e, &made);
+    if (status == BATTEN_OK && alone && !e.is_bounded)
+        status = bat_input_fail(words->input, BATTEN_UNSUPPORTED, words->line,
+                                "the surface has no bounds");
+    if (status != BATTEN_OK)
+        return status;
+    out->is_plane = class == BAT_G2_PLANE;
+    out->frame = e.frame;
+    out->is_swapped = e.is_swapped;
+    out->unbounded = without_bounds(&e);
+    if (!e.is_bounded)
+        return BATTEN_OK;
+    status = make_elementary(&e, &made);
     if (status == BATTEN_OK && e.is_swapped)
-        status = batten_surface_swap(made, out);
+        status = batten_surface_swap(made, &out->surface);
     else if (status == BATTEN_OK)
-        *out = batten_surface_ref(made);
+        out->surface = batten_surface_ref(made);
     batten_surface_unref(made);
     return status;
 }
@@ -207,13 +227,12 @@ static batten_status read_revolution(bat_words *words, batten_surface **out)
     return status;
 }
 
-batten_status bat_g2_read_surface(bat_words *words, int class, bool alone, bool *is_spline,
-                                  batten_surface **out)
+batten_status bat_g2_read_surface(bat_words *words, int class, bool alone, bat_g2_ground *out)
 {
-    *is_spline = class == BAT_G2_SURFACE;
+    *out = (bat_g2_ground){.is_spline = class == BAT_G2_SURFACE};
     switch (class) {
     case BAT_G2_SURFACE:
-        return read_spline(words, out);
+        return read_spline(words, &out->surface);
     case BAT_G2_PLANE:
     case BAT_G2_CYLINDER:
     case BAT_G2_SPHERE:
@@ -221,7 +240,7 @@ batten_status bat_g2_read_surface(bat_words *words, int class, bool alone, bool 
     case BAT_G2_TORUS:
         return read_elementary(words, class, alone, out);
     case BAT_G2_REVOLUTION:
-        return read_revolution(words, out);
+        return read_revolution(words, &out->surface);
     default:
         return bat_input_fail(words->input, BATTEN_UNSUPPORTED, words->line,
                               "surfaces of class %d are not read", class);

@@ -281,6 +281,46 @@ TEST(spheres_and_tori_are_whole)
     batten_surface_unref(surface);
 }
 
+/* (a + b cos v) from the axis and b sin v along it, with a < 0: the same points, the other way up. */
+TEST(a_torus_of_negative_major_radius_is_the_same_with_its_normal_turned)
+{
+    const bat_elementary ring = {
+        .kind = BAT_TORUS, .frame = batten_frame_world(), .a = 5, .b = 2};
+    bat_elementary other = ring;
+    other.a = -5;
+    batten_surface *surfaces[2] = {reach(&ring, 0, NULL), reach(&other, 0, NULL)};
+    double area, error, p[2][3];
+    CHECK_OK(test_surface_area(surfaces[1], 1e-10, &area, &error));
+    CHECK_NEAR(area, 4 * BAT_PI * BAT_PI * 10, 1e-6);
+    for (int k = 0; k < 2; k++) {
+        bool is_limit;
+        batten_vec3 n;
+        CHECK_OK(batten_surface_evaluate(surfaces[k], 0, k ? 2 * BAT_PI - 1 : 1, 0, p[k]));
+        CHECK_OK(batten_surface_normal(surfaces[k], 0, k ? 2 * BAT_PI - 1 : 1, &is_limit, &n));
+        /* outward from the circle of radius 5, or inward */
+        CHECK_NEAR(((p[k][0] - 5) * n.x + p[k][2] * n.z) / 2, k ? -1 : 1, 1e-12);
+        batten_surface_unref(surfaces[k]);
+    }
+}
+
+TEST(a_tube_over_the_axis_of_negative_major_radius_is_its_lemon)
+{
+    const double a = 1, b = 2, half = acos(a / b);
+    const bat_elementary e = {
+        .kind = BAT_TORUS, .frame = batten_frame_world(), .a = -a, .b = b};
+    batten_surface *surface = reach(&e, 0, NULL);
+    double area, error, p[3];
+    bool is_limit;
+    batten_vec3 n;
+    CHECK_OK(test_surface_area(surface, 1e-10, &area, &error));
+    CHECK_NEAR(area, 2 * BAT_PI * b * 2 * (b * sin(half) - a * half), 1e-7);
+    CHECK_OK(batten_surface_evaluate(surface, 0, 0, 0, p));
+    CHECK_OK(batten_surface_normal(surface, 0, 0, &is_limit, &n));
+    CHECK_NEAR(p[0], b - a, 1e-12);
+    CHECK_NEAR(n.x, 1, 1e-12); /* a + b cos v is positive there */
+    batten_surface_unref(surface);
+}
+
 /* An apple outside, a lemon inside; areas by Pappus: 2 pi b (half angle * 2 a + 2 b sin). */
 TEST(G5_a_tube_over_the_axis_is_cut_there)
 {

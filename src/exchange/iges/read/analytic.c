@@ -102,7 +102,7 @@ static batten_status read_direction(bat_iges_item *item, size_t index, bool *is_
 
 static batten_status check_sizes(const layout *at, const bat_elementary *e)
 {
-    if (at->a && !(e->a > 0))
+    if (at->a && !(e->a > 0) && !(at->kind == BAT_TORUS && e->a < 0))
         return bat_fail(BATTEN_BAD_FORMAT, "a radius of %g", e->a);
     if (at->kind == BAT_TORUS && !(e->b > 0))
         return bat_fail(BATTEN_BAD_FORMAT, "a radius of %g", e->b);
@@ -136,6 +136,12 @@ static batten_status read_analytic(bat_iges_item *item, const layout *at, bat_el
         out->b *= BAT_PI / 180;
     if (status == BATTEN_OK)
         status = check_sizes(at, out);
+    if (status == BATTEN_OK && at->kind == BAT_TORUS && out->a < 0)
+        batten_notes_add(
+            item->reading->input->notes, item->reading->input->file, item->entry->line, "torus",
+            "its major radius is %g, which the standard does not have; it is taken as "
+            "the formula of the surface has it",
+            out->a);
     return status == BATTEN_OK
                ? make_frame(origin, axis, has_towards ? towards : NULL, &out->frame)
                : status;

@@ -1,5 +1,6 @@
 /* The surfaces of a STEP file. */
 #include "exchange/step/read/geometry.h"
+#include "exchange/step/read/topology.h"
 #include "numeric/vector.h"
 
 #include <string.h>
@@ -36,7 +37,12 @@ static batten_status read_measures(const bat_step_reading *reading,
         batten_status status = bat_step_get_real(reading->file, record, 2 + k, &value);
         if (status != BATTEN_OK)
             return status;
-        if (!(value > 0) && !(may_vanish && value == 0))
+        if (k == 0 && f->kind == BAT_TORUS && value < 0)
+            bat_step_warn(reading->file, instance,
+                          "its %s is %g, which the standard does not have; it is taken as the "
+                          "formula of the surface has it",
+                          f->what[k], value);
+        else if (!(value > 0) && !(may_vanish && value == 0))
             return bat_step_fail(reading->file, instance, BATTEN_BAD_FORMAT,
                                  "its %s is %g; it must be positive", f->what[k], value);
         value *= is_angle ? reading->scale.angle : reading->scale.length;

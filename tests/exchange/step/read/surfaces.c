@@ -322,6 +322,27 @@ TEST(a_degenerate_torus_alone_is_the_part_that_it_selects)
                   ".T. or .F.");
 }
 
+/* The same points; trimmed by the formula, with a + b cos v from the axis. */
+TEST(a_torus_of_negative_major_radius_is_taken_as_its_formula_has_it)
+{
+    batten_surface *torus = surface_of("#100=TOROIDAL_SURFACE('',#4,-5.,2.);", &millimetres);
+    double area = 0, error = 0;
+    CHECK_OK(test_surface_area(torus, 1e-10, &area, &error));
+    CHECK_NEAR(area, 40 * BAT_PI * BAT_PI, 1e-6);
+    batten_surface_unref(torus);
+    batten_surface *part =
+        surface_of("#100=RECTANGULAR_TRIMMED_SURFACE('',#101,0.,1.,0.,1.,.T.,.T.);"
+                   "#101=TOROIDAL_SURFACE('',#4,-5.,2.);",
+                   &millimetres);
+    const double p[3] = {1, 2 - 3, 3};
+    check_at(part, 0, 0, p);
+    batten_surface_unref(part);
+    check_refusal("#100=TOROIDAL_SURFACE('',#4,0.,2.);", BATTEN_BAD_FORMAT,
+                  "its major radius is 0; it must be positive");
+    check_refusal("#100=TOROIDAL_SURFACE('',#4,5.,-2.);", BATTEN_BAD_FORMAT,
+                  "its minor radius is -2; it must be positive");
+}
+
 TEST(step_bounded_surfaces_stand_alone_and_unbounded_do_not)
 {
     batten_surface *torus = surface_of("#100=TOROIDAL_SURFACE('',#4,5.,2.);", &millimetres);
