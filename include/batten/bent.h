@@ -172,6 +172,8 @@ typedef struct batten_curve_minimum_energy_report {
     double before, after; /**< the energy of the spline that was the start, and of the result */
     double length;        /**< of the result */
     double remaining;     /**< how much the energy would still fall, by its derivatives */
+    double tension;       /**< 0; above 0: the curve would bend less and less by growing, this
+                               tension holds it, and it is the least of those no longer */
 } batten_curve_minimum_energy_report;
 
 /**
@@ -179,14 +181,22 @@ typedef struct batten_curve_minimum_energy_report {
  * tangent and curvature.
  *
  * It is the least near the best of the other curves that Batten has through the same points:
- * the elastica, Euler spirals and Spiro's curve of points in a plane, and cubic splines. Its
- * energy is measured by adaptive quadrature on the result, and none of these has one that is
- * less by more than a thousandth; else the search ends INCOMPLETE with both figures. For bending
- * there is no least in the large, since loops can grow for ever; nor is there always one with
- * free ends. Two points give the line; so do all on a line. Points of a circle give the circle
- * of least variation within 2e-9 of its radius when they are a radian apart, with 4 pieces
- * within 1e-10. Where a curve of least bending is known to exist, `batten_chain_nonlinear` with
- * ELASTICA has it exactly; this one also knows space, tension and variation.
+ * the elastica, Euler spirals and Spiro's curve of points in a plane, cubic splines, and one of
+ * circles through neighbours. Its energy is measured by adaptive quadrature on the result, and
+ * none of these has one that is less by more than a thousandth; else the search ends INCOMPLETE
+ * with both figures.
+ *
+ * Most points that lie wildly have no such least: the curve bends less and less by growing.
+ * Among the curves up to a length there is one, as of a strip under tension. The result is then
+ * held at about the length of the best of those others, where it has less energy than they, and
+ * `tension` in the report is above 0: with it in the options the same curve is the least of
+ * energy and tension together. Held so, its energy is known to a thousandth (`remaining`).
+ *
+ * Two points give the line; so do all on a line that do not turn back. Points of a circle give
+ * the circle of least variation within 2e-9 of its radius when they are a radian apart, with 4
+ * pieces within 1e-10. Where a curve of least bending is known to exist,
+ * `batten_chain_nonlinear` with ELASTICA has it exactly; this one also knows space, tension and
+ * variation.
  *
  * @param points  dimension: 2 or 3
  *     [count][dimension], 2 or more, 3 or more when closed; neighbours apart
@@ -194,12 +204,12 @@ typedef struct batten_curve_minimum_energy_report {
  * @param[out] parameters  [count], all but arc lengths; closed: the curve ends at the first
  * point again; may be NULL
  * @param[out] report  what was reached; may be NULL
- * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT; INCOMPLETE when
- * max_steps did not reach the least, or the curve grows without end: then give directions at
- * the ends or a tension
+ * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT; NOT_COMPATIBLE when
+ * all points lie on one line and turn back; INCOMPLETE when max_steps did not reach the least,
+ * or the curve grows and no tension was found that holds it
  *
  * Cost: linear in count times pieces for each step, some 5 microseconds a piece; mostly 5 to 20
- * steps.
+ * steps, some hundreds where a tension has to be found.
  * Source: [MS92], [Horn83].
  */
 BATTEN_API batten_status batten_curve_minimum_energy(

@@ -4,14 +4,13 @@
  */
 #include "shape/bent/energy.h"
 #include "base/plural.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "spline/data_check.h"
 #include <batten/bent.h>
 #include <batten/curve.h>
 
-#include <string.h>
-
-enum { LEAST_PIECES = 2, MOST_PIECES = 16 };
+#include <stdio.h>
 
 batten_curve_minimum_energy_options batten_curve_minimum_energy_defaults(void)
 {
@@ -39,6 +38,47 @@ static batten_status check_end(const char *name, int d, const double *tangent,
     return BATTEN_OK;
 }
 
+/* How far a point is along the direction from the first to the second, and off it. */
+static double along_line(int d, const double *points, int i, double *off)
+{
+    double from[3], line[3], square = 0;
+    for (int c = 0; c < d; c++) {
+        from[c] = points[i * d + c] - points[c];
+        line[c] = points[d + c] - points[c];
+    }
+    const double length = bat_norm(d, line), along = bat_dot(d, from, line) / length;
+    for (int c = 0; c < d; c++) {
+        const double aside = from[c] - along / length * line[c];
+        square += aside * aside;
+    }
+    *off = sqrt(square);
+    return along;
+}
+
+/* Points on one line that turn back, as those of all closed curves do, leave a smooth curve no
+ * side to turn to. */
+static batten_status check_turns_back(int d, int count, const double *points, bool closed)
+{
+    double last = 0, largest = 0, farthest_off = 0;
+    int back = closed ? count - 1 : 0;
+    for (int i = 1; i < count; i++) {
+        double off;
+        const double along = along_line(d, points, i, &off);
+        if (along < last && (back == 0 || i - 1 < back))
+            back = i - 1;
+        last = along;
+        largest = bat_max(largest, fabs(along));
+        farthest_off = bat_max(farthest_off, off);
+    }
+    if (back == 0 || farthest_off > BAT_MEANT_SAME * largest)
+        return BATTEN_OK;
+    return bat_fail(
+        BATTEN_NOT_COMPATIBLE,
+        "all points lie on one line, and the curve turns back at point %d: a smooth "
+        "curve has no side to turn to; move a point aside",
+        back + 1);
+}
+
 static batten_status check_energy_options(int d, int count, const double *points,
                                           const batten_curve_minimum_energy_options *options)
 {
@@ -53,11 +93,11 @@ static batten_status check_energy_options(int d, int count, const double *points
     if (options->tension > 0 && options->scale_invariant)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "a tension has a unit, which a scale-invariant energy has not");
-    if (options->pieces < 0 || options->pieces > MOST_PIECES)
+    if (options->pieces < 0 || options->pieces > BAT_ENERGY_MOST_PIECES)
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
             "%d pieces between points; 1 to %d are possible, or 0 for as many as needed",
-            options->pieces, MOST_PIECES);
+            options->pieces, BAT_ENERGY_MOST_PIECES);
     if (options->max_steps < 1)
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d step%s; at least 1 is needed",
                         options->max_steps, bat_plural(options->max_steps));
@@ -66,179 +106,21 @@ static batten_status check_energy_options(int d, int count, const double *points
         status = check_end("start", d, options->start_tangent, options->start_curvature);
     if (status == BATTEN_OK && !options->closed)
         status = check_end("end", d, options->end_tangent, options->end_curvature);
+    if (status == BATTEN_OK && !options->start_tangent && !options->end_tangent)
+        status = check_turns_back(d, count, points, options->closed);
     return status;
 }
 
 /* ---- searching ---- */
 
-/* What an energy in units of the mean chord is over one in those of the model. */
-static double unit_of_energy(const bat_energy_spline *t)
-{
-    return t->options->scale_invariant                   ? 1
-           : t->options->energy == BATTEN_ENERGY_BENDING ? t->unit
-                                                         : t->unit * t->unit * t->unit;
-}
-
 static void scale_report(const bat_energy_spline *t, batten_curve_minimum_energy_report *report)
 {
-    const double unit = unit_of_energy(t);
+    const double unit = bat_energy_unit(t);
     report->before /= unit;
     report->after /= unit;
     report->remaining /= unit;
     report->length *= t->unit;
-}
-
-/* Make the parameter the arc length, unless so few quintics then have much more energy than
- * `energy`; false when it stays as it was. */
-static batten_status go_by_length(bat_energy_spline *t, bat_energy_task what, double energy,
-                                  bool *changed)
-{
-    const bat_energy_curve *nodes = &t->nodes;
-    const size_t count = (size_t)nodes->count * 3 * (size_t)nodes->d;
-    double *x = bat_array(count, sizeof *x);
-    double *step = bat_array((size_t)nodes->spans, sizeof *step);
-    batten_status status = x && step ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK) {
-        batten_curve_minimum_energy_report now = {0};
-        bat_energy_end end;
-        memcpy(x, nodes->x, count * sizeof *x);
-        memcpy(step, nodes->step, (size_t)nodes->spans * sizeof *step);
-        what.max_steps = 0;
-        *changed = bat_energy_by_length(&t->nodes);
-        status = bat_energy_minimise(&what, &t->nodes, &now, &end);
-        *changed = *changed && now.before <= 1.05 * energy;
-    }
-    if (status == BATTEN_OK && !*changed) {
-        memcpy(nodes->x, x, count * sizeof *x);
-        memcpy(nodes->step, step, (size_t)nodes->spans * sizeof *step);
-    }
-    bat_release(x);
-    bat_release(step);
-    return status;
-}
-
-/* Search, make the parameter the arc length, and search again, until that lowers the energy no
- * more. */
-static batten_status search_from_here(bat_energy_spline *t,
-                                      batten_curve_minimum_energy_report *report)
-{
-    enum { ROUNDS = 10 };
-    const batten_curve_minimum_energy_options *o = t->options;
-    bat_energy_task what = {o->energy, o->scale_invariant, bat_energy_tension(t), o->max_steps,
-                            10 * bat_energy_length(&t->nodes)};
-    const int most = what.max_steps;
-    bool least = false, changed = true;
-    *report = (batten_curve_minimum_energy_report){0};
-    for (int round = 0; round < ROUNDS && changed; round++) {
-        const batten_curve_minimum_energy_report last = *report;
-        bat_energy_end end;
-        what.max_steps = most - last.steps;
-        batten_status status = bat_energy_minimise(&what, &t->nodes, report, &end);
-        if (status != BATTEN_OK)
-            return status;
-        report->steps += last.steps;
-        report->before = round > 0 ? last.before : report->before;
-        /* Where no step helps any more, so small a rest is that of derivatives that cancel. */
-        least = end == BAT_ENERGY_LEAST ||
-                (end == BAT_ENERGY_STUCK && report->remaining <= 1e-9 * report->after);
-        if (end == BAT_ENERGY_UNDERWAY ||
-            (least && round > 0 && last.after - report->after <= 1e-9 * report->after))
-            break;
-        status = go_by_length(t, what, report->after, &changed);
-        if (status != BATTEN_OK)
-            return status;
-    }
-    return least ? BATTEN_OK
-                 : bat_fail(BATTEN_INCOMPLETE,
-                            "%d step%s took the energy from %g to %g, and it could fall by %g "
-                            "more: give directions at the ends, a tension, or more points",
-                            report->steps, bat_plural(report->steps), report->before,
-                            report->after, report->remaining);
-}
-
-/* ---- what is found ---- */
-
-/* A curve of the model that beats its rivals. */
-typedef struct {
-    batten_curve *curve;
-    double *parameters;                        /* [count + 1] */
-    batten_curve_minimum_energy_report report; /* in units of the mean chord */
-} found_curve;
-
-static void release_found(found_curve *found)
-{
-    batten_curve_unref(found->curve);
-    bat_release(found->parameters);
-}
-
-/* The energy of the curve at the nodes, as it is delivered. */
-static batten_status measure_nodes(const bat_energy_spline *t, found_curve *out)
-{
-    out->parameters = bat_array((size_t)t->count + 1, sizeof *out->parameters);
-    batten_status status = out->parameters ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK)
-        status = bat_energy_spline_curve(t, out->parameters, &out->curve);
-    if (status == BATTEN_OK)
-        status = bat_energy_measure(t, NULL, out->curve, t->unit, &out->report.after);
-    return status;
-}
-
-static batten_status fail_beaten(const bat_energy_spline *t, double rival, double found)
-{
-    const double unit = unit_of_energy(t);
-    return bat_fail(
-        BATTEN_INCOMPLETE,
-        "the search ended at an energy of %g, but another curve through these points "
-        "has %g: allow more pieces, give directions at the ends, or a tension",
-        found / unit, rival / unit);
-}
-
-/*
- * From one start, with more and more quintics until that saves nothing. A result counts when it
- * is no worse than its rivals, and when the sums that were lowered had seen all of its energy;
- * else the next search begins at the start again. `best` stays as it was when nothing counts.
- */
-static batten_status search_start(bat_energy_spline *t, const bat_energy_start *start,
-                                  double rival, found_curve *best)
-{
-    const bool automatic = t->options->pieces == 0;
-    const double nothing = BAT_ENERGY_NOTHING * t->count;
-    double last = HUGE_VAL;
-    batten_curve_minimum_energy_report before = {0};
-    batten_status status =
-        bat_energy_spline_sample(t, start, automatic ? LEAST_PIECES : t->options->pieces);
-    while (status == BATTEN_OK) {
-        found_curve now = {0};
-        status = search_from_here(t, &now.report);
-        const double lowered = now.report.after;
-        /* The search goes on where the last one ended, unless it starts anew. */
-        if (before.steps > 0)
-            now.report.before = before.before;
-        now.report.steps += before.steps;
-        if (status == BATTEN_OK)
-            status = measure_nodes(t, &now);
-        const double energy = last = now.report.after;
-        const bool counts = status == BATTEN_OK &&
-                            energy <= (1 + BAT_ENERGY_WORTH) * rival + nothing &&
-                            fabs(energy - lowered) <= BAT_ENERGY_WORTH * energy + nothing;
-        const bool saves =
-            !best->curve || energy < (1 - BAT_ENERGY_WORTH) * best->report.after - nothing;
-        if (counts && saves) {
-            release_found(best);
-            *best = now;
-        } else {
-            release_found(&now);
-        }
-        if (status != BATTEN_OK || !automatic || (counts && !saves) ||
-            2 * t->pieces > MOST_PIECES)
-            break;
-        before = counts ? now.report : (batten_curve_minimum_energy_report){0};
-        status = counts ? bat_energy_spline_halve(t)
-                        : bat_energy_spline_sample(t, start, 2 * t->pieces);
-    }
-    if (best->curve && status == BATTEN_INCOMPLETE)
-        return BATTEN_OK; /* fewer quintics were enough */
-    return status == BATTEN_OK && !best->curve ? fail_beaten(t, rival, last) : status;
+    report->tension /= bat_energy_tension_unit(t);
 }
 
 /* The least energy of those curves that meet what is given at the ends. */
@@ -251,8 +133,32 @@ static double least_of(const bat_energy_starts *starts)
     return least;
 }
 
+/* Under a tension given there is a least, and where length costs nothing no tension holds. That
+ * a search of a few steps did not end says nothing. */
+static bool can_hold(const bat_energy_spline *t, const bat_energy_starts *starts)
+{
+    enum { FEW = 100 };
+    return t->options->max_steps >= FEW && t->options->tension == 0 &&
+           !t->options->scale_invariant && starts->count > 0 && starts->at[0].energy > 0 &&
+           isfinite(starts->at[0].energy);
+}
+
+/* A search without tension has failed. Held by one, from the best start or from the last, which
+ * is the roundest; what is said is why it failed without. */
+static batten_status hold(bat_energy_spline *t, const bat_energy_starts *starts,
+                          bat_energy_found *best)
+{
+    enum { LONGEST = 400 };
+    char why[LONGEST];
+    snprintf(why, sizeof why, "%s", batten_message());
+    batten_status status = bat_energy_hold(t, &starts->at[0], &starts->at[0], best);
+    if (status == BATTEN_INCOMPLETE)
+        status = bat_energy_hold(t, &starts->at[0], &starts->at[starts->count - 1], best);
+    return status == BATTEN_INCOMPLETE ? bat_fail(status, "%s", why) : status;
+}
+
 /* From the best of the other curves, and where that leads nowhere from the next ones. */
-static batten_status find(bat_energy_spline *t, found_curve *best)
+static batten_status find(bat_energy_spline *t, bat_energy_found *best)
 {
     enum { MOST_TRIED = 3 };
     bat_energy_starts starts = {0};
@@ -263,8 +169,10 @@ static batten_status find(bat_energy_spline *t, found_curve *best)
     for (int i = 0; i < bat_min_int(starts.count, MOST_TRIED); i++) {
         if (status != (i > 0 ? BATTEN_INCOMPLETE : BATTEN_OK))
             break;
-        status = search_start(t, &starts.at[i], rival, best);
+        status = bat_energy_search_start(t, &starts.at[i], rival, best);
     }
+    if (status == BATTEN_INCOMPLETE && can_hold(t, &starts))
+        status = hold(t, &starts, best);
     bat_energy_starts_release(&starts);
     return status;
 }
@@ -281,9 +189,12 @@ batten_status batten_curve_minimum_energy(batten_points points,
         BAT_TAKE_OPTIONS(batten_curve_minimum_energy_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    bat_energy_spline t = {
-        .options = &chosen, .d = points.dimension, .count = points.count, .given = points.at};
-    found_curve found = {0};
+    bat_energy_spline t = {.options = &chosen,
+                           .d = points.dimension,
+                           .count = points.count,
+                           .given = points.at,
+                           .rest = BAT_ENERGY_REST};
+    bat_energy_found found = {0};
     status = check_energy_options(points.dimension, points.count, points.at, t.options);
     if (status == BATTEN_OK)
         status = find(&t, &found);
@@ -295,7 +206,7 @@ batten_status batten_curve_minimum_energy(batten_points points,
             *report = found.report;
         *out = batten_curve_ref(found.curve);
     }
-    release_found(&found);
+    bat_energy_found_release(&found);
     bat_energy_spline_end(&t);
     return status;
 }

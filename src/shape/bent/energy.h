@@ -55,7 +55,8 @@ typedef struct {
 typedef enum {
     BAT_ENERGY_LEAST,    /* at the least, to rounding */
     BAT_ENERGY_UNDERWAY, /* after max_steps */
-    BAT_ENERGY_STUCK     /* no step lowers the energy, though its derivatives say so */
+    BAT_ENERGY_STUCK,    /* no step lowers the energy, though its derivatives say so */
+    BAT_ENERGY_GROWING   /* it became longer than it may be */
 } bat_energy_end;
 
 /* Lower the energy towards its least near x. */
@@ -81,6 +82,7 @@ typedef struct {
     int d, count, pieces; /* pieces: quintics between points */
     const double *given;
     double unit;
+    double rest;        /* a search ends when its energy can fall by no more than this part */
     double *points;     /* [count][d] */
     double *parameters; /* [count + 1] of the curve that the nodes are sampled from */
     bat_energy_curve nodes;
@@ -114,8 +116,10 @@ batten_status bat_energy_spline_curve(const bat_energy_spline *t, double *parame
  * the mean chord, the second for each point. */
 #define BAT_ENERGY_WORTH 1e-3
 #define BAT_ENERGY_NOTHING 1e-9
+/* What may be left where a search ends; it is reported. */
+#define BAT_ENERGY_REST 1e-6
 
-enum { BAT_ENERGY_MOST_STARTS = 6 };
+enum { BAT_ENERGY_MOST_STARTS = 7 };
 /* Batten's other curves through the same points that have as many conditions at the ends, the
  * one with the least energy first. To be released, also after a failure. */
 typedef struct {
@@ -125,8 +129,37 @@ typedef struct {
 batten_status bat_energy_starts_make(const bat_energy_spline *t, bat_energy_starts *out);
 void bat_energy_starts_release(bat_energy_starts *starts);
 
+/* ---- searches: energy_search.c, energy_hold.c ---- */
+
+enum { BAT_ENERGY_MOST_PIECES = 16 };
+
+/* A curve of the model that beats its rivals. */
+typedef struct {
+    batten_curve *curve;
+    double *parameters;                        /* [count + 1] */
+    batten_curve_minimum_energy_report report; /* in units of the mean chord */
+    bool is_growing;                           /* why there is none */
+} bat_energy_found;
+void bat_energy_found_release(bat_energy_found *found);
+
+/*
+ * From one start, with more and more quintics until that saves nothing. A result counts when it
+ * is no worse than its rivals, and when the sums that were lowered had seen all of its energy;
+ * else the next search begins at the start again. `best` stays as it was when nothing counts.
+ */
+batten_status bat_energy_search_start(bat_energy_spline *t, const bat_energy_start *start,
+                                      double rival, bat_energy_found *best);
+/* Where a curve bends less and less by growing: the least among those not much longer than its
+ * rival, the best of Batten's other curves; a tension holds it. */
+batten_status bat_energy_hold(bat_energy_spline *t, const bat_energy_start *rival,
+                              const bat_energy_start *start, bat_energy_found *best);
+/* What an energy in units of the mean chord is over one in those of the model. */
+double bat_energy_unit(const bat_energy_spline *t);
+
 /* ---- what a curve's energy is: energy_measure.c ---- */
 
+/* What a tension in units of the mean chord is over one in those of the model. */
+double bat_energy_tension_unit(const bat_energy_spline *t);
 /* The tension in units of the mean chord. */
 double bat_energy_tension(const bat_energy_spline *t);
 /* What is minimised, in units of the mean chord, of a chain or of a curve when that is NULL,

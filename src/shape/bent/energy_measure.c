@@ -54,11 +54,15 @@ static batten_status find_breaks(const measured *m, batten_parameters *out)
 }
 
 /* A tension is a force. */
-double bat_energy_tension(const bat_energy_spline *t)
+double bat_energy_tension_unit(const bat_energy_spline *t)
 {
     const double square = t->unit * t->unit;
-    const bool bending = t->options->energy == BATTEN_ENERGY_BENDING;
-    return t->options->tension * (bending ? square : square * square);
+    return t->options->energy == BATTEN_ENERGY_BENDING ? square : square * square;
+}
+
+double bat_energy_tension(const bat_energy_spline *t)
+{
+    return t->options->tension * bat_energy_tension_unit(t);
 }
 
 /* A part in 1e6: far below what makes one curve better than another. */

@@ -192,19 +192,17 @@ static batten_status minimise(bat_energy_search *s, batten_curve_minimum_energy_
     bat_energy_sum(s, &s->energy, &s->length, &s->size);
     double damping = 1e-4;
     *end = s->curve->unknown_count == 0 ? BAT_ENERGY_LEAST : BAT_ENERGY_UNDERWAY;
-    report->before = s->first = bat_energy_objective(s, s->energy, s->length);
+    s->first = bat_energy_objective(s, s->energy, s->length);
+    report->before = bat_max(0, s->first); /* sums that cancel may fall below */
     for (report->steps = 0; report->steps < s->task->max_steps && *end == BAT_ENERGY_UNDERWAY;
          report->steps++) {
         const batten_status status = descend(s, &damping, &report->remaining, end);
         if (status != BATTEN_OK)
             return status;
         if (s->length > s->task->longest)
-            return bat_fail(BATTEN_INCOMPLETE,
-                            "the curve grows without end: it is %.3g times as long as a mean "
-                            "chord; give directions at the ends or a tension",
-                            s->length);
+            *end = BAT_ENERGY_GROWING;
     }
-    report->after = bat_energy_objective(s, s->energy, s->length);
+    report->after = bat_max(0, bat_energy_objective(s, s->energy, s->length));
     report->length = s->length;
     return BATTEN_OK;
 }

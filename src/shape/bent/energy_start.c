@@ -6,6 +6,7 @@
 #include "shape/bent/energy.h"
 #include "shape/points/parametrize.h"
 #include <batten/interpolate.h>
+#include <batten/local.h>
 
 #include <string.h>
 
@@ -133,14 +134,34 @@ static batten_status make_cubic(const bat_energy_spline *t, batten_parametrizati
                                     &out->curve);
 }
 
-typedef enum { ELASTICA, SPIRO, EULER, CHORD, CENTRIPETAL, UNIFORM } start_kind;
+/* A cubic with the tangents of circles through three neighbours: its curvature steps, but where
+ * points lie wildly it has none of the sharp bends of the others. */
+static batten_status make_round(const bat_energy_spline *t, bat_energy_start *out)
+{
+    const batten_points points = {t->d, t->count, t->points};
+    batten_tangents_options options = batten_tangents_defaults();
+    options.length = BATTEN_LENGTH_MIDDLE;
+    options.closed = t->options->closed;
+    double *tangents = bat_array3((size_t)t->count, (size_t)t->d, sizeof *tangents);
+    if (!tangents)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status =
+        batten_tangents(points, &options, out->parameters, NULL, tangents, NULL);
+    if (status == BATTEN_OK)
+        status = batten_curve_from_tangents(points, out->parameters, tangents, NULL,
+                                            t->options->closed, &out->curve);
+    bat_release(tangents);
+    return status;
+}
+
+typedef enum { ELASTICA, SPIRO, EULER, CHORD, CENTRIPETAL, UNIFORM, ROUND } start_kind;
 
 /* In the order in which one is taken before another of the same energy: the plane ones, which are the curve
  * sought or near it, and the others. */
-static const start_kind kinds_of_bending[] = {ELASTICA, EULER,       SPIRO,
-                                              CHORD,    CENTRIPETAL, UNIFORM};
-static const start_kind kinds_of_variation[] = {SPIRO, EULER,       ELASTICA,
-                                                CHORD, CENTRIPETAL, UNIFORM};
+static const start_kind kinds_of_bending[] = {ELASTICA,    EULER,   SPIRO, CHORD,
+                                              CENTRIPETAL, UNIFORM, ROUND};
+static const start_kind kinds_of_variation[] = {SPIRO,       EULER,   ELASTICA, CHORD,
+                                                CENTRIPETAL, UNIFORM, ROUND};
 enum { PLANE_KINDS = 3 };
 
 static batten_status make_start(const bat_energy_spline *t, const plane_points *plane,
@@ -157,8 +178,10 @@ static batten_status make_start(const bat_energy_spline *t, const plane_points *
         return make_cubic(t, BATTEN_CHORD, out);
     case CENTRIPETAL:
         return make_cubic(t, BATTEN_CENTRIPETAL, out);
-    default:
+    case UNIFORM:
         return make_cubic(t, BATTEN_UNIFORM, out);
+    default:
+        return make_round(t, out);
     }
 }
 
@@ -205,6 +228,9 @@ static batten_status add_start(const bat_energy_spline *t, const plane_points *p
         start.parameters ? make_start(t, plane, kind, &start) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = bat_energy_measure(t, start.chain, start.curve, 1, &start.energy);
+    /* Where curvature steps its variation is infinite. */
+    if (status == BATTEN_OK && kind == ROUND && t->options->energy == BATTEN_ENERGY_VARIATION)
+        start.energy = HUGE_VAL;
     if (status == BATTEN_OK) {
         start.is_rival = meets_ends(t, &start);
         insert_start(t, start, out);

@@ -281,6 +281,25 @@ TEST(g2_points_on_a_line_give_the_line_of_least_energy)
     }
 }
 
+TEST(points_on_a_line_that_turn_back_are_refused)
+{
+    static const double line[] = {0, 0, 1, 2, 3, 6, 2, 4},
+                        space[] = {0, 0, 0, 1, 1, 1, 4, 4, 4};
+    const batten_curve_minimum_energy_options open = of(BATTEN_ENERGY_BENDING, false);
+    batten_curve_minimum_energy_options closed = of(BATTEN_ENERGY_VARIATION, false);
+    batten_curve *curve = NULL;
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){2, 4, line}, &open, NULL, NULL, &curve),
+        BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("turns back at point 3");
+    closed.closed = true;
+    CHECK_STATUS(
+        batten_curve_minimum_energy((batten_points){3, 3, space}, &closed, NULL, NULL, &curve),
+        BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("all points lie on one line");
+    CHECK(!curve);
+}
+
 TEST(g1_coincident_points_are_named_by_least_energy)
 {
     const double points[] = {0, 0, 1, 1, 1, 1, 2, 0};
@@ -354,12 +373,13 @@ TEST(n2_tiny_and_huge_points_have_their_curve_of_least_energy)
 
 TEST(g9_a_search_that_ends_too_early_says_so)
 {
-    batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_BENDING, false);
+    static const double zigzag[] = {0, 0, 1, 2, 2, 0, 3, 3, 4, 0};
+    batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_VARIATION, false);
     batten_curve *curve = NULL;
-    options.max_steps = 2;
-    CHECK_STATUS(
-        batten_curve_minimum_energy((batten_points){2, 3, arch}, &options, NULL, NULL, &curve),
-        BATTEN_INCOMPLETE);
-    CHECK_MESSAGE("2 steps took the energy");
+    options.max_steps = 1;
+    CHECK_STATUS(batten_curve_minimum_energy((batten_points){2, 5, zigzag}, &options, NULL,
+                                             NULL, &curve),
+                 BATTEN_INCOMPLETE);
+    CHECK_MESSAGE("1 step took the energy");
     CHECK(!curve);
 }

@@ -64,11 +64,13 @@ static int random_polygon(test_random *random, double points[12][2])
     return count;
 }
 
-static void check_unbeaten(batten_energy energy, int least_found)
+/* Most of them have their curve. */
+static void check_unbeaten(batten_energy energy)
 {
     test_random random = test_random_begin("unbeaten");
+    const int cases = test_cases(5);
     int found = 0;
-    for (int n = test_cases(12); n > 0; n--) {
+    for (int n = cases; n > 0; n--) {
         double points[12][2];
         const batten_points row = {2, random_polygon(&random, points), &points[0][0]};
         batten_curve_minimum_energy_options options = batten_curve_minimum_energy_defaults();
@@ -88,17 +90,17 @@ static void check_unbeaten(batten_energy energy, int least_found)
         CHECK_NEAR(report.after, made, 1e-3 * made);
         batten_curve_unref(curve);
     }
-    CHECK(found >= least_found);
+    CHECK(2 * found >= cases);
 }
 
 TEST(no_other_curve_through_wild_points_bends_less_than_the_least)
 {
-    check_unbeaten(BATTEN_ENERGY_BENDING, 0);
+    check_unbeaten(BATTEN_ENERGY_BENDING);
 }
 
 TEST(no_other_curve_through_wild_points_varies_less_than_the_least)
 {
-    check_unbeaten(BATTEN_ENERGY_VARIATION, 1);
+    check_unbeaten(BATTEN_ENERGY_VARIATION);
 }
 
 TEST(as_many_quintics_are_taken_as_save_energy)

@@ -9,6 +9,9 @@ static const batten_parameter parameters[] = {
     BAT_ENERGY_PARAMETERS,
 };
 
+/* A smaller part of the energy that is left is nothing to speak of. */
+static const double SETTLED = 1e-9;
+
 static batten_status make_minimum_energy(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_minimum_energy_options options = batten_curve_minimum_energy_defaults();
@@ -19,9 +22,19 @@ static batten_status make_minimum_energy(bat_run *run, const bat_data *data, bat
     options.tension = bat_number(run, "tension");
     options.scale_invariant = bat_yes(run, "scale-invariant");
     options.pieces = bat_count(run, "pieces");
-    return batten_curve_minimum_energy(
-        (batten_points){data->dimension, data->count, data->points}, &options, made->parameters,
-        NULL, &made->curve);
+    batten_curve_minimum_energy_report report;
+    const batten_status status =
+        batten_curve_minimum_energy((batten_points){data->dimension, data->count, data->points},
+                                    &options, made->parameters, &report, &made->curve);
+    if (status == BATTEN_OK && report.tension > 0)
+        bat_remark(run,
+                   "'%s': there is no least, the curve bends less and less by growing; this is "
+                   "the least near a length of %g, as with 'tension: %g'",
+                   data->name, report.length, report.tension);
+    if (status == BATTEN_OK && report.remaining > SETTLED * report.after)
+        bat_remark(run, "'%s': the energy is %g and may fall by another %g", data->name,
+                   report.after, report.remaining);
+    return status;
 }
 
 batten_status bat_least_energy(bat_run *run)
@@ -36,8 +49,9 @@ const bat_feature bat_feature_minimum_energy = {
          "Quintics with continuous curvature whose integral of squared curvature is a minimum near\n"
          "the elastica or the cubic spline through the points. In the plane 'elastica' gives the\n"
          "same curve exactly; this one also works in space and under tension. Where a curve could\n"
-         "bend less and less by growing there is no minimum: the feature then fails, and some\n"
-         "'tension' helps.",
+         "bend less and less by growing there is no minimum: a tension then holds it at about\n"
+         "the length of the other curves through the points, which all bend more; a remark says\n"
+         "so. Points on one line that turn back are refused.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
          "  strip: {minimum-energy: ducks}\n",

@@ -13,7 +13,8 @@ const bat_feature bat_feature_minimum_variation = {
          "Quintics with continuous curvature; the integral of the squared rate of curvature is a\n"
          "minimum near Spiro's curve through the points. Points on a circle give the circle to a\n"
          "few parts in a thousand million; ends are free and take the curvature that suits the\n"
-         "rest. In space the turning of the normal counts as well.",
+         "rest. In space the turning of the normal counts as well. Where a curve would vary less\n"
+         "and less by growing, a tension holds it, as with minimum-energy, and a remark says so.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 10 cm]]}\n"
          "  strip: {minimum-variation: ducks}\n",
