@@ -26,19 +26,24 @@ static batten_status write_gcode(const batten_model *model, const batten_write_o
     return bat_write_gcode(model, NULL, notes, text);
 }
 
+static size_t past_comment(const bat_input *input, size_t at)
+{
+    at += 2;
+    while (at < input->size && !bat_begins(input, at, "*/"))
+        at++;
+    at += 2;
+    while (at < input->size && (bat_is_blank(input->data[at]) || input->data[at] == '\n' ||
+                                input->data[at] == '\r'))
+        at++;
+    return at;
+}
+
 static batten_status recognise_step(const bat_input *input, bool *is_such)
 {
     size_t at = bat_past_white(input);
     /* Some put a comment before it. */
-    while (bat_begins(input, at, "/*")) {
-        at += 2;
-        while (at < input->size && !bat_begins(input, at, "*/"))
-            at++;
-        at += 2;
-        while (at < input->size && (bat_is_blank(input->data[at]) || input->data[at] == '\n' ||
-                                    input->data[at] == '\r'))
-            at++;
-    }
+    while (bat_begins(input, at, "/*"))
+        at = past_comment(input, at);
     *is_such = at < input->size && bat_begins(input, at, "ISO-10303-21;");
     return BATTEN_OK;
 }

@@ -61,21 +61,24 @@ static void count(losses *lost, const bat_format_row *row, const batten_object *
             lost->first[k] = object;
 }
 
-static void note_loss(const losses *lost, const bat_format_row *row, batten_notes *notes)
+static void note_kind(const losses *lost, int k, const bat_format_row *row, batten_notes *notes)
 {
     static const char *const names[KINDS] = {"names", "layers", "colours", "groups",
                                              "that objects are hidden is"};
-    for (int k = 0; k < KINDS; k++) {
-        if (!lost->count[k])
-            continue;
-        const batten_object *first = lost->first[k];
-        const bool is_lesser = row->says & 1u << k;
-        (k == NAME ? batten_notes_remark : batten_notes_add)(
-            notes, "", 0, "", "%s left out: %d ('%.60s' first); %s files hold none%s%s%s",
-            names[k], lost->count[k], first->name, row->title, is_lesser ? " for this " : "",
-            is_lesser ? batten_object_kind_name(first->kind) : "",
-            row->names_layers && k == NAME ? " but those of layers" : "");
-    }
+    const batten_object *first = lost->first[k];
+    const bool is_lesser = row->says & 1u << k;
+    (k == NAME ? batten_notes_remark : batten_notes_add)(
+        notes, "", 0, "", "%s left out: %d ('%.60s' first); %s files hold none%s%s%s", names[k],
+        lost->count[k], first->name, row->title, is_lesser ? " for this " : "",
+        is_lesser ? batten_object_kind_name(first->kind) : "",
+        row->names_layers && k == NAME ? " but those of layers" : "");
+}
+
+static void note_loss(const losses *lost, const bat_format_row *row, batten_notes *notes)
+{
+    for (int k = 0; k < KINDS; k++)
+        if (lost->count[k])
+            note_kind(lost, k, row, notes);
 }
 
 batten_status bat_note_losses(const batten_model *model, const bat_format_row *row,

@@ -130,18 +130,25 @@ static batten_status recognise_text(bat_input *input, batten_format *format)
     return status;
 }
 
-batten_status bat_recognise(bat_input *input, batten_format *format)
+/* By the formats that know their own files. */
+static batten_status ask_formats(bat_input *input, bool *is_such, batten_format *format)
 {
-    bool is_such = false;
     batten_status status = BATTEN_OK;
-    for (size_t k = 0; status == BATTEN_OK && !is_such && bat_format_at(k); k++) {
+    for (size_t k = 0; status == BATTEN_OK && !*is_such && bat_format_at(k); k++) {
         const bat_format_row *row = bat_format_at(k);
         if (!row->recognise)
             continue;
-        status = row->recognise(input, &is_such);
-        if (status == BATTEN_OK && is_such)
+        status = row->recognise(input, is_such);
+        if (status == BATTEN_OK && *is_such)
             *format = row->format;
     }
+    return status;
+}
+
+batten_status bat_recognise(bat_input *input, batten_format *format)
+{
+    bool is_such = false;
+    batten_status status = ask_formats(input, &is_such, format);
     if (status == BATTEN_OK && !is_such)
         status = refuse_signatures(input);
     if (status != BATTEN_OK || is_such)

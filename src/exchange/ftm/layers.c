@@ -56,6 +56,25 @@ static batten_status sort_by_layers(bat_ftm_reading *r)
     return BATTEN_OK;
 }
 
+/* A point that has none gets the next number. */
+static int number_of_point(const bat_ftm_reading *r, int point, int *numbers, double *points,
+                           int *used)
+{
+    if (numbers[point] < 0) {
+        memcpy(&points[3 * (size_t)*used], &r->coordinates[3 * (size_t)point],
+               3 * sizeof *points);
+        numbers[point] = (*used)++;
+    }
+    return numbers[point];
+}
+
+static void forget_numbers(const int *corners, const int *triangles, int count, int *numbers)
+{
+    for (int i = 0; i < count; i++)
+        for (size_t k = 0; k < 3; k++)
+            numbers[corners[3 * (size_t)triangles[i] + k]] = -1;
+}
+
 /* Number the points that triangles [count] use, as they come; `numbers` are -1 before and
  * after. Returns how many they are. */
 static int take_points(const bat_ftm_reading *r, const int *triangles, int count, int *numbers,
@@ -66,16 +85,9 @@ static int take_points(const bat_ftm_reading *r, const int *triangles, int count
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 3; k++) {
             const int point = corners[3 * (size_t)triangles[i] + (size_t)k];
-            if (numbers[point] < 0) {
-                memcpy(&points[3 * (size_t)used], &r->coordinates[3 * (size_t)point],
-                       3 * sizeof *points);
-                numbers[point] = used++;
-            }
-            made[3 * (size_t)i + (size_t)k] = numbers[point];
+            made[3 * (size_t)i + (size_t)k] = number_of_point(r, point, numbers, points, &used);
         }
-    for (int i = 0; i < count; i++)
-        for (size_t k = 0; k < 3; k++)
-            numbers[corners[3 * (size_t)triangles[i] + k]] = -1;
+    forget_numbers(corners, triangles, count, numbers);
     return used;
 }
 

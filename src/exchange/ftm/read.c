@@ -104,18 +104,23 @@ static batten_status read_edges(bat_ftm_reading *r)
     return status;
 }
 
+static batten_status read_curve(bat_ftm_reading *r)
+{
+    int count = 0, index = 0;
+    batten_status status = bat_ftm_next_count(r, "the number of points of a curve", 1, &count);
+    for (int k = 0; status == BATTEN_OK && k < count; k++)
+        status = bat_ftm_next_whole(r, "a point of a curve", 0, r->point_count - 1, &index);
+    if (status == BATTEN_OK)
+        status = bat_ftm_next_whole(r, "a mark of a curve", INT_MIN, INT_MAX, &index);
+    return status;
+}
+
 /* Curves that run through points of the net. */
 static batten_status read_curves(bat_ftm_reading *r)
 {
     batten_status status = bat_ftm_next_count(r, "the number of curves", 3, &r->curve_count);
-    for (int i = 0; status == BATTEN_OK && i < r->curve_count; i++) {
-        int count = 0, index = 0;
-        status = bat_ftm_next_count(r, "the number of points of a curve", 1, &count);
-        for (int k = 0; status == BATTEN_OK && k < count; k++)
-            status = bat_ftm_next_whole(r, "a point of a curve", 0, r->point_count - 1, &index);
-        if (status == BATTEN_OK)
-            status = bat_ftm_next_whole(r, "a mark of a curve", INT_MIN, INT_MAX, &index);
-    }
+    for (int i = 0; status == BATTEN_OK && i < r->curve_count; i++)
+        status = read_curve(r);
     return status;
 }
 

@@ -33,6 +33,19 @@ typedef struct {
     int next[BAT_POLYGON_MOST], before[BAT_POLYGON_MOST];
 } ring;
 
+/* The part of the side from corner i to `next`. */
+static void add_side(const double *points, int i, int next, double size, double area[3])
+{
+    double p[3], q[3];
+    for (int k = 0; k < 3; k++) {
+        p[k] = (points[3 * i + k] / 2 - points[k] / 2) / size;
+        q[k] = (points[3 * next + k] / 2 - points[k] / 2) / size;
+    }
+    area[0] += p[1] * q[2] - p[2] * q[1];
+    area[1] += p[2] * q[0] - p[0] * q[2];
+    area[2] += p[0] * q[1] - p[1] * q[0];
+}
+
 /* Twice the vector area, after Newell; scaled so that nothing overflows. */
 static void vector_area(int count, const double *points, double area[3])
 {
@@ -40,16 +53,8 @@ static void vector_area(int count, const double *points, double area[3])
     area[0] = area[1] = area[2] = 0;
     for (int i = 0; i < 3 * count; i++)
         size = bat_max(size, fabs(points[i] / 2 - points[i % 3] / 2));
-    for (int i = 0; i < count && size > 0; i++) {
-        double p[3], q[3];
-        for (int k = 0; k < 3; k++) {
-            p[k] = (points[3 * i + k] / 2 - points[k] / 2) / size;
-            q[k] = (points[3 * ((i + 1) % count) + k] / 2 - points[k] / 2) / size;
-        }
-        area[0] += p[1] * q[2] - p[2] * q[1];
-        area[1] += p[2] * q[0] - p[0] * q[2];
-        area[2] += p[0] * q[1] - p[1] * q[0];
-    }
+    for (int i = 0; i < count && size > 0; i++)
+        add_side(points, i, (i + 1) % count, size, area);
 }
 
 static void cut_fan(int count, int *triangles)
@@ -80,29 +85,40 @@ static double corner_area(const ring *r, int a, int b, int c)
     return (q[0] - p[0]) * (s[1] - p[1]) - (q[1] - p[1]) * (s[0] - p[0]);
 }
 
+/* Is corner i within the triangle, and not at one of its corners? */
+static bool is_in_ear(const ring *r, int i, int a, int tip, int c)
+{
+    const bool same = memcmp(r->xy[i], r->xy[a], sizeof r->xy[i]) == 0 ||
+                      memcmp(r->xy[i], r->xy[tip], sizeof r->xy[i]) == 0 ||
+                      memcmp(r->xy[i], r->xy[c], sizeof r->xy[i]) == 0;
+    return !same && corner_area(r, a, tip, i) >= 0 && corner_area(r, tip, c, i) >= 0 &&
+           corner_area(r, c, a, i) >= 0;
+}
+
 static bool is_ear(const ring *r, int tip)
 {
     const int a = r->before[tip], c = r->next[tip];
     if (corner_area(r, a, tip, c) <= 0)
         return false;
-    for (int i = r->next[c]; i != a; i = r->next[i]) {
-        const bool same = memcmp(r->xy[i], r->xy[a], sizeof r->xy[i]) == 0 ||
-                          memcmp(r->xy[i], r->xy[tip], sizeof r->xy[i]) == 0 ||
-                          memcmp(r->xy[i], r->xy[c], sizeof r->xy[i]) == 0;
-        if (!same && corner_area(r, a, tip, i) >= 0 && corner_area(r, tip, c, i) >= 0 &&
-            corner_area(r, c, a, i) >= 0)
+    for (int i = r->next[c]; i != a; i = r->next[i])
+        if (is_in_ear(r, i, a, tip, c))
             return false;
-    }
     return true;
 }
 
-/* The polygon seen along the axis in which its area is largest, counter-clockwise. */
-static void begin_ring(int count, const double *points, const double area[3], ring *r)
+static int largest_axis(const double area[3])
 {
     int axis = 0;
     for (int k = 1; k < 3; k++)
         if (fabs(area[k]) > fabs(area[axis]))
             axis = k;
+    return axis;
+}
+
+/* The polygon seen along the axis in which its area is largest, counter-clockwise. */
+static void begin_ring(int count, const double *points, const double area[3], ring *r)
+{
+    const int axis = largest_axis(area);
     const int x = (axis + (area[axis] < 0 ? 2 : 1)) % 3, y = 3 - axis - x;
     for (int i = 0; i < count; i++) {
         r->xy[i][0] = points[3 * i + x] / 2 - points[x] / 2;
@@ -222,17 +238,21 @@ void bat_remark_polygons(const bat_input *input, size_t polygons)
                             polygons);
 }
 
+static bool is_flat(const batten_mesh_parts *p, int i)
+{
+    const int *t = p->corners + 3 * (size_t)i;
+    double n[3];
+    bat_facet_normal(p->points + 3 * (size_t)t[0], p->points + 3 * (size_t)t[1],
+                     p->points + 3 * (size_t)t[2], n);
+    return n[0] == 0 && n[1] == 0 && n[2] == 0;
+}
+
 int bat_count_flat(const batten_mesh *mesh)
 {
     const batten_mesh_parts *p = batten_mesh_view(mesh);
     int flat = 0;
-    for (int i = 0; i < p->triangle_count; i++) {
-        const int *t = p->corners + 3 * (size_t)i;
-        double n[3];
-        bat_facet_normal(p->points + 3 * (size_t)t[0], p->points + 3 * (size_t)t[1],
-                         p->points + 3 * (size_t)t[2], n);
-        flat += n[0] == 0 && n[1] == 0 && n[2] == 0;
-    }
+    for (int i = 0; i < p->triangle_count; i++)
+        flat += is_flat(p, i);
     return flat;
 }
 

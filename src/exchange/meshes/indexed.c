@@ -216,22 +216,33 @@ static void drop_colours(const bat_indexed *mesh, const char *what, size_t at, d
     mesh->input->left_out++;
 }
 
-/* Drop the colours that are none, with a note. */
-static void check_colours(bat_indexed *mesh)
+static void check_vertex_colours(bat_indexed *mesh)
 {
-    const double *of_triangles = mesh->triangle_colours.items;
-    const size_t vertices = 3 * mesh->count, triangles = 3 * mesh->triangle_colours.count;
-    size_t i = mesh->colours ? first_not_colour(mesh->colours, vertices) : vertices;
-    if (i < vertices) {
+    const size_t count = 3 * mesh->count;
+    const size_t i = mesh->colours ? first_not_colour(mesh->colours, count) : count;
+    if (i < count) {
         drop_colours(mesh, "vertex", i, mesh->colours[i]);
         bat_release(mesh->colours);
         mesh->colours = NULL;
     }
-    i = first_not_colour(of_triangles, triangles);
-    if (i < triangles) {
-        drop_colours(mesh, "triangle", i, of_triangles[i]);
+}
+
+static void check_triangle_colours(bat_indexed *mesh)
+{
+    const double *colours = mesh->triangle_colours.items;
+    const size_t count = 3 * mesh->triangle_colours.count;
+    const size_t i = first_not_colour(colours, count);
+    if (i < count) {
+        drop_colours(mesh, "triangle", i, colours[i]);
         mesh->triangle_colours.count = 0;
     }
+}
+
+/* Drop the colours that are none, with a note. */
+static void check_colours(bat_indexed *mesh)
+{
+    check_vertex_colours(mesh);
+    check_triangle_colours(mesh);
 }
 
 /* Normals are unit vectors up to the digits of a file, or 0 where there is none. */

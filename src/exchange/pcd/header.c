@@ -71,21 +71,25 @@ static batten_status read_form(bat_pcd_reading *r, bat_scan *words)
                : BATTEN_OK;
 }
 
-/* Where the sensor stood: points are not moved by it. */
-static void note_viewpoint(const bat_pcd_reading *r, bat_scan *words)
+static bool is_usual_viewpoint(bat_scan *words)
 {
     static const double usual[7] = {0, 0, 0, 1, 0, 0, 0};
     bat_span word;
     for (int k = 0; k < 7; k++) {
         double number = usual[k];
         if (!bat_next_in_line(words, &word) || !bat_word_number(word, &number) ||
-            number != usual[k]) {
-            batten_notes_remark(r->input->notes, r->input->file, r->line, "",
-                                "the sensor has a position of its own; the points are not "
-                                "moved");
-            return;
-        }
+            number != usual[k])
+            return false;
     }
+    return true;
+}
+
+/* Where the sensor stood: points are not moved by it. */
+static void note_viewpoint(const bat_pcd_reading *r, bat_scan *words)
+{
+    if (!is_usual_viewpoint(words))
+        batten_notes_remark(r->input->notes, r->input->file, r->line, "",
+                            "the sensor has a position of its own; the points are not moved");
 }
 
 static batten_status read_line(bat_pcd_reading *r, bat_span line)

@@ -61,6 +61,13 @@ static int pieces_of(const bat_vertex *v)
     return v->bulge == 0 ? 1 : 1 + (int)(4 * fabs(atan(v->bulge)) / (BAT_PI / 2) - 1e-9);
 }
 
+static void add_line(tracing *t, const bat_vertex *a, const bat_vertex *b)
+{
+    const double middle[2] = {a->x + (b->x - a->x) / 2, a->y + (b->y - a->y) / 2};
+    const double end[2] = {b->x, b->y};
+    add_piece(t, middle, 1, end, hypot(b->x - a->x, b->y - a->y));
+}
+
 static void trace(tracing *t)
 {
     const bat_path *path = t->path;
@@ -68,13 +75,10 @@ static void trace(tracing *t)
     put_point(t, 0, point_at(t, path->vertices[0].x, path->vertices[0].y), 1);
     for (int i = 0; i < sides; i++) {
         const bat_vertex *a = &path->vertices[i], *b = &path->vertices[(i + 1) % path->count];
-        if (a->bulge != 0) {
+        if (a->bulge != 0)
             add_arc(t, a, b, pieces_of(a));
-            continue;
-        }
-        const double middle[2] = {a->x + (b->x - a->x) / 2, a->y + (b->y - a->y) / 2};
-        const double end[2] = {b->x, b->y};
-        add_piece(t, middle, 1, end, hypot(b->x - a->x, b->y - a->y));
+        else
+            add_line(t, a, b);
     }
 }
 

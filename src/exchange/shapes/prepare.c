@@ -118,18 +118,23 @@ static size_t points_of(const batten_surface *surface)
            (size_t)batten_surface_point_count(surface, BATTEN_V);
 }
 
+static size_t points_of_object(const batten_object *object)
+{
+    size_t count = 0;
+    const batten_body_parts *parts = object->body ? batten_body_view(object->body) : NULL;
+    if (object->surface)
+        count += points_of(object->surface);
+    if (object->curve)
+        count += (size_t)batten_curve_point_count(object->curve);
+    for (int f = 0; parts && f < parts->face_count; f++)
+        count += points_of(parts->faces[f].surface);
+    return count;
+}
+
 size_t bat_count_points(const batten_model *model)
 {
     size_t count = 0;
-    for (int i = 0; i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        const batten_body_parts *parts = object->body ? batten_body_view(object->body) : NULL;
-        if (object->surface)
-            count += points_of(object->surface);
-        if (object->curve)
-            count += (size_t)batten_curve_point_count(object->curve);
-        for (int f = 0; parts && f < parts->face_count; f++)
-            count += points_of(parts->faces[f].surface);
-    }
+    for (int i = 0; i < batten_model_count(model); i++)
+        count += points_of_object(batten_model_object(model, i));
     return count;
 }

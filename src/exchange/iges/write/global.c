@@ -4,15 +4,21 @@
 #include <batten/text.h>
 #include <string.h>
 
+static const char shape[] = "dddd-dd-ddTdd:dd:dd";
+
+static bool has_shape(const char *date)
+{
+    for (size_t i = 0; date && shape[i]; i++)
+        if (shape[i] == 'd' ? date[i] < '0' || date[i] > '9' : date[i] != shape[i])
+            return false;
+    return date && !date[sizeof shape - 1];
+}
+
 /* "2026-11-21T10:25:00" as "20261121.102500"; another form gives the neutral date. */
 static void write_date(const char *date, char out[16])
 {
-    static const char shape[] = "dddd-dd-ddTdd:dd:dd";
     memcpy(out, "20000101.000000", 16);
-    for (size_t i = 0; date && shape[i]; i++)
-        if (shape[i] == 'd' ? date[i] < '0' || date[i] > '9' : date[i] != shape[i])
-            return;
-    if (!date || date[sizeof shape - 1])
+    if (!has_shape(date))
         return;
     size_t k = 0;
     for (size_t i = 0; shape[i]; i++) {

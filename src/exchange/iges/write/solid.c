@@ -91,20 +91,37 @@ static void put_vertices(whole *of)
     end_part(w, 502, 1);
 }
 
+static batten_status put_edge_curve(whole *of, int i)
+{
+    batten_curve *curve = NULL;
+    batten_status status =
+        bat_iges_meet_vertices(of->w, of->p, &of->p->edges[of->order[EDGES][i]], &curve);
+    if (status == BATTEN_OK) {
+        of->curves[i] = bat_iges_put_curve(of->w, curve, 0, part);
+        status = bat_iges_check_room(of->w);
+    }
+    batten_curve_unref(curve);
+    return status;
+}
+
 static batten_status put_curves(whole *of)
 {
     batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < of->counts[EDGES]; i++) {
-        batten_curve *curve = NULL;
-        status =
-            bat_iges_meet_vertices(of->w, of->p, &of->p->edges[of->order[EDGES][i]], &curve);
-        if (status == BATTEN_OK) {
-            of->curves[i] = bat_iges_put_curve(of->w, curve, 0, part);
-            status = bat_iges_check_room(of->w);
-        }
-        batten_curve_unref(curve);
-    }
+    for (int i = 0; status == BATTEN_OK && i < of->counts[EDGES]; i++)
+        status = put_edge_curve(of, i);
     return status;
+}
+
+/* Its curve, and the list and number of the vertex at each end. */
+static void put_edge(whole *of, int i)
+{
+    bat_iges_writing *w = of->w;
+    const int *ends = of->p->edges[of->order[EDGES][i]].vertices;
+    bat_iges_put_integer(&w->data, of->curves[i], ',');
+    for (int end = 0; end < 2; end++) {
+        bat_iges_put_integer(&w->data, of->lists[VERTICES], ',');
+        bat_iges_put_integer(&w->data, of->numbers[VERTICES][ends[end]], ',');
+    }
 }
 
 static batten_status put_edges(whole *of)
@@ -115,34 +132,33 @@ static batten_status put_edges(whole *of)
         return status;
     of->lists[EDGES] = bat_iges_begin_entity(w, 504);
     bat_iges_put_integer(&w->data, of->counts[EDGES], ',');
-    for (int i = 0; i < of->counts[EDGES]; i++) {
-        const int *ends = of->p->edges[of->order[EDGES][i]].vertices;
-        bat_iges_put_integer(&w->data, of->curves[i], ',');
-        for (int end = 0; end < 2; end++) {
-            bat_iges_put_integer(&w->data, of->lists[VERTICES], ',');
-            bat_iges_put_integer(&w->data, of->numbers[VERTICES][ends[end]], ',');
-        }
-    }
+    for (int i = 0; i < of->counts[EDGES]; i++)
+        put_edge(of, i);
     end_part(w, 504, 1);
     return BATTEN_OK;
 }
 
 /* ---- loops, faces, shells ---- */
 
+static batten_status put_flat_use(whole *of, int i)
+{
+    const batten_body_use *use = &of->p->uses[i];
+    batten_curve *clamped = NULL;
+    if (!use->parameters || !of->numbers[EDGES][use->edge])
+        return BATTEN_OK;
+    batten_status status = batten_curve_clamp(use->parameters, &clamped);
+    if (status == BATTEN_OK)
+        of->flat[i] = bat_iges_put_curve(of->w, clamped, 0, parameters);
+    batten_curve_unref(clamped);
+    return status;
+}
+
 /* The curves in (u, v) of a loop, which run as the edges do. */
 static batten_status put_flat(whole *of, const batten_body_loop *loop)
 {
     batten_status status = BATTEN_OK;
-    for (int i = loop->first; status == BATTEN_OK && i < loop->first + loop->count; i++) {
-        const batten_body_use *use = &of->p->uses[i];
-        batten_curve *clamped = NULL;
-        if (!use->parameters || !of->numbers[EDGES][use->edge])
-            continue;
-        status = batten_curve_clamp(use->parameters, &clamped);
-        if (status == BATTEN_OK)
-            of->flat[i] = bat_iges_put_curve(of->w, clamped, 0, parameters);
-        batten_curve_unref(clamped);
-    }
+    for (int i = loop->first; status == BATTEN_OK && i < loop->first + loop->count; i++)
+        status = put_flat_use(of, i);
     return status;
 }
 

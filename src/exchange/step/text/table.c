@@ -9,22 +9,28 @@
 
 #define BLOCK 1024
 
+/* The ends of lines in [at, end). */
+static uint32_t count_lines(const bat_input *input, size_t at, size_t end)
+{
+    const char *data = input->data;
+    uint32_t here = 0;
+    for (const char *c = data + at; (c = memchr(c, '\n', (size_t)(data + end - c))); c++)
+        here++;
+    if (here == 0 && memchr(data + at, '\r', end - at)) /* the lines of an old Macintosh */
+        for (size_t i = at; i < end; i++)
+            here += data[i] == '\r' && (i + 1 == input->size || data[i + 1] != '\n');
+    return here;
+}
+
 batten_status bat_step_table_lines(bat_step_file *file)
 {
     const bat_input *input = file->input;
-    const char *data = input->data;
     uint32_t count = 0;
     batten_status status = BATTEN_OK;
     for (size_t at = 0; status == BATTEN_OK && at < input->size; at += BLOCK) {
         const size_t end = at + BLOCK < input->size ? at + BLOCK : input->size;
         status = bat_list_add(file->input, &file->lines, &count);
-        uint32_t here = 0;
-        for (const char *c = data + at; (c = memchr(c, '\n', (size_t)(data + end - c))); c++)
-            here++;
-        if (here == 0 && memchr(data + at, '\r', end - at)) /* the lines of an old Macintosh */
-            for (size_t i = at; i < end; i++)
-                here += data[i] == '\r' && (i + 1 == input->size || data[i + 1] != '\n');
-        count += here;
+        count += count_lines(input, at, end);
     }
     return status;
 }

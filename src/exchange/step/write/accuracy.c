@@ -24,21 +24,24 @@ static double size_of(const batten_box *box)
     return hypot(hypot(x, y), z);
 }
 
+/* INFINITY for what is not a body or surface, or is one point. */
+static double size_of_shape(const batten_object *object)
+{
+    if (!object->body && !object->surface)
+        return INFINITY;
+    const batten_box box =
+        object->body ? batten_body_box(object->body) : batten_surface_box(object->surface);
+    const double size = size_of(&box);
+    return size > 0 ? size : (double)INFINITY;
+}
+
 /* The size of the smallest body or surface, of those that are more than a point; INFINITY when
  * there is none. */
 static double smallest(const batten_model *model)
 {
     double least = INFINITY;
-    for (int i = 0; i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        if (!object->body && !object->surface)
-            continue;
-        const batten_box box =
-            object->body ? batten_body_box(object->body) : batten_surface_box(object->surface);
-        const double size = size_of(&box);
-        if (size > 0)
-            least = bat_min(least, size);
-    }
+    for (int i = 0; i < batten_model_count(model); i++)
+        least = bat_min(least, size_of_shape(batten_model_object(model, i)));
     return least;
 }
 

@@ -29,20 +29,22 @@ int bat_step_points(bat_step *step, int dimension, const double *points, size_t 
     return first;
 }
 
+static int put_direction(bat_step *step, const double direction[3])
+{
+    const int id = bat_step_open(step, "DIRECTION");
+    bat_step_token(step, "'',(");
+    for (int i = 0; i < 3; i++)
+        bat_step_real(step, direction[i], i < 2 ? "," : ")");
+    bat_step_close(step);
+    return id;
+}
+
 int bat_step_placement(bat_step *step, const double origin[3], const double z[3],
                        const double x[3])
 {
-    int ids[3];
-    ids[0] = bat_step_point(step, 3, origin);
-    for (int k = 1; k < 3; k++) {
-        const double *direction = k == 1 ? z : x;
-        ids[k] = bat_step_open(step, "DIRECTION");
-        bat_step_token(step, "'',(");
-        for (int i = 0; i < 3; i++)
-            bat_step_real(step, direction[i], i < 2 ? "," : ")");
-        bat_step_close(step);
-    }
-    return bat_step_add(step, "AXIS2_PLACEMENT_3D", "'',#%d,#%d,#%d", ids[0], ids[1], ids[2]);
+    const int at = bat_step_point(step, 3, origin);
+    const int along = put_direction(step, z), across = put_direction(step, x);
+    return bat_step_add(step, "AXIS2_PLACEMENT_3D", "'',#%d,#%d,#%d", at, along, across);
 }
 
 /* The end of the run of equal knots that begins at i. */
