@@ -75,6 +75,20 @@ static bool is_there(const char *file)
     return strcmp(file, "-") == 0 || system_exists(file);
 }
 
+/* How much of the argument is the name of a file that is there, up to a hash; 0 for none. Names of
+ * files and of objects may both hold hashes. */
+static size_t find_file_end(char *made, size_t length)
+{
+    size_t end = length;
+    while (end > 0 && !is_there(made)) {
+        do
+            end--;
+        while (end > 0 && made[end] != '#');
+        made[end] = '\0';
+    }
+    return end;
+}
+
 batten_status input_split(const char *argument, char **file, const char **name)
 {
     const size_t length = strlen(argument);
@@ -83,14 +97,7 @@ batten_status input_split(const char *argument, char **file, const char **name)
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
     memcpy(made, argument, length);
-    /* Names of files and of objects may both hold hashes. */
-    size_t end = length;
-    while (end > 0 && !is_there(made)) {
-        do
-            end--;
-        while (end > 0 && made[end] != '#');
-        made[end] = '\0';
-    }
+    size_t end = find_file_end(made, length);
     if (end == 0 && last) {
         end = (size_t)(last - argument);
         memcpy(made, argument, end);

@@ -244,6 +244,13 @@ static int say_failure(const batten_design *design, batten_status status, bool i
     return EXIT_FAILED;
 }
 
+static int exit_of(const batten_design *design, bool failed)
+{
+    if (failed || !bounds_hold(design))
+        return EXIT_FAILED;
+    return is_partial(design) ? EXIT_PARTLY : EXIT_DONE;
+}
+
 static int build(batten_design *design, const arguments *given, batten_notes *notes)
 {
     const int output_count = batten_design_output_count(design);
@@ -264,9 +271,7 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
         status = batten_design_evaluate(design, only, job_get(), notes);
 
     const bool failed = is_failure(status), in_notes = all && !ends_all(status);
-    int exit = failed || !bounds_hold(design) ? EXIT_FAILED : EXIT_DONE;
-    if (exit == EXIT_DONE && is_partial(design))
-        exit = EXIT_PARTLY;
+    int exit = exit_of(design, failed);
     if (!arguments_has(given, "json"))
         failed && !in_notes ? failed_show(notes) : notes_show(notes);
     const int reported = report(given, design, names, made, notes);

@@ -57,7 +57,8 @@ static int check_design(batten_design *design, bool json, batten_notes *notes)
     return EXIT_FAILED;
 }
 
-static int run_design(const arguments *given)
+/* Options that are for files of shapes. */
+static bool has_idle_option(const arguments *given)
 {
     static const char *const of_files[] = {"within", "angle", "curvature", "unit",
                                            "from-format"};
@@ -66,8 +67,15 @@ static int run_design(const arguments *given)
             complain("batten check: --%s is for files of shapes; '%s' is a design, which says "
                      "so itself",
                      of_files[i], given->files[0]);
-            return EXIT_USAGE;
+            return true;
         }
+    return false;
+}
+
+static int run_design(const arguments *given)
+{
+    if (has_idle_option(given))
+        return EXIT_USAGE;
     batten_notes *notes = NULL;
     batten_design *design = NULL;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)

@@ -224,6 +224,15 @@ static int run_on(comparison *c)
     return exit;
 }
 
+static bool add_methods(comparison *c, const char *list)
+{
+    if (list && strcmp(list, "all") == 0) {
+        add_all(c);
+        return true;
+    }
+    return add_list(c, list ? list : usual);
+}
+
 static int run_compare(const arguments *given)
 {
     const char *output = arguments_get(given, "output");
@@ -236,9 +245,7 @@ static int run_compare(const arguments *given)
                  "'batten help compare'");
         return EXIT_USAGE;
     }
-    if (list && strcmp(list, "all") == 0)
-        add_all(&c);
-    else if (!add_list(&c, list ? list : usual))
+    if (!add_methods(&c, list))
         return EXIT_USAGE;
     if (!formats_option("compare", given, "from-format", &c.format) ||
         output_is_input("compare", given->files[0], output))

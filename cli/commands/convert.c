@@ -177,6 +177,29 @@ static batten_status put_model(const batten_model *model, const batten_write_opt
     return status;
 }
 
+static void take_changes(tally_changes behind, outcome *o)
+{
+    o->left_out = behind.left_out;
+    o->approximated = behind.approximated;
+    o->meshed = behind.meshed;
+    o->faces = behind.faces;
+    o->is_partly = behind.is_failed || behind.faces > 0;
+}
+
+/* What is lost within definitions is lost at every place. */
+static batten_status count_written(const batten_model *prepared,
+                                   const batten_write_options *chosen, tally lost, outcome *o)
+{
+    const bool by_faces =
+        (o->format == BATTEN_FORMAT_IGES && !chosen->solids) || o->format == BATTEN_FORMAT_G2;
+    const tally_bodies bodies = by_faces ? TALLY_FACES : TALLY_BODIES;
+    o->written = tally_without(tally_of(prepared, bodies), lost);
+    if (tally_sum(lost) != 0)
+        return BATTEN_OK;
+    o->is_written_placed = o->written.count[BATTEN_OBJECT_INSTANCE] > 0;
+    return tally_placed(prepared, bodies, &o->written_all);
+}
+
 /* Prepare and write the model; the notes on its objects say what became of them. */
 static batten_status write_prepared(const batten_model *model,
                                     const batten_write_options *chosen, batten_notes *said,
@@ -189,23 +212,19 @@ static batten_status write_prepared(const batten_model *model,
     const int second = batten_notes_count(said);
     status = put_model(prepared, chosen, said, o->output);
     const tally_changes behind = tally_notes(said, 0);
-    o->left_out = behind.left_out;
-    o->approximated = behind.approximated;
-    o->meshed = behind.meshed;
-    o->faces = behind.faces;
-    o->is_partly = behind.is_failed || behind.faces > 0;
+    take_changes(behind, o);
     const tally lost = tally_notes(said, second).left_out;
-    const bool by_faces =
-        (o->format == BATTEN_FORMAT_IGES && !chosen->solids) || o->format == BATTEN_FORMAT_G2;
-    const tally_bodies bodies = by_faces ? TALLY_FACES : TALLY_BODIES;
-    o->written = tally_without(tally_of(prepared, bodies), lost);
-    /* What is lost within definitions is lost at every place. */
-    if (status == BATTEN_OK && tally_sum(lost) == 0) {
-        o->is_written_placed = o->written.count[BATTEN_OBJECT_INSTANCE] > 0;
-        status = tally_placed(prepared, bodies, &o->written_all);
-    }
+    if (status == BATTEN_OK)
+        status = count_written(prepared, chosen, lost, o);
     batten_model_unref(prepared);
     return status;
+}
+
+static bool has_shapes(const batten_model *model)
+{
+    const tally all = tally_of(model, TALLY_BODIES);
+    return all.count[BATTEN_OBJECT_SURFACE] || all.count[BATTEN_OBJECT_TRIANGLES] ||
+           all.count[BATTEN_OBJECT_BODY] || all.count[BATTEN_OBJECT_INSTANCE];
 }
 
 /* Options for meshes that nothing became are not passed over in silence. */
@@ -216,12 +235,8 @@ static void note_idle_options(const batten_model *model, const arguments *given,
     batten_format_facts facts;
     if (o->meshed > 0 || (!chord && !angle) || !batten_format_about(o->format, &facts))
         return;
-    const tally all = tally_of(model, TALLY_BODIES);
-    const bool has_shapes = all.count[BATTEN_OBJECT_SURFACE] ||
-                            all.count[BATTEN_OBJECT_TRIANGLES] ||
-                            all.count[BATTEN_OBJECT_BODY] || all.count[BATTEN_OBJECT_INSTANCE];
     batten_text why = BATTEN_TEXT;
-    if (has_shapes)
+    if (has_shapes(model))
         batten_text_add(&why,
                         "nothing becomes triangles in %s files; .stl, .ply, .glb and .3mf take "
                         "triangles, other formats of meshes those that the feature 'mesh' of a "

@@ -139,6 +139,32 @@ static bool read_beyond(const arguments *given, batten_beyond *beyond)
     return true;
 }
 
+static bool check_places(const arguments *given)
+{
+    for (int g = 0; g < given->given_count; g++) {
+        double at[2];
+        if (strcmp(given->options[given->given[g].option].name, "at") == 0 &&
+            read_at(given->given[g].value, at) == 0) {
+            complain("batten eval: --at wants U or U,V, finite numbers, not '%s'",
+                     given->given[g].value);
+            return false;
+        }
+    }
+    return true;
+}
+
+static int print_results(const batten_model *model, const arguments *given,
+                         const request *asked)
+{
+    batten_text text = BATTEN_TEXT;
+    batten_text_add(&text, asked->json ? "{\"results\": [" : "");
+    const batten_status status = evaluate_all(model, given, asked, &text);
+    batten_text_add(&text, asked->json ? "\n]}\n" : "");
+    const int exit = status == BATTEN_OK ? output_print(&text) : output_failed("eval", status);
+    batten_text_free(&text);
+    return exit;
+}
+
 static int run_eval(const arguments *given)
 {
     request asked = {.json = arguments_has(given, "json")};
@@ -151,33 +177,16 @@ static int run_eval(const arguments *given)
         complain("batten eval: --at U or --at U,V is missing; see 'batten help eval'");
         return EXIT_USAGE;
     }
-    for (int g = 0; g < given->given_count; g++) {
-        double at[2];
-        if (strcmp(given->options[given->given[g].option].name, "at") == 0 &&
-            read_at(given->given[g].value, at) == 0) {
-            complain("batten eval: --at wants U or U,V, finite numbers, not '%s'",
-                     given->given[g].value);
-            return EXIT_USAGE;
-        }
-    }
+    if (!check_places(given))
+        return EXIT_USAGE;
     batten_notes *notes = NULL;
     batten_model *model = NULL;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed("eval", BATTEN_OUT_OF_MEMORY);
     int exit = input_read(given->files[0], format, notes, &model);
     if (exit != EXIT_FAILED) {
-        const bool json = asked.json;
-        batten_text text = BATTEN_TEXT;
-        batten_text_add(&text, json ? "{\"results\": [" : "");
-        const batten_status status = evaluate_all(model, given, &asked, &text);
-        batten_text_add(&text, json ? "\n]}\n" : "");
-        if (status == BATTEN_OK) {
-            const int printed = output_print(&text);
-            exit = printed == EXIT_DONE ? exit : printed;
-        } else {
-            exit = output_failed("eval", status);
-        }
-        batten_text_free(&text);
+        const int printed = print_results(model, given, &asked);
+        exit = printed == EXIT_DONE ? exit : printed;
         notes_show(notes);
     }
     batten_model_unref(model);

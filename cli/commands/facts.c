@@ -128,6 +128,25 @@ static batten_box points_box(const batten_object *object)
     return box;
 }
 
+static facts table_facts(const batten_offset_table *table)
+{
+    return (facts){.type = "offsets",
+                   .kind = "table",
+                   .dimension = 3,
+                   .points = {batten_offset_table_station_count(table),
+                              batten_offset_table_line_count(table)},
+                   .box = batten_offset_table_box(table)};
+}
+
+static facts points_facts(const batten_object *object)
+{
+    return (facts){.type = "points",
+                   .kind = "row",
+                   .dimension = 3,
+                   .points = {object->point_count},
+                   .box = points_box(object)};
+}
+
 static facts facts_without_tolerance(const batten_object *object)
 {
     switch (object->kind) {
@@ -136,12 +155,7 @@ static facts facts_without_tolerance(const batten_object *object)
     case BATTEN_OBJECT_SURFACE:
         return surface_facts(object->surface);
     case BATTEN_OBJECT_OFFSET_TABLE:
-        return (facts){.type = "offsets",
-                       .kind = "table",
-                       .dimension = 3,
-                       .points = {batten_offset_table_station_count(object->offset_table),
-                                  batten_offset_table_line_count(object->offset_table)},
-                       .box = batten_offset_table_box(object->offset_table)};
+        return table_facts(object->offset_table);
     case BATTEN_OBJECT_TRIANGLES:
         return triangles_facts(object->triangles);
     case BATTEN_OBJECT_BODY:
@@ -152,11 +166,7 @@ static facts facts_without_tolerance(const batten_object *object)
     case BATTEN_OBJECT_INSTANCE: /* 'info' tells of what instances place */
         break;
     }
-    return (facts){.type = "points",
-                   .kind = "row",
-                   .dimension = 3,
-                   .points = {object->point_count},
-                   .box = points_box(object)};
+    return points_facts(object);
 }
 
 facts facts_of(const batten_object *object)

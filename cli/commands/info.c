@@ -56,6 +56,49 @@ static void add_text(batten_text *text, const char *key, const char *value)
     batten_text_json(text, value);
 }
 
+/* The end of "[a, b]". */
+static void add_bounds(batten_text *text, batten_interval domain)
+{
+    batten_text_number(text, domain.a);
+    batten_text_add(text, ", ");
+    batten_text_number(text, domain.b);
+    batten_text_add(text, "]");
+}
+
+static void json_domains(batten_text *text, const facts *f)
+{
+    for (int d = 0; d < f->directions; d++) {
+        batten_text_add(text, d ? ", [" : "[");
+        add_bounds(text, f->domain[d]);
+    }
+}
+
+static void json_faults(batten_text *text, const batten_mesh_facts *mesh)
+{
+    batten_text_add(text,
+                    ", \"watertight\": %s, \"rim_edges\": %d, \"wrong_edges\": %d, "
+                    "\"crowded_edges\": %d",
+                    mesh->is_watertight ? "true" : "false", mesh->rim_edges, mesh->wrong_edges,
+                    mesh->crowded_edges);
+}
+
+static void json_colour(batten_text *text, const batten_object *object)
+{
+    batten_text_add(text, ", \"colour\": [");
+    add_corner(text, (batten_vec3){object->colour[0], object->colour[1], object->colour[2]}, 3,
+               ", ");
+    batten_text_add(text, "]");
+}
+
+static void json_box(batten_text *text, const facts *f)
+{
+    batten_text_add(text, ", \"box\": [[");
+    add_corner(text, f->box.low, f->dimension, ", ");
+    batten_text_add(text, "], [");
+    add_corner(text, f->box.high, f->dimension, ", ");
+    batten_text_add(text, f->controls ? "]], \"box_of\": \"control points\"}" : "]]}");
+}
+
 static void add_json(batten_text *text, const batten_object *object, const facts *f)
 {
     batten_text_add(text, "{\"name\": ");
@@ -68,38 +111,21 @@ static void add_json(batten_text *text, const batten_object *object, const facts
     for (int d = 0; d < f->directions; d++)
         batten_text_add(text, "%s%s", d ? ", " : "", f->closed[d] ? "true" : "false");
     batten_text_add(text, "], \"domain\": [");
-    for (int d = 0; d < f->directions; d++) {
-        batten_text_add(text, d ? ", [" : "[");
-        batten_text_number(text, f->domain[d].a);
-        batten_text_add(text, ", ");
-        batten_text_number(text, f->domain[d].b);
-        batten_text_add(text, "]");
-    }
+    json_domains(text, f);
     batten_text_add(text, "]");
     for (int k = 0; k < 4 && f->counted[k]; k++)
         batten_text_add(text, ", \"%s\": %d", plural_of(f->counted[k]), f->counts[k]);
     if (f->has_faces)
         batten_text_add(text, ", \"coloured_faces\": %d", f->coloured_faces);
     if (f->mesh_checked)
-        batten_text_add(text,
-                        ", \"watertight\": %s, \"rim_edges\": %d, \"wrong_edges\": %d, "
-                        "\"crowded_edges\": %d",
-                        f->mesh.is_watertight ? "true" : "false", f->mesh.rim_edges,
-                        f->mesh.wrong_edges, f->mesh.crowded_edges);
+        json_faults(text, &f->mesh);
     add_text(text, "layer", object->layer);
     add_text(text, "group", object->group);
     batten_text_add(text, ", \"hidden\": %s", object->is_hidden ? "true" : "false");
     if (object->has_colour) {
-        batten_text_add(text, ", \"colour\": [");
-        add_corner(text, (batten_vec3){object->colour[0], object->colour[1], object->colour[2]},
-                   3, ", ");
-        batten_text_add(text, "]");
+        json_colour(text, object);
     }
-    batten_text_add(text, ", \"box\": [[");
-    add_corner(text, f->box.low, f->dimension, ", ");
-    batten_text_add(text, "], [");
-    add_corner(text, f->box.high, f->dimension, ", ");
-    batten_text_add(text, f->controls ? "]], \"box_of\": \"control points\"}" : "]]}");
+    json_box(text, f);
 }
 
 /* Why a mesh is not watertight: ": 4 edges at the rim". */
@@ -153,6 +179,34 @@ static void add_looks(batten_text *text, const batten_object *object)
     batten_text_add(text, "%s", before == next ? "\n" : "");
 }
 
+static void text_counts(batten_text *text, const facts *f)
+{
+    for (int k = 0; k < 4 && f->counted[k]; k++) {
+        batten_text_add(text, ", ");
+        add_count(text, f->counted[k], f->counts[k]);
+    }
+    if (f->coloured_faces)
+        batten_text_add(text, ", %ss with colours of their own: %d", f->counted[0],
+                        f->coloured_faces);
+}
+
+static void text_domains(batten_text *text, const facts *f)
+{
+    for (int d = 0; d < f->directions; d++) {
+        batten_text_add(text, d ? " x [" : ", domain [");
+        add_bounds(text, f->domain[d]);
+    }
+}
+
+static void text_box(batten_text *text, const facts *f)
+{
+    batten_text_add(text, "\n    box %s", f->controls ? "of the control points " : "");
+    add_corner(text, f->box.low, f->dimension, " ");
+    batten_text_add(text, "  to  ");
+    add_corner(text, f->box.high, f->dimension, " ");
+    batten_text_add(text, "\n");
+}
+
 static void add_line(batten_text *text, const batten_object *object, const facts *f)
 {
     batten_text_add(text, "%s: %s%s", object->name, f->rational ? "rational " : "", f->type);
@@ -165,13 +219,7 @@ static void add_line(batten_text *text, const batten_object *object, const facts
                         f->closed[0] ? ", closed in u" : "",
                         f->closed[1] ? ", closed in v" : "");
     else if (f->counted[0]) {
-        for (int k = 0; k < 4 && f->counted[k]; k++) {
-            batten_text_add(text, ", ");
-            add_count(text, f->counted[k], f->counts[k]);
-        }
-        if (f->coloured_faces)
-            batten_text_add(text, ", %ss with colours of their own: %d", f->counted[0],
-                            f->coloured_faces);
+        text_counts(text, f);
     } else if (f->points[1])
         batten_text_add(text, ", %d station%s, %d line%s", f->points[0],
                         f->points[0] == 1 ? "" : "s", f->points[1],
@@ -182,19 +230,29 @@ static void add_line(batten_text *text, const batten_object *object, const facts
         batten_text_add(text, ", %s", f->remark);
     if (f->mesh_checked && !f->mesh.is_watertight)
         add_reasons(text, &f->mesh);
-    for (int d = 0; d < f->directions; d++) {
-        batten_text_add(text, d ? " x [" : ", domain [");
-        batten_text_number(text, f->domain[d].a);
-        batten_text_add(text, ", ");
-        batten_text_number(text, f->domain[d].b);
-        batten_text_add(text, "]");
-    }
-    batten_text_add(text, "\n    box %s", f->controls ? "of the control points " : "");
-    add_corner(text, f->box.low, f->dimension, " ");
-    batten_text_add(text, "  to  ");
-    add_corner(text, f->box.high, f->dimension, " ");
-    batten_text_add(text, "\n");
+    text_domains(text, f);
+    text_box(text, f);
     add_looks(text, object);
+}
+
+static void begin_json(batten_text *text, const char *file, const char *unit)
+{
+    batten_text_add(text, "{\"file\": ");
+    batten_text_json(text, file);
+    batten_text_add(text, ", \"unit\": \"%s\",\n  \"objects\": [", unit);
+}
+
+static void begin_text(batten_text *text, const char *file, const batten_model *model,
+                       const char *unit)
+{
+    batten_text_add(text, "%s: %d object%s", file, batten_model_count(model),
+                    batten_model_count(model) == 1 ? "" : "s");
+    if (batten_model_count(model) > 1) {
+        batten_text_add(text, " (");
+        tally_text(text, tally_of(model, TALLY_BODIES));
+        batten_text_add(text, ")");
+    }
+    batten_text_add(text, ", unit %s\n", unit[0] ? unit : "not stated");
 }
 
 static int print(const char *file, const batten_model *model, const facts *found,
@@ -204,18 +262,9 @@ static int print(const char *file, const batten_model *model, const facts *found
     unit_words(batten_model_unit_metres(model), unit);
     batten_text text = BATTEN_TEXT;
     if (json) {
-        batten_text_add(&text, "{\"file\": ");
-        batten_text_json(&text, file);
-        batten_text_add(&text, ", \"unit\": \"%s\",\n  \"objects\": [", unit);
+        begin_json(&text, file, unit);
     } else {
-        batten_text_add(&text, "%s: %d object%s", file, batten_model_count(model),
-                        batten_model_count(model) == 1 ? "" : "s");
-        if (batten_model_count(model) > 1) {
-            batten_text_add(&text, " (");
-            tally_text(&text, tally_of(model, TALLY_BODIES));
-            batten_text_add(&text, ")");
-        }
-        batten_text_add(&text, ", unit %s\n", unit[0] ? unit : "not stated");
+        begin_text(&text, file, model, unit);
     }
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);

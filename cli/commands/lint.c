@@ -81,6 +81,16 @@ static batten_status lint_surface(const batten_object *object, double tolerance,
     return BATTEN_OK;
 }
 
+static void pass_note_on(const char *body, const batten_note *note, batten_notes *notes)
+{
+    if (note->is_remark)
+        batten_notes_remark(notes, "", 0, body, "%s%s%s", note->entity,
+                            *note->entity ? ": " : "", note->text);
+    else
+        batten_notes_add(notes, "", 0, body, "%s%s%s", note->entity, *note->entity ? ": " : "",
+                         note->text);
+}
+
 /* The faults themselves are noted by the library, without the name of the body; here they are
  * told with it. */
 static batten_status lint_body(const batten_object *object, batten_notes *notes)
@@ -91,15 +101,8 @@ static batten_status lint_body(const batten_object *object, batten_notes *notes)
     batten_status status = batten_notes_create(100, &own);
     if (status == BATTEN_OK)
         status = batten_body_check(object->body, parts->tolerance, job_get(), own, &faults);
-    for (int i = 0; status == BATTEN_OK && i < batten_notes_count(own); i++) {
-        const batten_note *note = batten_notes_at(own, i);
-        if (note->is_remark)
-            batten_notes_remark(notes, "", 0, object->name, "%s%s%s", note->entity,
-                                *note->entity ? ": " : "", note->text);
-        else
-            batten_notes_add(notes, "", 0, object->name, "%s%s%s", note->entity,
-                             *note->entity ? ": " : "", note->text);
-    }
+    for (int i = 0; status == BATTEN_OK && i < batten_notes_count(own); i++)
+        pass_note_on(object->name, batten_notes_at(own, i), notes);
     if (status == BATTEN_OK && batten_notes_dropped(own) > 0)
         batten_notes_add(notes, "", 0, object->name, "and %d more", batten_notes_dropped(own));
     if (status == BATTEN_OK && faults.free_edges > 0 && parts->is_solid)

@@ -53,6 +53,18 @@ static void add_header(batten_text *text, const char *name, int section, const c
     batten_text_add(text, "\n");
 }
 
+static void add_option_head(batten_text *text, const option *o)
+{
+    batten_text_add(text, ".TP\n.B \\-\\-");
+    add_escaped(text, o->name);
+    if (o->letter)
+        batten_text_add(text, ", \\-%c", o->letter);
+    if (o->kind == OPTION_VALUE || o->kind == OPTION_MANY) {
+        batten_text_add(text, " ");
+        add_escaped(text, o->value);
+    }
+}
+
 static void add_command(batten_text *text, const command *c)
 {
     int count = 0;
@@ -67,14 +79,7 @@ static void add_command(batten_text *text, const command *c)
     add_escaped(text, c->manual);
     batten_text_add(text, "\n");
     for (int i = 0; options && i < count; i++) {
-        batten_text_add(text, ".TP\n.B \\-\\-");
-        add_escaped(text, options[i].name);
-        if (options[i].letter)
-            batten_text_add(text, ", \\-%c", options[i].letter);
-        if (options[i].kind == OPTION_VALUE || options[i].kind == OPTION_MANY) {
-            batten_text_add(text, " ");
-            add_escaped(text, options[i].value);
-        }
+        add_option_head(text, &options[i]);
         batten_text_add(text, "\n");
         add_escaped(text, options[i].help);
         batten_text_add(text, "\n");
@@ -107,6 +112,25 @@ void manual_page(batten_text *text, const command_table *table)
     batten_text_add(text, ".BR batten-design (5)\n");
 }
 
+static void add_formula(batten_text *text, const batten_feature *f)
+{
+    add_literal(text, f->formula);
+    batten_text_add(text, ".PP\n");
+    add_escaped(text, f->promise);
+    batten_text_add(text, "\n");
+}
+
+/* Nothing where there are no words. */
+static void add_between(batten_text *text, const char *before, const char *words,
+                        const char *after)
+{
+    if (!words)
+        return;
+    batten_text_add(text, "%s", before);
+    add_escaped(text, words);
+    batten_text_add(text, "%s", after);
+}
+
 static void add_feature(batten_text *text, const batten_feature *f)
 {
     batten_text_add(text, ".SS %s\n", f->name);
@@ -115,24 +139,13 @@ static void add_feature(batten_text *text, const batten_feature *f)
     add_escaped(text, f->manual);
     batten_text_add(text, "\n");
     if (f->formula) {
-        add_literal(text, f->formula);
-        batten_text_add(text, ".PP\n");
-        add_escaped(text, f->promise);
-        batten_text_add(text, "\n");
+        add_formula(text, f);
     }
     for (int i = 0; i < f->parameter_count; i++) {
         const batten_parameter *p = &f->parameters[i];
         add_term(text, p->name, p->summary);
-        if (p->words) {
-            batten_text_add(text, "(");
-            add_escaped(text, p->words);
-            batten_text_add(text, ")\n");
-        }
-        if (p->standard) {
-            batten_text_add(text, "Default: ");
-            add_escaped(text, p->standard);
-            batten_text_add(text, ".\n");
-        }
+        add_between(text, "(", p->words, ")\n");
+        add_between(text, "Default: ", p->standard, ".\n");
     }
     add_literal(text, f->example);
 }
@@ -157,6 +170,19 @@ void manual_design_page(batten_text *text)
     batten_text_add(text, ".BR batten (1)\n");
 }
 
+static void add_case(batten_text *text, const command *c)
+{
+    int count = 0;
+    option *options = command_options(c, NULL, &count);
+    batten_text_add(text, "    %s) options='", c->name);
+    for (int k = 0; options && k < count; k++)
+        batten_text_add(text, "--%s ", options[k].name);
+    for (int k = 0; strcmp(c->name, "help") == 0 && k < batten_feature_count(); k++)
+        batten_text_add(text, "%s ", batten_feature_at(k)->name);
+    batten_text_add(text, "' ;;\n");
+    batten_release(options);
+}
+
 void manual_completion(batten_text *text, const command_table *table)
 {
     batten_text_add(text, "# bash completion for batten\n"
@@ -169,18 +195,8 @@ void manual_completion(batten_text *text, const command_table *table)
         batten_text_add(text, "%s ", table->at[i]->name);
     batten_text_add(text,
                     "' -- \"$word\"))\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n");
-    for (int i = 0; i < table->count; i++) {
-        int count = 0;
-        option *options = command_options(table->at[i], NULL, &count);
-        batten_text_add(text, "    %s) options='", table->at[i]->name);
-        for (int k = 0; options && k < count; k++)
-            batten_text_add(text, "--%s ", options[k].name);
-        for (int k = 0; strcmp(table->at[i]->name, "help") == 0 && k < batten_feature_count();
-             k++)
-            batten_text_add(text, "%s ", batten_feature_at(k)->name);
-        batten_text_add(text, "' ;;\n");
-        batten_release(options);
-    }
+    for (int i = 0; i < table->count; i++)
+        add_case(text, table->at[i]);
     batten_text_add(
         text,
         "    esac\n"

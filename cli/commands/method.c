@@ -7,6 +7,28 @@
 #include <batten/text.h>
 #include <string.h>
 
+static bool keep_method(const batten_text *name, const batten_text *values, method *out)
+{
+    const bool fits = !name->failed && !values->failed && name->length < METHOD_SIZE &&
+                      values->length < METHOD_SIZE;
+    if (fits) {
+        memcpy(out->name, name->bytes, name->length + 1);
+        if (values->bytes)
+            memcpy(out->settings, values->bytes, values->length + 1);
+    }
+    return fits;
+}
+
+/* End the setting here; what comes after it, or NULL. */
+static char *cut_setting(char *at)
+{
+    char *end = at + value_span(at, ":");
+    if (!*end)
+        return NULL;
+    *end = '\0';
+    return end + 1;
+}
+
 static bool read_method(const char *word, size_t length, method *out)
 {
     char copy[METHOD_SIZE];
@@ -23,24 +45,14 @@ static bool read_method(const char *word, size_t length, method *out)
     batten_text_add(&name, "%s", copy);
     for (char *at = settings; at; at = settings) {
         char *equals = strchr(at, '=');
-        settings = at + value_span(at, ":");
-        if (*settings)
-            *settings++ = '\0';
-        else
-            settings = NULL;
+        settings = cut_setting(at);
         if (!equals || (settings && equals > settings))
             equals = at + strlen(at);
         batten_text_add(&name, " %s", at);
         batten_text_add(&values, ", %.*s: %s", (int)(equals - at), at,
                         *equals ? equals + 1 : "yes");
     }
-    const bool fits = !name.failed && !values.failed && name.length < METHOD_SIZE &&
-                      values.length < METHOD_SIZE;
-    if (fits) {
-        memcpy(out->name, name.bytes, name.length + 1);
-        if (values.bytes)
-            memcpy(out->settings, values.bytes, values.length + 1);
-    }
+    const bool fits = keep_method(&name, &values, out);
     batten_text_free(&name);
     batten_text_free(&values);
     return fits;

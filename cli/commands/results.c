@@ -11,6 +11,22 @@ static void add_member(batten_text *text, const char *key, double value)
     batten_text_number(text, value);
 }
 
+static void error_json(batten_text *text, const batten_feature_result *r)
+{
+    batten_text_add(text, ", \"error\": {");
+    add_member(text, "max", r->error_max);
+    batten_text_add(text, ", ");
+    add_member(text, "rms", r->error_rms);
+    batten_text_add(text, "}");
+}
+
+static void moves_json(batten_text *text, const batten_feature_result *r)
+{
+    batten_text_add(text, ", \"moved\": {");
+    add_member(text, "max", r->move_max);
+    batten_text_add(text, ", \"count\": %d}", r->moved_count);
+}
+
 static void feature_json(batten_text *text, const batten_feature_result *r)
 {
     batten_text_add(text, "{\"name\": ");
@@ -20,16 +36,10 @@ static void feature_json(batten_text *text, const batten_feature_result *r)
     batten_text_add(text, ", \"status\": \"%s\", ", batten_status_name(r->status));
     add_member(text, "seconds", r->seconds);
     if (r->has_error) {
-        batten_text_add(text, ", \"error\": {");
-        add_member(text, "max", r->error_max);
-        batten_text_add(text, ", ");
-        add_member(text, "rms", r->error_rms);
-        batten_text_add(text, "}");
+        error_json(text, r);
     }
     if (r->has_moves) {
-        batten_text_add(text, ", \"moved\": {");
-        add_member(text, "max", r->move_max);
-        batten_text_add(text, ", \"count\": %d}", r->moved_count);
+        moves_json(text, r);
     }
     if (r->fairing)
         batten_text_add(text, ", \"excess_inflections\": {\"before\": %d, \"after\": %d}",

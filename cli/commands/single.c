@@ -32,6 +32,15 @@ static void add_result(batten_text *text, const single *s, const arguments *give
         input_name_add(text, given->files[0]);
 }
 
+static void add_operation(const single *s, const arguments *given, batten_text *text)
+{
+    batten_text_add(text, "  result: {%s: ", s->operation);
+    input_name_add(text, given->files[0]);
+    batten_text_add(text, "%s", s->settings ? s->settings : "");
+    add_parameters(text, s, s->operation, given);
+    batten_text_add(text, "}\n");
+}
+
 /* `unit`: NULL when neither the file nor the user states one. */
 static batten_status compose(const single *s, const arguments *given, const char *unit,
                              batten_text *text)
@@ -42,11 +51,7 @@ static batten_status compose(const single *s, const arguments *given, const char
     batten_text_add(text, "features:\n");
     input_add(text, given->files[0]);
     if (s->operation) {
-        batten_text_add(text, "  result: {%s: ", s->operation);
-        input_name_add(text, given->files[0]);
-        batten_text_add(text, "%s", s->settings ? s->settings : "");
-        add_parameters(text, s, s->operation, given);
-        batten_text_add(text, "}\n");
+        add_operation(s, given, text);
     }
     batten_text_add(text, "outputs:\n  ");
     batten_text_json(text, output_name(s));

@@ -33,6 +33,17 @@ static void release_state(bat_design_state *s)
     *s = (bat_design_state){0};
 }
 
+static batten_status make_results(bat_design_state *made)
+{
+    const size_t count = (size_t)made->document.feature_count;
+    made->results = bat_array(count, sizeof *made->results);
+    made->evaluated = bat_array(count, sizeof *made->evaluated);
+    made->outcomes = bat_array((size_t)made->document.output_count, sizeof *made->outcomes);
+    if (!made->results || !made->evaluated || !made->outcomes)
+        return BATTEN_OUT_OF_MEMORY;
+    return BATTEN_OK;
+}
+
 /* Parse a text, which becomes the bat_design_state's own; on failure it is released. */
 static batten_status make_state(const batten_design *design, char *text, size_t length,
                                 batten_notes *notes, bat_design_state *out)
@@ -47,12 +58,7 @@ static batten_status make_state(const batten_design *design, char *text, size_t 
     batten_status status =
         bat_document_parse(text, length, &options, &bat_all_features, notes, &made.document);
     if (status == BATTEN_OK) {
-        const size_t count = (size_t)made.document.feature_count;
-        made.results = bat_array(count, sizeof *made.results);
-        made.evaluated = bat_array(count, sizeof *made.evaluated);
-        made.outcomes = bat_array((size_t)made.document.output_count, sizeof *made.outcomes);
-        if (!made.results || !made.evaluated || !made.outcomes)
-            status = BATTEN_OUT_OF_MEMORY;
+        status = make_results(&made);
     }
     if (status == BATTEN_OK)
         *out = made;

@@ -88,6 +88,18 @@ static batten_status name_alone(bat_run *run)
     return BATTEN_OK;
 }
 
+static batten_status make_objects(bat_run *run, const bat_entry *entry)
+{
+    batten_status status = batten_model_create(run->document->unit_metres, &run->model);
+    if (status == BATTEN_OK)
+        status = entry->feature->run(run);
+    if (status == BATTEN_OK && batten_model_count(run->model) == 0)
+        status = bat_fail(BATTEN_NOT_FOUND, "nothing is left");
+    if (status == BATTEN_OK)
+        status = bat_note_folds(run);
+    return status;
+}
+
 /* @param[in,out] objects  made so far */
 static batten_status run_feature(bat_design_state *s, int i, const batten_job *job,
                                  batten_notes *notes, long long *objects)
@@ -99,13 +111,7 @@ static batten_status run_feature(bat_design_state *s, int i, const batten_job *j
     run.result = result;
     run.objects = *objects;
     const double begin = batten_system_seconds();
-    batten_status status = batten_model_create(s->document.unit_metres, &run.model);
-    if (status == BATTEN_OK)
-        status = entry->feature->run(&run);
-    if (status == BATTEN_OK && batten_model_count(run.model) == 0)
-        status = bat_fail(BATTEN_NOT_FOUND, "nothing is left");
-    if (status == BATTEN_OK)
-        status = bat_note_folds(&run);
+    batten_status status = make_objects(&run, entry);
     bool has_value = status == BATTEN_OK || status == BATTEN_PARTLY_READ;
     if (has_value && batten_model_count(run.model) == 1) {
         const batten_status named = name_alone(&run);

@@ -33,6 +33,31 @@ static void tell_reversed(bat_run *run, const bat_objects *objects,
                        objects->at[places[i].curve]->name);
 }
 
+/* Within a millionth of an end it is the end that stands still: a pole, which is allowed. */
+static void remark_standstills(const bat_run *run, int side, const batten_parameters *at)
+{
+    for (int i = 0; i < at->count; i++)
+        if (at->at[i] > 1e-6 && at->at[i] < 1 - 1e-6)
+            bat_remark(run,
+                       "side %d stands still at %.4g of its parameter; the normal there is "
+                       "a limit",
+                       side, at->at[i]);
+}
+
+/* Inside, and at the same parameter to a millionth of the side. */
+static void note_facing(const bat_run *run, int side, const batten_parameters *at,
+                        const batten_parameters *beyond)
+{
+    for (int i = 0; i < at->count; i++)
+        for (int j = 0; j < beyond->count; j++)
+            if (at->at[i] > 1e-6 && at->at[i] < 1 - 1e-6 &&
+                fabs(at->at[i] - beyond->at[j]) < 1e-6)
+                bat_note(run,
+                         "the corners of sides %d and %d at %.4g of their parameters face "
+                         "each other; the surface may fold between them",
+                         side, side + 2, at->at[i]);
+}
+
 /* Corners inside a side that is smooth for its parameter, and pairs of them that face each
  * other. */
 static batten_status tell_corners(bat_run *run, const bat_boundary *boundary)
@@ -44,24 +69,11 @@ static batten_status tell_corners(bat_run *run, const bat_boundary *boundary)
         if (box.low.x == box.high.x && box.low.y == box.high.y && box.low.z == box.high.z)
             continue;
         status = batten_curve_standstills(boundary->curves[e][0], &at[e]);
-        for (int i = 0; status == BATTEN_OK && i < at[e].count; i++)
-            /* Within a millionth of an end it is the end that stands still: a pole, which is allowed. */
-            if (at[e].at[i] > 1e-6 && at[e].at[i] < 1 - 1e-6)
-                bat_remark(run,
-                           "side %d stands still at %.4g of its parameter; the normal there is "
-                           "a limit",
-                           e + 1, at[e].at[i]);
+        if (status == BATTEN_OK)
+            remark_standstills(run, e + 1, &at[e]);
     }
     for (int e = 0; status == BATTEN_OK && e < 2; e++)
-        for (int i = 0; i < at[e].count; i++)
-            for (int j = 0; j < at[e + 2].count; j++)
-                /* Inside, and at the same parameter to a millionth of the side. */
-                if (at[e].at[i] > 1e-6 && at[e].at[i] < 1 - 1e-6 &&
-                    fabs(at[e].at[i] - at[e + 2].at[j]) < 1e-6)
-                    bat_note(run,
-                             "the corners of sides %d and %d at %.4g of their parameters face "
-                             "each other; the surface may fold between them",
-                             e + 1, e + 3, at[e].at[i]);
+        note_facing(run, e + 1, &at[e], &at[e + 2]);
     for (int e = 0; e < 4; e++)
         bat_release(at[e].at);
     return status;

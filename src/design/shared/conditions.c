@@ -97,9 +97,8 @@ static batten_status ask_direction(asking *a, const char *parameter, bool at_end
     return BATTEN_OK;
 }
 
-static batten_status ask_all(asking *a, batten_curve_least_squares_options *options)
+static batten_status ask_places(asking *a)
 {
-    const bat_argument *shape = bat_argument_of(a->run, "shape");
     batten_status status = ask_points(a, "pass", BATTEN_CONDITION_EQUAL);
     if (status == BATTEN_OK)
         status = ask_points(a, "over", BATTEN_CONDITION_AT_LEAST);
@@ -109,6 +108,24 @@ static batten_status ask_all(asking *a, batten_curve_least_squares_options *opti
         status = ask_direction(a, "start-direction", false);
     if (status == BATTEN_OK)
         status = ask_direction(a, "end-direction", true);
+    return status;
+}
+
+static batten_status ask_band(const asking *a, batten_curve_least_squares_options *options)
+{
+    if (!bat_has(a->run, "within"))
+        return BATTEN_OK;
+    options->band = bat_number(a->run, "within");
+    if (!(options->band > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'within' is %g; it must be above 0",
+                        options->band);
+    return BATTEN_OK;
+}
+
+static batten_status ask_all(asking *a, batten_curve_least_squares_options *options)
+{
+    const bat_argument *shape = bat_argument_of(a->run, "shape");
+    batten_status status = ask_places(a);
     for (int i = 0; i < shape->count; i++)
         options->shape |= 1u << shape->items[i].count;
     options->side = (batten_fit_side)bat_word(a->run, "side");
@@ -116,12 +133,7 @@ static batten_status ask_all(asking *a, batten_curve_least_squares_options *opti
     if (status == BATTEN_OK && a->data->dimension > 1 && of_function)
         status = bat_fail(BATTEN_BAD_ARGUMENT, "'%s' is for functions: add 'as: function'",
                           options->shape ? "shape" : "side");
-    if (bat_has(a->run, "within"))
-        options->band = bat_number(a->run, "within");
-    if (status == BATTEN_OK && bat_has(a->run, "within") && !(options->band > 0))
-        status =
-            bat_fail(BATTEN_BAD_ARGUMENT, "'within' is %g; it must be above 0", options->band);
-    return status;
+    return status == BATTEN_OK ? ask_band(a, options) : status;
 }
 
 batten_status bat_conditions_of(const bat_run *run, const bat_data *data,

@@ -23,6 +23,17 @@ static bool constructs(const bat_run *run)
     return true;
 }
 
+static void note_fold(const bat_run *run, const char *name, const batten_surface_fold *first,
+                      int folded)
+{
+    bat_note(run,
+             "'%s' folds over near (%.6g, %.6g, %.6g): its "
+             "normal reverses there; see whether the curves run the same way, keep their "
+             "order and do not cross%s",
+             name, first->point.x, first->point.y, first->point.z,
+             folded > 1 ? "; other surfaces fold too" : "");
+}
+
 batten_status bat_note_folds(const bat_run *run)
 {
     const int count = constructs(run) ? batten_model_count(run->model) : 0;
@@ -43,12 +54,7 @@ batten_status bat_note_folds(const bat_run *run)
         }
     }
     if (folded > 0)
-        bat_note(run,
-                 "'%s' folds over near (%.6g, %.6g, %.6g): its "
-                 "normal reverses there; see whether the curves run the same way, keep their "
-                 "order and do not cross%s",
-                 name, first.point.x, first.point.y, first.point.z,
-                 folded > 1 ? "; other surfaces fold too" : "");
+        note_fold(run, name, &first, folded);
     return BATTEN_OK;
 }
 
