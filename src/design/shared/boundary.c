@@ -33,10 +33,11 @@ static void tell_reversed(bat_run *run, const bat_objects *objects,
                        objects->at[places[i].curve]->name);
 }
 
-/* Within a millionth of an end it is the end that stands still: a pole, which is allowed. */
 static void remark_standstills(const bat_run *run, int side, const batten_parameters *at)
 {
     for (int i = 0; i < at->count; i++)
+        /* Within a millionth of an end it is the end that stands still: a pole, which is
+         * allowed. */
         if (at->at[i] > 1e-6 && at->at[i] < 1 - 1e-6)
             bat_remark(run,
                        "side %d stands still at %.4g of its parameter; the normal there is "
@@ -44,12 +45,12 @@ static void remark_standstills(const bat_run *run, int side, const batten_parame
                        side, at->at[i]);
 }
 
-/* Inside, and at the same parameter to a millionth of the side. */
 static void note_facing(const bat_run *run, int side, const batten_parameters *at,
                         const batten_parameters *beyond)
 {
     for (int i = 0; i < at->count; i++)
         for (int j = 0; j < beyond->count; j++)
+            /* Inside, and at the same parameter to a millionth of the side. */
             if (at->at[i] > 1e-6 && at->at[i] < 1 - 1e-6 &&
                 fabs(at->at[i] - beyond->at[j]) < 1e-6)
                 bat_note(run,
