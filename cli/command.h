@@ -34,6 +34,9 @@ typedef struct {
 
 /* Is it one of the command's own options? */
 bool command_has_option(const command *c, const char *name);
+/* The feature whose parameters are options: that of the command, or `choice` (below); NULL when
+ * there is none. */
+const batten_feature *command_feature(const command *c, const char *choice);
 /* The options of a command and the parameters of its feature in one table, yours to
  * batten_release; NULL without memory. `choice`: another feature instead, with or without
  * settings (method.h), or NULL. */

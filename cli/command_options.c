@@ -31,13 +31,18 @@ const char *command_value_units(int count, const option *options)
                            : NULL;
 }
 
-option *command_options(const command *c, const char *choice, int *count)
+const batten_feature *command_feature(const command *c, const char *choice)
 {
     char chosen[METHOD_SIZE] = "";
     const char *name = choice ? chosen : c->feature;
     if (choice && method_length(choice) < sizeof chosen)
         memcpy(chosen, choice, method_length(choice));
-    const batten_feature *feature = name ? batten_feature_find(name) : NULL;
+    return name ? batten_feature_find(name) : NULL;
+}
+
+option *command_options(const command *c, const char *choice, int *count)
+{
+    const batten_feature *feature = command_feature(c, choice);
     const int more = feature ? feature->parameter_count : 0;
     option *all = batten_array((size_t)(c->option_count + more) + 1, sizeof *all);
     if (!all)

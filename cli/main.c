@@ -1,6 +1,7 @@
 /* The program `batten`: one word chooses the command, a table knows them all. */
 #include "commands/help.h"
 #include "commands/method.h"
+#include "value_check.h"
 
 #include <batten/design.h>
 #include <batten/text.h>
@@ -77,6 +78,16 @@ static const char *find_method(const command *c, int count, char **words)
     return NULL;
 }
 
+static int run_job(const command *c, const arguments *given)
+{
+    job_begin(arguments_has(given, "quiet"));
+    int status = c->run(given);
+    if (status == EXIT_FAILED)
+        status = job_exit(status); /* a signal made it fail */
+    job_end();
+    return status;
+}
+
 static int run_command(const command *c, int count, char **words)
 {
     for (int i = 0; i < count && strcmp(words[i], "--") != 0; i++)
@@ -86,18 +97,16 @@ static int run_command(const command *c, int count, char **words)
         }
 
     int option_count = 0;
-    option *options = command_options(c, find_method(c, count, words), &option_count);
+    const char *choice = find_method(c, count, words);
+    option *options = command_options(c, choice, &option_count);
     if (!options)
         return output_failed(c->name, BATTEN_OUT_OF_MEMORY);
     arguments given;
     int status = EXIT_USAGE;
     if (arguments_read(c->name, option_count, options, c->least_files, c->most_files, count,
                        words, &given)) {
-        job_begin(arguments_has(&given, "quiet"));
-        status = c->run(&given);
-        if (status == EXIT_FAILED)
-            status = job_exit(status); /* a signal made it fail */
-        job_end();
+        if (value_check_all(c, command_feature(c, choice), &given))
+            status = run_job(c, &given);
         arguments_free(&given);
     }
     batten_release(options);

@@ -43,6 +43,29 @@ TEST(U1_a_bound_that_is_no_length_above_0_is_refused_before_any_work)
     }
 }
 
+TEST(U1_numbers_that_an_operation_does_not_take_are_refused_before_any_work)
+{
+    static const struct {
+        const char *command, *option, *values[5];
+    } wrong[] = {
+        {"check", "--angle", {"0", "-1", "nan", "3mm", ""}},
+        {"check", "--curvature", {"-1", "0", "1e400", "x", "1deg"}},
+        {"fair", "--corner-angle", {"30", "deg", "", "-1", "inf"}},
+        {"fit", "--degree", {"-1", "2.5", "nan", "", "0"}},
+        {"draw", "--width", {"0", "-1", "63", "x", ""}},
+        {"draw", "--isolines", {"0", "-1", "1.5", "x", ""}},
+        {"draw", "--spacing", {"-1", "-1mm", "nan", "", "1deg"}},
+        {"draw", "--distance", {"-1", "x", "1e400", "", "2kg"}},
+        {"draw", "--azimuth", {"30", "x", "1mm", "", "nan"}},
+        {"compare", "--height", {"0", "-5", "64.5", "", "x"}},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
+        for (int k = 0; k < 5; k++) /* the file does not exist, which nobody gets to see */
+            check_usage(RUN("batten", wrong[i].command, "none.igs", wrong[i].option,
+                            wrong[i].values[k]),
+                        wrong[i].option);
+}
+
 TEST(U1_an_option_is_not_the_value_of_another)
 {
     check_usage(RUN("batten", "check", "none.igs", "--within", "--json"), "needs a value");
@@ -173,9 +196,10 @@ TEST(U1_an_angle_without_its_unit_is_said_without_a_place_in_no_text)
     test_write(points, "0 0 0\n1 2 0\n3 3 1\n");
     test_process run =
         RUN("batten", "draw", points, "-o", picture, "--azimuth", "30", "--elevation", "20");
-    CHECK_INT(run.exit, 1);
-    CHECK_CONTAINS(run.errors, "'azimuth' of picture needs an angle with its unit (30 deg, ");
-    CHECK_CONTAINS(run.errors, "'elevation' of picture needs an angle with its unit");
+    CHECK_INT(run.exit, 2);
+    CHECK_CONTAINS(run.errors,
+                   "--azimuth wants an angle with its unit, as 30deg or 0.5rad, not '30'");
+    CHECK_CONTAINS(run.errors, "--elevation wants an angle with its unit");
     CHECK(strstr(run.errors, "column") == NULL);
     CHECK_INT(RUN("batten", "draw", points, "-o", picture, "--azimuth", "30deg").exit, 0);
     run = RUN("batten", "help", "draw");

@@ -124,13 +124,17 @@ static void describe_bending(column *c, const char *unit)
 
 static void describe(column *c, const char *unit)
 {
-    char inflections[16], extrema[16];
+    char inflections[16], extrema[16], sharpest[48];
     count_text(c, c->inflections, inflections, sizeof inflections);
     count_text(c, c->extrema, extrema, sizeof extrema);
     describe_bending(c, unit);
+    if (isinf(c->sharpest))
+        snprintf(sharpest, sizeof sharpest, "without bound");
+    else
+        snprintf(sharpest, sizeof sharpest, "%.3g 1/%s", c->sharpest, unit);
     snprintf(c->lines[1], sizeof c->lines[1],
-             "inflections %s   extrema of curvature %s   max \xCE\xBA %.3g 1/%s", inflections,
-             extrema, c->sharpest, unit);
+             "inflections %s   extrema of curvature %s   max \xCE\xBA %s", inflections, extrema,
+             sharpest);
     snprintf(c->lines[2], sizeof c->lines[2], "length %.6g %s", c->length, unit);
     for (int k = 0; k < 3; k++)
         c->shown[k] = c->lines[k];
@@ -189,7 +193,7 @@ static void put_table(const bat_run *run, int count, const column *columns, batt
         char inflections[16], extrema[16];
         count_text(c, c->inflections, inflections, sizeof inflections);
         count_text(c, c->extrema, extrema, sizeof extrema);
-        infinite |= c->corners + c->jumps > 0;
+        infinite |= c->corners + c->jumps > 0 || isinf(c->sharpest);
         batten_text_add(text, "%-*s %-*s %12.6g %12.6g %11s %8s %10.4g %12.8g %9.3f\n", names,
                         name_of(c), kinds, kind_of(c), c->energy, c->variation, inflections,
                         extrema, c->sharpest, c->length, 1e3 * c->feature->seconds);
@@ -200,7 +204,8 @@ static void put_table(const bat_run *run, int count, const column *columns, batt
     if (infinite)
         batten_text_add(
             text,
-            "inf: of a curve with corners both are infinite, of one whose curvature jumps the variation\n");
+            "inf: of a curve with corners both are infinite, of one whose curvature jumps the variation;\n"
+            "curvature is where a curve stands still and its curvature has no bound\n");
 }
 
 static void put_number(batten_text *text, const char *key, double value)

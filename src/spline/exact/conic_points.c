@@ -59,6 +59,7 @@ batten_status batten_curve_conic_through(batten_vec2 a, batten_vec2 b, batten_ve
 typedef struct {
     const double *p; /* [5][2] */
     double s, t;
+    int sense; /* of the turns from point to point; 0: they are out of order */
 } pencil;
 
 static const double *at(const pencil *conic, int i)
@@ -109,24 +110,12 @@ static bool arc_between(const pencil *conic, int i, int j, double *b, double *w)
         return false;
     *w = sqrt(square);
     const double whole = area(a, b, c);
+    if (!(whole * conic->sense > 0))
+        return false;
     for (int k = i + 1; k < j; k++) {
         const double *q = at(conic, k);
         if (!(area(q, b, c) / whole > 0 && area(a, q, c) / whole > 0 &&
               area(a, b, q) / whole > 0))
-            return false;
-    }
-    return true;
-}
-
-/* Do the pieces follow each other without turning back? */
-static bool runs_on(const double *points, int pieces)
-{
-    for (int i = 1; i < pieces; i++) {
-        const double *joint = points + 4 * i;
-        const double *before = joint - 2, *after = joint + 2;
-        if ((joint[0] - before[0]) * (after[0] - joint[0]) +
-                (joint[1] - before[1]) * (after[1] - joint[1]) <=
-            0)
             return false;
     }
     return true;
@@ -142,7 +131,7 @@ static bool conic_pieces(const pencil *conic, int pieces, double *points, double
                                        &weights[2 * i + 1]))
             return false;
     }
-    return runs_on(points, pieces);
+    return true;
 }
 
 static batten_status check_five(const double *points)
@@ -159,6 +148,21 @@ static batten_status check_five(const double *points)
     return BATTEN_OK;
 }
 
+/* On one branch points are the corners of a convex polygon: in their order they are seen from
+ * the first one after the other, to the left or to the right. 0: they are not. */
+static int sense_of(const double *points)
+{
+    int sense = 0;
+    for (int i = 1; i < 4; i++) {
+        const double turn = area(points, points + 2 * i, points + 2 * i + 2);
+        const int sign = (turn > 0) - (turn < 0);
+        if (sign == 0 || sign == -sense)
+            return 0;
+        sense = sign;
+    }
+    return sense;
+}
+
 batten_status batten_curve_conic_five(batten_points points, batten_curve **out)
 {
     if (points.dimension != 2)
@@ -169,7 +173,7 @@ batten_status batten_curve_conic_five(batten_points points, batten_curve **out)
     const batten_status status = check_five(points.at);
     if (status != BATTEN_OK)
         return status;
-    pencil conic = {points.at, 0, 0};
+    pencil conic = {points.at, 0, 0, sense_of(points.at)};
     const double *q = points.at + 4;
     conic.s = area(at(&conic, 0), at(&conic, 3), q) * area(at(&conic, 1), at(&conic, 4), q);
     conic.t = area(at(&conic, 0), at(&conic, 1), q) * area(at(&conic, 3), at(&conic, 4), q);
@@ -187,6 +191,8 @@ batten_status batten_curve_conic_five(batten_points points, batten_curve **out)
         return batten_curve_from_bezier(2, (batten_pieces){2, pieces, breaks}, control, weights,
                                         out);
     }
-    return bat_fail(BATTEN_SINGULAR_SYSTEM,
-                    "the five points do not follow each other on one arc of a conic");
+    return bat_fail(
+        BATTEN_SINGULAR_SYSTEM,
+        "the five points do not follow each other on one arc of a conic; give them in "
+        "their order along it");
 }

@@ -313,6 +313,47 @@ TEST(five_points_that_are_no_arc_are_refused)
                  BATTEN_SINGULAR_SYSTEM);
 }
 
+TEST(five_points_of_a_conic_out_of_order_are_refused_whatever_the_order)
+{
+    /* of an ellipse, which any of them may start, and of a parabola; forwards or backwards */
+    const double angles[5] = {0.1, 0.9, 2.2, 3.9, 5.2};
+    int order[5] = {0, 1, 2, 3, 4}, accepted[2] = {0, 0};
+    for (int n = 0; n < 120; n++) {
+        for (int kind = 0; kind < 2; kind++) {
+            double points[10];
+            for (int i = 0; i < 5; i++) {
+                const double t = angles[order[i]];
+                points[2 * i] = kind ? t - 2 : 3 * cos(t);
+                points[2 * i + 1] = kind ? (t - 2) * (t - 2) : sin(t);
+            }
+            int rising = 0, falling = 0;
+            for (int i = 0; i < 4; i++) {
+                rising +=
+                    kind ? order[i] + 1 == order[i + 1] : (order[i] + 1) % 5 == order[i + 1];
+                falling +=
+                    kind ? order[i + 1] + 1 == order[i] : (order[i + 1] + 1) % 5 == order[i];
+            }
+            const bool in_order = rising == 4 || falling == 4;
+            batten_curve *curve = NULL;
+            const batten_status status =
+                batten_curve_conic_five((batten_points){2, 5, points}, &curve);
+            if (!test_memory_failed(status, in_order ? BATTEN_OK : BATTEN_SINGULAR_SYSTEM))
+                CHECK_INT(status, in_order ? BATTEN_OK : BATTEN_SINGULAR_SYSTEM);
+            accepted[kind] += status == BATTEN_OK;
+            batten_curve_unref(curve);
+        }
+        /* the next order: rotations within rotations */
+        for (int k = 5, r = n + 1; k > 1; r /= k, k--) {
+            const int first = order[0];
+            memmove(order, order + 1, (size_t)(k - 1) * sizeof *order);
+            order[k - 1] = first;
+            if (r % k != 0)
+                break;
+        }
+    }
+    CHECK(test_cases(120) < 120 || (accepted[0] == 10 && accepted[1] == 2));
+}
+
 TEST(lines_and_polylines_have_the_points_they_were_given)
 {
     const double a[] = {1, 2, 3}, b[] = {4, 6, 3}, points[] = {0, 0, 3, 4, 3, 5};
