@@ -127,9 +127,6 @@ batten_status bat_spline_reduce_knots(const bat_spline *fine, size_t group, doub
 /* Every distinct knot `by` times more; of unclamped ends as many knots are kept as are needed.
  */
 batten_status bat_spline_elevate(const bat_spline *spline, int by, bat_spline *out);
-/* The knots of the spline elevated by one, and its number of points; release them. */
-batten_status bat_knots_elevate(int degree, int count, const double *knots, double **out,
-                                int *point_count);
 /* Weights [p + 1] of the rows span - p .. span in the elevated row that has the p + 1 knots
  * `window`; the span is that which holds the knot before them. */
 void bat_elevation_row(int degree, const double *knots, int span, const double *window,

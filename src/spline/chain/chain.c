@@ -87,21 +87,33 @@ static batten_chain *allocate_chain(int count)
     return NULL;
 }
 
+static batten_status check_spans(int dimension, int count, const batten_span *spans)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < count && status == BATTEN_OK; i++)
+        status = bat_chain_check_span(dimension, &spans[i], i);
+    return status;
+}
+
+/* As given, or by the lengths of the spans. */
+static void set_breaks(batten_chain *chain, const double *breaks)
+{
+    const int n = chain->count;
+    for (int i = 0; i < n && !breaks; i++)
+        chain->breaks[i + 1] = chain->breaks[i] + chain->spans[i].length;
+    if (breaks)
+        memcpy(chain->breaks, breaks, ((size_t)n + 1) * sizeof *breaks);
+}
+
 static batten_status fill(batten_chain *chain, const batten_span *spans, const double *breaks,
                           double tolerance)
 {
-    const int n = chain->count;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < n && status == BATTEN_OK; i++)
-        status = bat_chain_check_span(chain->dimension, &spans[i], i);
+    batten_status status = check_spans(chain->dimension, chain->count, spans);
     if (status != BATTEN_OK)
         return status;
-    memcpy(chain->spans, spans, (size_t)n * sizeof *spans);
-    for (int i = 0; i < n && !breaks; i++)
-        chain->breaks[i + 1] = chain->breaks[i] + spans[i].length;
-    if (breaks)
-        memcpy(chain->breaks, breaks, ((size_t)n + 1) * sizeof *breaks);
-    status = check_breaks(n, chain->breaks);
+    memcpy(chain->spans, spans, (size_t)chain->count * sizeof *spans);
+    set_breaks(chain, breaks);
+    status = check_breaks(chain->count, chain->breaks);
     if (status == BATTEN_OK)
         status = check_gaps(chain, tolerance);
     return status;

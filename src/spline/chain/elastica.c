@@ -17,21 +17,23 @@ typedef struct {
     double gain; /* the integral of cn^2 from 0 */
 } jacobi;
 
+/* Of the descending Landen transformations. */
+static const double landen_ratios[] = {0.1715728752538099024, 0.00746966672950958191,
+                                       1.394936942369415740e-05, 4.864622683763723359e-11};
+static const double landen_steps[] = {0.1464466094067262378, 0.006328487669779609585,
+                                      1.181808830134060611e-05, 4.121371990270229469e-11};
+
 /* By arithmetic-geometric means, from a = 1, b = c = sqrt(1/2): 2^4 a_4, c_n / a_n and c_n; the
  * next c is 5e-22. [DLMF] 22.20. */
 static jacobi jacobi_at(double v)
 {
-    static const double ratios[] = {0.1715728752538099024, 0.00746966672950958191,
-                                    1.394936942369415740e-05, 4.864622683763723359e-11};
-    static const double steps[] = {0.1464466094067262378, 0.006328487669779609585,
-                                   1.181808830134060611e-05, 4.121371990270229469e-11};
     /* 2 E / K - 1 of the complete integrals */
     double gain = 0.4569465810444636254 * v;
     double amplitude = 16 * 0.8472130847939790866 * v;
     for (int n = 3; n >= 0; n--) {
         const double sine = sin(amplitude);
-        gain += 2 * steps[n] * sine;
-        amplitude = (amplitude + asin(ratios[n] * sine)) / 2;
+        gain += 2 * landen_steps[n] * sine;
+        amplitude = (amplitude + asin(landen_ratios[n] * sine)) / 2;
     }
     const double sn = sin(amplitude);
     return (jacobi){sn, cos(amplitude), sqrt(1 - sn * sn / 2), gain};

@@ -43,15 +43,23 @@ static double sixth_by_curvature(const double k[5])
 }
 
 /* An arc or a spiral from the middle of the piece, by h. */
-static double sixth_of_spiral(const batten_span *span, double middle, double h)
+static const double factorial[4] = {1, 1, 2, 6};
+
+/* The cubic of the curvature and its derivatives at s. */
+static void curvatures_at(const double curvature[4], double s, double at[4])
 {
-    const double factorial[4] = {1, 1, 2, 6};
-    double at[4] = {0}, k[5] = {0}, scale = h;
     for (int i = 0; i < 4; i++) {
         double power = 1;
-        for (int j = i; j < 4; j++, power *= middle)
-            at[i] += span->curvature[j] * power / factorial[j - i];
+        at[i] = 0;
+        for (int j = i; j < 4; j++, power *= s)
+            at[i] += curvature[j] * power / factorial[j - i];
     }
+}
+
+static double sixth_of_spiral(const batten_span *span, double middle, double h)
+{
+    double at[4], k[5] = {0}, scale = h;
+    curvatures_at(span->curvature, middle, at);
     for (int i = 0; i < 4; i++, scale *= h) {
         double power = 1;
         for (int j = i; j < 4; j++, power *= h / 2)

@@ -2,11 +2,8 @@
  * ends. */
 #include "spline/chain/chain.h"
 
-/* (sinh y - y) / y^3 and (cosh y - 1) / y^2 for 0 <= y <= 1, by their series in y^2: the first
- * term left out is below 1 / 20! there, which is lost in the rounding of the first. */
-static double sinh_rest(double y)
-{
-    static const double factorials[] = {6,
+/* 3!, 5! .. 19! */
+static const double odd_factorials[] = {6,
                                         120,
                                         5040,
                                         362880,
@@ -15,9 +12,14 @@ static double sinh_rest(double y)
                                         1307674368000,
                                         355687428096000,
                                         121645100408832000};
+
+/* (sinh y - y) / y^3 and (cosh y - 1) / y^2 for 0 <= y <= 1, by their series in y^2: the first
+ * term left out is below 1 / 20! there, which is lost in the rounding of the first. */
+static double sinh_rest(double y)
+{
     double sum = 0;
     for (int k = 8; k >= 0; k--)
-        sum = sum * (y * y) + 1 / factorials[k];
+        sum = sum * (y * y) + 1 / odd_factorials[k];
     return sum;
 }
 
@@ -31,15 +33,20 @@ static double cosh_rest(double y)
     return sum;
 }
 
+static void shape_by_series(double z, double x, double out[4])
+{
+    const double y = z * x, S = sinh_rest(y), C = cosh_rest(y), S1 = sinh_rest(z);
+    const double q = 1 / (1 + z * z * S1); /* z / sinh z */
+    out[0] = q * x * (x * x * S - S1);
+    out[1] = q * (x * x * C - S1);
+    out[2] = q * x * (1 + y * y * S);
+    out[3] = q * (1 + y * y * C);
+}
+
 void bat_tension_shape(double z, double x, double rest, double out[4])
 {
     if (z <= 1) {
-        const double y = z * x, S = sinh_rest(y), C = cosh_rest(y), S1 = sinh_rest(z);
-        const double q = 1 / (1 + z * z * S1); /* z / sinh z */
-        out[0] = q * x * (x * x * S - S1);
-        out[1] = q * (x * x * C - S1);
-        out[2] = q * x * (1 + y * y * S);
-        out[3] = q * (1 + y * y * C);
+        shape_by_series(z, x, out);
         return;
     }
     /* All exponents are below 0, so that no tension is too large. */

@@ -74,6 +74,10 @@ batten_status bat_curve_to_spline(const batten_curve *curve, bat_spline *out);
  * its bits; the search begins at row `first`. OVERFLOW when a row is not finite. */
 batten_status bat_curve_from_spline(const batten_curve *like, const bat_spline *from, int first,
                                     const bat_spline *made, batten_curve **out);
+/* The same when a change has made `made` from all of `from`; releases both, and after a failed
+ * change, which made nothing, the latter. */
+batten_status bat_curve_of_changed(batten_status change, const batten_curve *like,
+                                   bat_spline *from, bat_spline *made, batten_curve **out);
 
 /* A periodic curve as a spline with `more` further periods on each side of the one of its
  * domain; 0 for the wrapped form. It has `more` m + p knots before the domain. */

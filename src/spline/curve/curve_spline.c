@@ -72,6 +72,18 @@ batten_status bat_curve_from_spline(const batten_curve *like, const bat_spline *
     return bat_curve_finish(curve, out);
 }
 
+batten_status bat_curve_of_changed(batten_status change, const batten_curve *like,
+                                   bat_spline *from, bat_spline *made, batten_curve **out)
+{
+    batten_status status = change;
+    if (status == BATTEN_OK) {
+        status = bat_curve_from_spline(like, from, 0, made, out);
+        bat_spline_free(made);
+    }
+    bat_spline_free(from);
+    return status;
+}
+
 /* ---- periodic curves ---- */
 
 batten_status bat_curve_unwrap(const batten_curve *curve, int more, bat_spline *out)

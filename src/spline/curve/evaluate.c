@@ -89,18 +89,22 @@ void bat_curve_on_piece(const batten_curve *curve, const bat_piece *on, double u
 
 /* ---- one parameter ---- */
 
+/* By whole periods into [a, b). */
+static double into_period(double a, double b, double u)
+{
+    u = a + fmod(u - a, b - a);
+    if (u < a)
+        u += b - a;
+    return u >= a && u < b ? u : a;
+}
+
 batten_status bat_curve_place(const batten_curve *curve, batten_side side, double *u)
 {
     const double a = curve->knots[curve->degree], b = curve->knots[curve->count];
     if (!curve->periodic || !isfinite(*u))
         return bat_knots_clip(a, b, u);
-    if (*u < a || *u >= b) {
-        *u = a + fmod(*u - a, b - a);
-        if (*u < a)
-            *u += b - a;
-        if (!(*u >= a && *u < b))
-            *u = a;
-    }
+    if (*u < a || *u >= b)
+        *u = into_period(a, b, *u);
     /* The start seen from the left is the end of the period before. */
     if (*u == a && side == BATTEN_FROM_LEFT)
         *u = b;

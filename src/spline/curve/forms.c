@@ -71,15 +71,21 @@ batten_status batten_curve_from_bezier(int dimension, batten_pieces pieces,
 
 /* ---- Hermite ---- */
 
+/* The elementary symmetric polynomials of y, in e, which begins as 1, 0 .. */
+static void add_symmetric(int count, const double *y, double *e)
+{
+    for (int i = 0; i < count; i++)
+        for (int r = i + 1; r > 0; r--)
+            e[r] += y[i] * e[r - 1];
+}
+
 /* Control point of degree p = 2 k - 1 with the knots u (k times), u + y[0] .. u + y[k - 2]: the
  * blossom there, sum over r of e_r(y) (p - r)! / p! P^(r)(u), with the elementary symmetric
  * polynomials e_r. */
 static void hermite_point(int d, int k, const double *y, const double *derivatives, double *out)
 {
     double e[4] = {1, 0, 0, 0};
-    for (int i = 0; i < k - 1; i++)
-        for (int r = i + 1; r > 0; r--)
-            e[r] += y[i] * e[r - 1];
+    add_symmetric(k - 1, y, e);
     for (int c = 0; c < d; c++) {
         double sum = 0, factor = 1;
         for (int r = 0; r < k; r++) {

@@ -3,6 +3,18 @@
 
 #include <string.h>
 
+static void reverse_points(const batten_curve *curve, batten_curve *made)
+{
+    const int n = curve->count;
+    const size_t d = (size_t)curve->dimension;
+    for (int i = 0; i < n; i++) {
+        memcpy(made->points + (size_t)i * d, curve->points + (size_t)(n - 1 - i) * d,
+               d * sizeof *made->points);
+        if (curve->weights)
+            made->weights[i] = curve->weights[n - 1 - i];
+    }
+}
+
 batten_status batten_curve_reverse(const batten_curve *curve, batten_curve **out)
 {
     assert(curve && out);
@@ -10,15 +22,8 @@ batten_status batten_curve_reverse(const batten_curve *curve, batten_curve **out
     const batten_status status = bat_curve_copy(curve, &made);
     if (status != BATTEN_OK)
         return status;
-    const int p = curve->degree, n = curve->count;
-    const size_t d = (size_t)curve->dimension;
-    bat_knots_reverse(p, n, curve->knots, made->knots);
-    for (int i = 0; i < n; i++) {
-        memcpy(made->points + (size_t)i * d, curve->points + (size_t)(n - 1 - i) * d,
-               d * sizeof *made->points);
-        if (curve->weights)
-            made->weights[i] = curve->weights[n - 1 - i];
-    }
+    bat_knots_reverse(curve->degree, curve->count, curve->knots, made->knots);
+    reverse_points(curve, made);
     return bat_curve_finish(made, out);
 }
 
@@ -154,21 +159,25 @@ batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension
     return recast(curve, dimension, -1, curve->weights != NULL, out);
 }
 
+/* Do all points agree in a coordinate? */
+static bool is_flat(const batten_curve *curve, int axis, double rounding)
+{
+    const double *at = curve->points + axis;
+    for (int i = 0; i < curve->count; i++)
+        if (!(fabs(at[3 * i] - at[0]) <= rounding))
+            return false;
+    return true;
+}
+
 /* The last axis along which all points have one coordinate, to rounding; -1 for none. */
 static int flat_axis(const batten_curve *curve)
 {
-    const double *points = curve->points;
-    const int n = curve->count;
     double largest = 0;
-    for (int i = 0; i < 3 * n; i++)
-        largest = bat_max(largest, fabs(points[i]));
-    for (int axis = 2; axis >= 0; axis--) {
-        int i = 0;
-        while (i < n && fabs(points[3 * i + axis] - points[axis]) <= 0x1p-46 * largest)
-            i++;
-        if (i == n)
+    for (int i = 0; i < 3 * curve->count; i++)
+        largest = bat_max(largest, fabs(curve->points[i]));
+    for (int axis = 2; axis >= 0; axis--)
+        if (is_flat(curve, axis, 0x1p-46 * largest))
             return axis;
-    }
     return -1;
 }
 

@@ -22,12 +22,17 @@ static batten_status refine_open(const batten_curve *curve, int count, const dou
     if (status != BATTEN_OK)
         return status;
     status = bat_spline_insert(&from, count, knots, &made);
-    if (status == BATTEN_OK) {
-        status = bat_curve_from_spline(curve, &from, 0, &made, out);
-        bat_spline_free(&made);
-    }
-    bat_spline_free(&from);
-    return status;
+    return bat_curve_of_changed(status, curve, &from, &made, out);
+}
+
+/* A knot of the curve in another period, whose knots begin at `period`. */
+static double copy_of_knot(const batten_curve *curve, const double *period, double knot,
+                           double shift)
+{
+    const int k =
+        bat_knots_span(curve->degree, curve->count, curve->knots, knot, BATTEN_FROM_RIGHT);
+    return knot == curve->knots[k] ? period[k]
+                                   : bat_min(bat_max(knot + shift, period[k]), period[k + 1]);
 }
 
 /* The knots of one period for `copies` periods from the first that is unwrapped on. A copy of a
@@ -39,13 +44,8 @@ static void copy_to_periods(const batten_curve *curve, const bat_spline *unwrapp
     const double length = curve->knots[p + m] - curve->knots[p];
     for (int c = 0; c < copies; c++)
         for (int i = 0; i < count; i++) {
-            const int k =
-                bat_knots_span(p, curve->count, curve->knots, knots[i], BATTEN_FROM_RIGHT);
-            const double *near = unwrapped->knots + k + c * m;
-            const double copy = knots[i] + (c - copies / 2) * length;
-            out[c * count + i] = knots[i] == curve->knots[k]
-                                     ? near[0]
-                                     : bat_min(bat_max(copy, near[0]), near[1]);
+            const double shift = (c - copies / 2) * length;
+            out[c * count + i] = copy_of_knot(curve, unwrapped->knots + c * m, knots[i], shift);
         }
 }
 
@@ -280,10 +280,5 @@ batten_status batten_curve_to_bezier(const batten_curve *curve, batten_curve **o
     if (status != BATTEN_OK)
         return status;
     status = bat_spline_to_bezier(&from, &made);
-    if (status == BATTEN_OK) {
-        status = bat_curve_from_spline(curve, &from, 0, &made, out);
-        bat_spline_free(&made);
-    }
-    bat_spline_free(&from);
-    return status;
+    return bat_curve_of_changed(status, curve, &from, &made, out);
 }

@@ -67,13 +67,8 @@ static batten_status apply_open(const batten_curve *curve, step make, request *a
     const double factor = moved_per_row(curve, asked->tolerance);
     asked->tolerance /= factor;
     status = make(&from, bat_curve_width(curve), asked, &made);
-    if (status == BATTEN_OK) {
-        status = bat_curve_from_spline(curve, &from, 0, &made, out);
-        bat_spline_free(&made);
-    }
     asked->error *= factor;
-    bat_spline_free(&from);
-    return status;
+    return bat_curve_of_changed(status, curve, &from, &made, out);
 }
 
 static batten_status apply_step(const batten_curve *curve, step make, request *asked,

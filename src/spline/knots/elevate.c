@@ -63,24 +63,43 @@ static int doubled(int knot_count, const double *knots, double *out)
     return count;
 }
 
-batten_status bat_knots_elevate(int degree, int count, const double *knots, double **out,
-                                int *point_count)
+/* The start of the domain stands last at q, its end first at the new number of points, which is
+ * returned. */
+static int trim_to_domain(batten_interval domain, int q, int made, double *T)
 {
-    const int p = degree, q = p + 1, knot_count = count + p + 1;
+    int begin = 0, end = made - 1;
+    while (T[begin + 1] <= domain.a)
+        begin++;
+    while (T[end - 1] >= domain.b)
+        end--;
+    memmove(T, T + begin - q, (size_t)(end - begin + 2 * q + 1) * sizeof *T);
+    return end - begin + q;
+}
+
+/* The knots of degree + 1 and the number of points they go with; the caller's to release. */
+static batten_status elevate_knots(int degree, int count, const double *knots, double **out,
+                                   int *point_count)
+{
+    const int p = degree, knot_count = count + p + 1;
     double *T = bat_array((size_t)knot_count * 2, sizeof *T);
     if (!T)
         return BATTEN_OUT_OF_MEMORY;
     const int made = doubled(knot_count, knots, T);
-    /* The start of the domain stands last at q, its end first at the new number of points. */
-    int begin = 0, end = made - 1;
-    while (T[begin + 1] <= knots[p])
-        begin++;
-    while (T[end - 1] >= knots[count])
-        end--;
-    memmove(T, T + begin - q, (size_t)(end - begin + 2 * q + 1) * sizeof *T);
+    *point_count = trim_to_domain((batten_interval){knots[p], knots[count]}, p + 1, made, T);
     *out = T;
-    *point_count = end - begin + q;
     return BATTEN_OK;
+}
+
+/* row += the rows from `first` on, each by its weight. */
+static void combine_rows(const bat_spline *from, int first, const double *weights, double *row)
+{
+    for (int i = 0; i <= from->degree; i++) {
+        if (weights[i] == 0)
+            continue;
+        const double *source = from->values + (size_t)(first + i) * from->width;
+        for (size_t c = 0; c < from->width; c++)
+            row[c] += weights[i] * source[c];
+    }
 }
 
 static void elevate_rows(const bat_spline *from, const bat_spline *to)
@@ -92,22 +111,15 @@ static void elevate_rows(const bat_spline *from, const bat_spline *to)
         while (from->knots[span + 1] <= to->knots[j])
             span++;
         bat_elevation_row(p, from->knots, span, to->knots + j + 1, weights);
-        double *row = to->values + (size_t)j * to->width;
-        for (int i = 0; i <= p; i++) {
-            if (weights[i] == 0)
-                continue;
-            const double *source = from->values + (size_t)(span - p + i) * from->width;
-            for (size_t c = 0; c < to->width; c++)
-                row[c] += weights[i] * source[c];
-        }
+        combine_rows(from, span - p, weights, to->values + (size_t)j * to->width);
     }
 }
 
 static batten_status elevate_once(const bat_spline *spline, bat_spline *out)
 {
     bat_spline made = {.degree = spline->degree + 1, .width = spline->width};
-    batten_status status = bat_knots_elevate(spline->degree, spline->count, spline->knots,
-                                             &made.knots, &made.count);
+    batten_status status =
+        elevate_knots(spline->degree, spline->count, spline->knots, &made.knots, &made.count);
     if (status != BATTEN_OK)
         return status;
     made.values = bat_array3((size_t)made.count, made.width, sizeof *made.values);

@@ -53,18 +53,24 @@ static batten_status make_result(const bat_spline *spline, bat_spline *out)
     return BATTEN_OK;
 }
 
+/* The inner knots that stand once. */
+static int list_simple_knots(const bat_spline *spline, double *knots)
+{
+    const double *U = spline->knots;
+    int count = 0;
+    for (int i = spline->degree + 1; i < spline->count; i++)
+        if (U[i] != U[i - 1] && U[i] != U[i + 1])
+            knots[count++] = U[i];
+    return count;
+}
+
 /* The given spline with the inner knots that stand once standing twice. */
 static batten_status make_target(const bat_spline *spline, bat_spline *out)
 {
-    const int p = spline->degree, n = spline->count;
-    const double *U = spline->knots;
-    double *knots = bat_array((size_t)n, sizeof *knots);
+    double *knots = bat_array((size_t)spline->count, sizeof *knots);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
-    int count = 0;
-    for (int i = p + 1; i < n; i++)
-        if (U[i] != U[i - 1] && U[i] != U[i + 1])
-            knots[count++] = U[i];
+    const int count = list_simple_knots(spline, knots);
     const batten_status status = bat_spline_insert(spline, count, knots, out);
     bat_release(knots);
     return status;

@@ -236,22 +236,27 @@ static bool near_gone(const thinning *work, int r)
 }
 
 /* Close the gaps of a round. Of two spans that become one the larger movement counts. */
+static void compact_knots(thinning *work, double *knots, int knot_count)
+{
+    int kept = 0;
+    for (int j = 0; j < knot_count; j++)
+        if (work->gone[j])
+            work->moved[kept - 1] = bat_max(work->moved[kept - 1], work->moved[j]);
+        else {
+            knots[kept] = knots[j];
+            work->moved[kept++] = work->moved[j];
+        }
+}
+
 static void compact(thinning *work)
 {
     bat_spline *spline = work->removal.spline;
-    const int knot_count = spline->count + spline->degree + 1;
-    int knots = 0, rows = 0;
+    int rows = 0;
+    compact_knots(work, spline->knots, spline->count + spline->degree + 1);
     for (int i = 0; i < spline->count; i++)
         if (!work->row_gone[i])
             memmove(row_of(spline, rows++), row_of(spline, i),
                     spline->width * sizeof *spline->values);
-    for (int j = 0; j < knot_count; j++)
-        if (work->gone[j])
-            work->moved[knots - 1] = bat_max(work->moved[knots - 1], work->moved[j]);
-        else {
-            spline->knots[knots] = spline->knots[j];
-            work->moved[knots++] = work->moved[j];
-        }
     spline->count = rows;
 }
 

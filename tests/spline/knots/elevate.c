@@ -31,13 +31,15 @@ TEST(knots_outside_an_unclamped_domain_are_kept_as_far_as_needed)
 {
     const double knots[] = {0, 1, 2, 3, 4, 5, 6, 7}; /* degree 2: the domain [2, 5] */
     const double expected[] = {1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6};
-    double *made = NULL;
-    int count = 0;
-    CHECK_OK(bat_knots_elevate(2, 5, knots, &made, &count));
-    CHECK_INT(count, 8);
+    bat_spline spline, made;
+    CHECK_OK(bat_spline_make(2, 5, 1, &spline));
+    memcpy(spline.knots, knots, sizeof knots);
+    CHECK_OK(bat_spline_elevate(&spline, 1, &made));
+    CHECK_INT(made.count, 8);
     for (int i = 0; i < COUNT(expected); i++)
-        CHECK_BITS(made[i], expected[i]);
-    bat_release(made);
+        CHECK_BITS(made.knots[i], expected[i]);
+    bat_spline_free(&made);
+    bat_spline_free(&spline);
 }
 
 /* The entries of the matrix that raises a Bernstein polynomial from degree n - 1 to n. */
