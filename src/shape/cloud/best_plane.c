@@ -6,22 +6,33 @@
 
 #include <string.h>
 
+/* Of every third number. */
+static batten_interval range_of(size_t count, const double *x)
+{
+    batten_interval range = {HUGE_VAL, -HUGE_VAL};
+    for (size_t t = 0; t < count; t++) {
+        range.a = bat_min(range.a, x[3 * t]);
+        range.b = bat_max(range.b, x[3 * t]);
+    }
+    return range;
+}
+
+/* The mean of every third number, summed from `low` on so that nothing overflows. */
+static double mean_above(double low, size_t count, const double *x)
+{
+    double mean = 0;
+    for (size_t t = 0; t < count; t++)
+        mean += (x[3 * t] - low) / (double)count;
+    return mean + low;
+}
+
 static void find_mean(size_t count, const double *points, double mean[3], double *size)
 {
-    double low[3], high[3];
     *size = 0;
     for (size_t c = 0; c < 3; c++) {
-        low[c] = HUGE_VAL;
-        high[c] = -HUGE_VAL;
-        for (size_t t = 0; t < count; t++) {
-            low[c] = bat_min(low[c], points[3 * t + c]);
-            high[c] = bat_max(high[c], points[3 * t + c]);
-        }
-        *size = bat_max(*size, high[c] - low[c]);
-        mean[c] = 0;
-        for (size_t t = 0; t < count; t++)
-            mean[c] += (points[3 * t + c] - low[c]) / (double)count;
-        mean[c] += low[c];
+        const batten_interval range = range_of(count, points + c);
+        *size = bat_max(*size, range.b - range.a);
+        mean[c] = mean_above(range.a, count, points + c);
     }
 }
 

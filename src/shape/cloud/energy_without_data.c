@@ -27,6 +27,14 @@ static int bin_of(const bat_scatter *s, const bins *b, int k, double x)
     return bat_min_int(b->counts[k] - 1, (int)(x / s->side[k] * b->counts[k]));
 }
 
+static void mark_held(const bat_scatter *s, bins *b)
+{
+    for (size_t t = 0; t < s->count; t++)
+        if (s->weights[t] > 0)
+            b->held[bin_of(s, b, 0, s->uv[2 * t]) * b->counts[1] +
+                    bin_of(s, b, 1, s->uv[2 * t + 1])] = true;
+}
+
 /* Bins for some data each, were they spread evenly. */
 static batten_status find_bins(const bat_scatter *s, bins *b)
 {
@@ -37,10 +45,7 @@ static batten_status find_bins(const bat_scatter *s, bins *b)
     b->held = bat_array3((size_t)b->counts[0], (size_t)b->counts[1], sizeof *b->held);
     if (!b->held)
         return BATTEN_OUT_OF_MEMORY;
-    for (size_t t = 0; t < s->count; t++)
-        if (s->weights[t] > 0)
-            b->held[bin_of(s, b, 0, s->uv[2 * t]) * b->counts[1] +
-                    bin_of(s, b, 1, s->uv[2 * t + 1])] = true;
+    mark_held(s, b);
     return BATTEN_OK;
 }
 

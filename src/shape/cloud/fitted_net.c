@@ -36,22 +36,28 @@ void bat_scatter_basis(const bat_scatter *s, size_t t, int first[2], double *u, 
     }
 }
 
-void bat_scatter_rest(const bat_scatter *s, size_t t, double rest[3])
+/* sum += the point of the net with these basis functions. */
+static void add_net_point(const bat_scatter *s, const int first[2], const double *u,
+                          const double *v, double *sum)
 {
     const size_t d = (size_t)s->dimension, nv = (size_t)s->axis[1].count;
+    for (int a = 0; a <= s->axis[0].degree; a++)
+        for (int b = 0; b <= s->axis[1].degree; b++) {
+            const size_t at = (size_t)(first[0] + a) * nv + (size_t)(first[1] + b);
+            for (size_t c = 0; c < d; c++)
+                sum[c] += u[a] * v[b] * s->control[at * d + c];
+        }
+}
+
+void bat_scatter_rest(const bat_scatter *s, size_t t, double rest[3])
+{
+    const size_t d = (size_t)s->dimension;
     double u[WIDE], v[WIDE];
     int first[2];
     bat_scatter_basis(s, t, first, u, v);
     for (size_t c = 0; c < d; c++)
         rest[c] = s->centre[c] - s->values[t * d + c];
-    for (int a = 0; a <= s->axis[0].degree; a++)
-        for (int b = 0; b <= s->axis[1].degree; b++) {
-            const double f = u[a] * v[b];
-            const double *p =
-                s->control + ((size_t)(first[0] + a) * nv + (size_t)(first[1] + b)) * d;
-            for (size_t c = 0; c < d; c++)
-                rest[c] += f * p[c];
-        }
+    add_net_point(s, first, u, v, rest);
 }
 
 void bat_scatter_measure(bat_scatter *s)

@@ -71,17 +71,25 @@ static double apart_from_neighbours(const bat_scatter *s, const bins *b, size_t 
     return distance;
 }
 
-/* Beyond this neighbours are far apart: five times the spacing of points in the two longer
- * sides of the box, and a twentieth of its diagonal. */
-static double far_apart(const bat_scatter *s)
+/* How wide the points are along each axis; the least of it. */
+static double find_sides(const bat_scatter *s, double side[3])
 {
-    double side[3], shortest = HUGE_VAL, product = 1;
+    double shortest = HUGE_VAL;
     for (size_t c = 0; c < 3; c++) {
         side[c] = 0;
         for (size_t t = 0; t < s->count; t++)
             side[c] = bat_max(side[c], 2 * fabs(s->centred[3 * t + c]));
         shortest = bat_min(shortest, side[c]);
     }
+    return shortest;
+}
+
+/* Beyond this neighbours are far apart: five times the spacing of points in the two longer
+ * sides of the box, and a twentieth of its diagonal. */
+static double far_apart(const bat_scatter *s)
+{
+    double side[3], product = 1;
+    const double shortest = find_sides(s, side);
     const double diagonal = bat_norm(3, side);
     for (int c = 0, left = 0; c < 3; c++) {
         const bool out = side[c] == shortest && !left;

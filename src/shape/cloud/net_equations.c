@@ -272,6 +272,16 @@ static batten_status solve_band(const bat_scatter *s, double lambda)
     return status;
 }
 
+/* The control points, coordinates innermost. */
+static void take_solution(bat_scatter *s)
+{
+    const bat_net_system *y = &s->system;
+    const size_t d = (size_t)s->dimension;
+    for (size_t i = 0; i < y->unknowns; i++)
+        for (size_t c = 0; c < d; c++)
+            s->control[i * d + c] = y->solved[c * y->unknowns + i];
+}
+
 batten_status bat_scatter_solve(bat_scatter *s, double lambda)
 {
     const bat_net_system *y = &s->system;
@@ -279,10 +289,7 @@ batten_status bat_scatter_solve(bat_scatter *s, double lambda)
         y->factor ? solve_band(s, lambda) : bat_scatter_solve_gradients(s, lambda);
     if (status != BATTEN_OK)
         return status;
-    const size_t d = (size_t)s->dimension;
-    for (size_t i = 0; i < y->unknowns; i++)
-        for (size_t c = 0; c < d; c++)
-            s->control[i * d + c] = y->solved[c * y->unknowns + i];
+    take_solution(s);
     s->lambda = lambda;
     bat_scatter_measure(s);
     return BATTEN_OK;

@@ -12,19 +12,20 @@ batten_surface_scattered_options batten_surface_scattered_defaults(void)
                                               .corrections = 20};
 }
 
+static size_t span_of(const bat_scatter *s, size_t t, int k)
+{
+    const bat_net_axis *axis = &s->axis[k];
+    return (size_t)bat_knots_span(axis->degree, axis->count, axis->knots,
+                                  s->uv[2 * t + (size_t)k], BATTEN_FROM_RIGHT);
+}
+
 static int count_empty(const bat_scatter *s, bool *held)
 {
     const int nv = s->axis[1].count;
     int empty = 0;
-    for (size_t t = 0; t < s->count; t++) {
-        size_t at[2];
-        for (int k = 0; k < 2; k++)
-            at[k] =
-                (size_t)bat_knots_span(s->axis[k].degree, s->axis[k].count, s->axis[k].knots,
-                                       s->uv[2 * t + (size_t)k], BATTEN_FROM_RIGHT);
+    for (size_t t = 0; t < s->count; t++)
         if (s->weights[t] > 0)
-            held[at[0] * (size_t)nv + at[1]] = true;
-    }
+            held[span_of(s, t, 0) * (size_t)nv + span_of(s, t, 1)] = true;
     for (int i = s->axis[0].degree; i < s->axis[0].count; i++)
         for (int j = s->axis[1].degree; j < nv; j++)
             empty += !held[i * nv + j];

@@ -192,15 +192,21 @@ typedef struct {
     double thinnest;
 } six_split;
 
-static void find_centre(const element_data *data, int t, double *centre)
+/* The lengths of the sides, each by the corner across from it. */
+static void find_sides(const element_data *data, const int *corner, double side[3])
 {
-    const int *corner = data->domain->corners + 3 * t;
-    double side[3];
     for (int e = 0; e < 3; e++) {
         const double *a = vertex(data, corner[(e + 1) % 3]),
                      *b = vertex(data, corner[(e + 2) % 3]);
         side[e] = hypot(b[0] - a[0], b[1] - a[1]);
     }
+}
+
+static void find_centre(const element_data *data, int t, double *centre)
+{
+    const int *corner = data->domain->corners + 3 * t;
+    double side[3];
+    find_sides(data, corner, side);
     const double all = side[0] + side[1] + side[2];
     for (int k = 0; k < 2; k++) {
         const double first = vertex(data, corner[0])[k];
@@ -280,12 +286,9 @@ static void powell_sabin(const element_data *data, const six_split *split, int t
     const int *corner = data->domain->corners + 3 * t;
     const double *centre = split->centres + 2 * (size_t)t;
     double z[4], b[3], side[3];
-    for (int e = 0; e < 3; e++) {
-        const double *p = vertex(data, corner[(e + 1) % 3]),
-                     *q = vertex(data, corner[(e + 2) % 3]);
-        side[e] = hypot(q[0] - p[0], q[1] - p[1]);
+    find_sides(data, corner, side);
+    for (int e = 0; e < 3; e++)
         z[e] = ahead(data, corner[e], centre, 0.5);
-    }
     z[3] = 0;
     for (int e = 0; e < 3; e++) {
         b[e] = side[e] / (side[0] + side[1] + side[2]);

@@ -128,18 +128,23 @@ static double swing_along(const bat_scatter *s, const remains *r, int k, double 
 
 /* ---- new knots ---- */
 
-/* The middle of the distances in a strip, not near its ends. */
-static double middle_of(const remains *r, int k, int span)
+/* So many parts have half of the shares. */
+static double half_of(const double shares[PARTS])
 {
-    const double *shares = r->shares[k] + span * PARTS;
     double whole = 0, sum = 0;
     for (int i = 0; i < PARTS; i++)
         whole += shares[i];
     int i = 0;
     while (i < PARTS - 1 && sum + shares[i] < whole / 2)
         sum += shares[i++];
-    const double inside = shares[i] > 0 ? (whole / 2 - sum) / shares[i] : 0.5;
-    const double part = bat_min(0.7, bat_max(0.3, (i + inside) / PARTS));
+    return i + (shares[i] > 0 ? (whole / 2 - sum) / shares[i] : 0.5);
+}
+
+/* The middle of the distances in a strip, not near its ends. */
+static double middle_of(const remains *r, int k, int span)
+{
+    const double half = half_of(r->shares[k] + span * PARTS);
+    const double part = bat_min(0.7, bat_max(0.3, half / PARTS));
     const double a = r->low[k][span], b = r->low[k][span + 1];
     return a + part * (b - a);
 }

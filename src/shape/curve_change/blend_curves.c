@@ -101,6 +101,15 @@ static void place_points(int n, int order, const batten_vec3 *derivative, int st
     }
 }
 
+static void list_coordinates(int d, int count, const batten_vec3 *from, double *out)
+{
+    for (int i = 0; i < count; i++) {
+        const double p[3] = {from[i].x, from[i].y, from[i].z};
+        for (int k = 0; k < d; k++)
+            out[i * d + k] = p[k];
+    }
+}
+
 static batten_status build_blend(int d, const bat_side sides[2], const batten_blend_end ends[2],
                                  const double v[2], batten_curve **out)
 {
@@ -108,15 +117,11 @@ static batten_status build_blend(int d, const bat_side sides[2], const batten_bl
     const double breaks[2] = {0, 1};
     batten_vec3 derivative[MOST], b[MOST_DEGREE + 1];
     double points[(MOST_DEGREE + 1) * 3];
-    derivatives(&sides[0], v[0], derivative);
-    place_points(n, ends[0].continuity, derivative, 1, b);
-    derivatives(&sides[1], v[1], derivative);
-    place_points(n, ends[1].continuity, derivative, -1, b + n);
-    for (int i = 0; i <= n; i++) {
-        const double p[3] = {b[i].x, b[i].y, b[i].z};
-        for (int k = 0; k < d; k++)
-            points[i * d + k] = p[k];
+    for (int k = 0; k < 2; k++) {
+        derivatives(&sides[k], v[k], derivative);
+        place_points(n, ends[k].continuity, derivative, k ? -1 : 1, k ? b + n : b);
     }
+    list_coordinates(d, n + 1, b, points);
     return batten_curve_from_bezier(d, (batten_pieces){n, 1, breaks}, points, NULL, out);
 }
 

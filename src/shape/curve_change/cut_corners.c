@@ -145,17 +145,18 @@ static batten_status cut_and_join(corner_cutting *w, batten_curve **out)
                : status;
 }
 
+static void release_curves(int count, batten_curve **curves)
+{
+    for (int k = 0; curves && k < count; k++)
+        batten_curve_unref(curves[k]);
+    bat_release(curves);
+}
+
 static void end_walk(corner_cutting *w)
 {
-    for (int k = 0; k < w->parts; k++)
-        batten_curve_unref(w->part[k]);
-    for (int k = 0; k < w->pieces; k++)
-        batten_curve_unref(w->piece[k]);
-    for (int k = 0; w->link && k < w->corners; k++)
-        batten_curve_unref(w->link[k]);
-    bat_release(w->part);
-    bat_release(w->piece);
-    bat_release(w->link);
+    release_curves(w->parts, w->part);
+    release_curves(w->pieces, w->piece);
+    release_curves(w->corners, w->link);
     bat_release(w->from);
     bat_release(w->to);
 }

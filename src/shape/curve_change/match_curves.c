@@ -93,16 +93,20 @@ static batten_status balance_make(end *const ends[2], const bool moves[2], balan
     return bat_dense_factor(rows, out->square, out->pivots);
 }
 
+/* By how much the derivatives at both ends differ. */
+static void list_gaps(int rows, end *const ends[2], double *gaps)
+{
+    for (int j = 0; j < rows; j++) {
+        const batten_vec3 gap =
+            bat_vec3_subtract(derivative(ends[1], j), derivative(ends[0], j));
+        memcpy(gaps + 3 * j, (const double[]){gap.x, gap.y, gap.z}, 3 * sizeof *gaps);
+    }
+}
+
 static void apply_moves(const balance *b, end *const ends[2], const bool moves[2])
 {
     double right[MOST * 3];
-    for (int j = 0; j < b->rows; j++) {
-        const batten_vec3 gap =
-            bat_vec3_subtract(derivative(ends[1], j), derivative(ends[0], j));
-        right[3 * j] = gap.x;
-        right[3 * j + 1] = gap.y;
-        right[3 * j + 2] = gap.z;
-    }
+    list_gaps(b->rows, ends, right);
     bat_dense_solve(b->rows, b->square, b->pivots, 3, right);
     for (int k = 0, column = 0; k < 2; k++)
         for (int i = 0; moves[k] && i < b->rows; i++, column++)

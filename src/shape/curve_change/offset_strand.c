@@ -116,23 +116,33 @@ static void quintic(int d, const bat_run_place *a, const bat_run_place *b, doubl
     }
 }
 
+/* How far the quintic is from the offset at a share of the way. */
+static batten_status quintic_off(const bat_offset *o, const bat_run_place *a,
+                                 const bat_run_place *b, double t, double *off)
+{
+    const int d = o->full->dimension;
+    bat_run_place at;
+    double q[3];
+    const batten_status status =
+        bat_run_place_at(o, a->u + (b->u - a->u) * t, BATTEN_FROM_RIGHT, &at);
+    if (status != BATTEN_OK)
+        return status;
+    quintic(d, a, b, t, q);
+    *off = bat_distance(d, q, at.q[0]);
+    return BATTEN_OK;
+}
+
 static batten_status quintic_error(const bat_offset *o, const bat_run_place *a,
                                    const bat_run_place *b, double *error)
 {
-    const int d = o->full->dimension;
+    batten_status status = BATTEN_OK;
     *error = 0;
-    for (int i = 1; i <= SAMPLES; i++) {
-        bat_run_place at;
-        double q[3];
-        const double t = i / (SAMPLES + 1.0);
-        const batten_status status =
-            bat_run_place_at(o, a->u + (b->u - a->u) * t, BATTEN_FROM_RIGHT, &at);
-        if (status != BATTEN_OK)
-            return status;
-        quintic(d, a, b, t, q);
-        *error = bat_max(*error, BAT_QUINTIC_BETWEEN_7 * bat_distance(d, q, at.q[0]));
+    for (int i = 1; i <= SAMPLES && status == BATTEN_OK; i++) {
+        double off = 0;
+        status = quintic_off(o, a, b, i / (SAMPLES + 1.0), &off);
+        *error = bat_max(*error, BAT_QUINTIC_BETWEEN_7 * off);
     }
-    return BATTEN_OK;
+    return status;
 }
 
 batten_status bat_strand_follow(bat_offset *o, bat_strand *s, bat_run_place a,

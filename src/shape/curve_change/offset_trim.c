@@ -63,6 +63,18 @@ static batten_status slide_end(bat_offset_trimming *t, int i, bool end, const do
     return status;
 }
 
+/* From part i to part j, by more or less of one of them. */
+static batten_status close_gap(bat_offset_trimming *t, int i, int j)
+{
+    bool met;
+    batten_status status = slide_end(t, i, true, t->parts[j].start, &met);
+    if (status == BATTEN_OK && !met)
+        status = slide_end(t, j, false, t->parts[i].end, &met);
+    if (status == BATTEN_OK && met)
+        link_to(t, i, j);
+    return status;
+}
+
 /* Two sides of a loop narrower than the error of the pieces need not cross: where they run
  * beside each other one of the ends is moved to the other. */
 static batten_status close_loops(bat_offset_trimming *t)
@@ -71,16 +83,19 @@ static batten_status close_loops(bat_offset_trimming *t)
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i + !t->o->closed < n; i++) {
         const int j = (i + 1) % n;
-        bool met;
-        if (t->parts[i].next >= 0 || t->parts[j].followed)
-            continue;
-        status = slide_end(t, i, true, t->parts[j].start, &met);
-        if (status == BATTEN_OK && !met)
-            status = slide_end(t, j, false, t->parts[i].end, &met);
-        if (status == BATTEN_OK && met)
-            link_to(t, i, j);
+        if (t->parts[i].next < 0 && !t->parts[j].followed)
+            status = close_gap(t, i, j);
     }
     return status;
+}
+
+/* Does part j, the next in the list, come next along the curve as well? */
+static bool follows(const bat_offset_trimming *t, int i, int j)
+{
+    const bat_offset_part *p = &t->parts[i], *q = &t->parts[j];
+    if (j == 0)
+        return t->o->closed;
+    return (p->run == q->run && p->b == q->a) || q->run == p->run + 1;
 }
 
 /* First along the way they came, then to whatever begins where a part ends. */
@@ -89,12 +104,7 @@ static batten_status link_parts(bat_offset_trimming *t)
     const int n = t->count;
     for (int i = 0; i < n; i++) {
         const int j = (i + 1) % n;
-        const bool wraps = j == 0;
-        const bat_offset_part *p = &t->parts[i], *q = &t->parts[j];
-        const bool adjacent = (p->run == q->run && p->b == q->a) || q->run == p->run + 1 ||
-                              (wraps && t->o->closed);
-        if ((!wraps || t->o->closed) && adjacent &&
-            bat_distance(2, p->end, q->start) <= t->near)
+        if (follows(t, i, j) && bat_distance(2, t->parts[i].end, t->parts[j].start) <= t->near)
             link_to(t, i, j);
     }
     meet_ends(t);

@@ -85,20 +85,26 @@ static batten_status judge_part(const cutting *c, double a, double b, bool *kept
     return BATTEN_OK;
 }
 
-/* Crossings and ends, rising; those that rounding alone keeps apart are one. */
-static batten_status cut_at_crossings(cutting *c, const batten_parameters *crossings)
+/* The ends of the domain and the crossings that are apart from each other and from these. */
+static void list_cuts(cutting *c, const batten_parameters *crossings)
 {
     const batten_interval domain = batten_curve_domain(c->curve);
     const double apart = BAT_EXACT * (domain.b - domain.a);
-    c->at = bat_array((size_t)crossings->count + 2, sizeof *c->at);
-    c->kept = bat_array((size_t)crossings->count + 1, sizeof *c->kept);
-    if (!c->at || !c->kept)
-        return BATTEN_OUT_OF_MEMORY;
     c->at[0] = domain.a;
     for (int i = 0; i < crossings->count; i++)
         if (crossings->at[i] > c->at[c->count] + apart && crossings->at[i] < domain.b - apart)
             c->at[++c->count] = crossings->at[i];
     c->at[++c->count] = domain.b;
+}
+
+/* Crossings and ends, rising; those that rounding alone keeps apart are one. */
+static batten_status cut_at_crossings(cutting *c, const batten_parameters *crossings)
+{
+    c->at = bat_array((size_t)crossings->count + 2, sizeof *c->at);
+    c->kept = bat_array((size_t)crossings->count + 1, sizeof *c->kept);
+    if (!c->at || !c->kept)
+        return BATTEN_OUT_OF_MEMORY;
+    list_cuts(c, crossings);
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < c->count; i++)
         status = judge_part(c, c->at[i], c->at[i + 1], &c->kept[i]);

@@ -133,21 +133,25 @@ static batten_status make_knots(bat_constrained_fit *t)
     return status;
 }
 
+static size_t rows_of_inequality(const bat_constrained_fit *t, const batten_constraint *c)
+{
+    const batten_curve_constrained_options *o = t->options;
+    const int to = c->to == 0 ? t->count - 1 : c->to;
+    const int each = o->checks * bat_max_int(1, o->pieces) * (t->degree + 1);
+    return (size_t)(to - c->from) * (size_t)each;
+}
+
 /* The most rows that the constraints need. */
 static void count_rows(const bat_constrained_fit *t, size_t *equal, size_t *least)
 {
-    const batten_curve_constrained_options *o = t->options;
-    const size_t d = (size_t)t->d;
-    const size_t each = (size_t)(o->checks * bat_max_int(1, o->pieces) * (t->degree + 1));
-    *equal = d * (size_t)t->count;
+    *equal = (size_t)t->d * (size_t)t->count;
     *least = 0;
-    for (int i = 0; i < o->constraint_count; i++) {
-        const batten_constraint *c = &o->constraints[i];
-        const int to = c->to == 0 ? t->count - 1 : c->to;
+    for (int i = 0; i < t->options->constraint_count; i++) {
+        const batten_constraint *c = &t->options->constraints[i];
         if (is_inequality(c->kind))
-            *least += (size_t)(to - c->from) * each;
+            *least += rows_of_inequality(t, c);
         else
-            *equal += d;
+            *equal += (size_t)t->d;
         *least += c->kind == BATTEN_CONSTRAINT_DIRECTION;
     }
 }
@@ -201,17 +205,22 @@ static batten_status name_culprit(const bat_constrained_fit *t,
                                             : c->to);
 }
 
+/* By how much the curve misses a point. */
+static double miss_at(const bat_constrained_fit *t, int i)
+{
+    double basis[ROWS], at[3] = {0};
+    const int first = bat_constrained_basis(t, t->u[i], 0, basis);
+    for (int a = 0; a <= t->degree; a++)
+        for (int c = 0; c < t->d; c++)
+            at[c] += basis[a] * t->x[(first + a) * t->d + c];
+    return bat_distance(t->d, at, t->points + i * t->d);
+}
+
 static void measure_constraints(bat_constrained_fit *t, batten_curve_constrained_report *report)
 {
     const size_t n = (size_t)t->unknowns;
     for (int i = 0; i < t->count; i++) {
-        double basis[ROWS], at[3] = {0};
-        const int first = bat_constrained_basis(t, t->u[i], 0, basis);
-        for (int a = 0; a <= t->degree; a++)
-            for (int c = 0; c < t->d; c++)
-                at[c] += basis[a] * t->x[(first + a) * t->d + c];
-        report->error_max =
-            bat_max(report->error_max, bat_distance(t->d, at, t->points + i * t->d));
+        report->error_max = bat_max(report->error_max, miss_at(t, i));
     }
     /* The form without the weights. */
     memset(t->hessian, 0, n * n * sizeof *t->hessian);

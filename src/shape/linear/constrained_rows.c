@@ -210,20 +210,24 @@ static void add_inequality(bat_constrained_fit *t, int i, double *rows)
     }
 }
 
+static void add_constraint(bat_constrained_fit *t, int i, double *rows)
+{
+    const batten_constraint_kind kind = t->options->constraints[i].kind;
+    if (kind == BATTEN_CONSTRAINT_DIRECTION)
+        add_direction(t, i);
+    else if (kind == BATTEN_CONSTRAINT_MEAN)
+        add_mean(t, i);
+    else
+        add_inequality(t, i, rows);
+}
+
 batten_status bat_constrained_add(bat_constrained_fit *t)
 {
     double *rows = bat_array3(ROWS, ROWS, sizeof *rows);
     if (!rows)
         return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < t->options->constraint_count; i++) {
-        const batten_constraint_kind kind = t->options->constraints[i].kind;
-        if (kind == BATTEN_CONSTRAINT_DIRECTION)
-            add_direction(t, i);
-        else if (kind == BATTEN_CONSTRAINT_MEAN)
-            add_mean(t, i);
-        else
-            add_inequality(t, i, rows);
-    }
+    for (int i = 0; i < t->options->constraint_count; i++)
+        add_constraint(t, i, rows);
     bat_release(rows);
     return BATTEN_OK;
 }

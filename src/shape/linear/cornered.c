@@ -60,6 +60,16 @@ static batten_status mark(const cornered_fit *w, const named_places *named, bool
     return BATTEN_OK;
 }
 
+static void add_run(cornered_fit *w, int from, int to)
+{
+    smooth_run *r = &w->runs[w->run_count++];
+    *r = (smooth_run){.first = from, .last = to, .straight = w->line[to - 1]};
+    if (!r->straight) {
+        r->meets[0] = from > 0 && !w->corner[from] && w->line[from - 1];
+        r->meets[1] = !w->corner[to] && w->line[to];
+    }
+}
+
 static void find_runs(cornered_fit *w)
 {
     int from = 0;
@@ -67,13 +77,7 @@ static void find_runs(cornered_fit *w)
         const bool ends = i == w->count - 1 || w->corner[i] || w->line[i - 1] || w->line[i];
         if (!ends)
             continue;
-        const bool straight = w->line[i - 1];
-        smooth_run *r = &w->runs[w->run_count++];
-        *r = (smooth_run){.first = from, .last = i, .straight = straight};
-        if (!straight) {
-            r->meets[0] = from > 0 && !w->corner[from] && w->line[from - 1];
-            r->meets[1] = !w->corner[i] && w->line[i];
-        }
+        add_run(w, from, i);
         from = i;
     }
 }

@@ -54,15 +54,10 @@ static batten_status find_ends(spline_problem *t)
     return status;
 }
 
-static batten_status find_conditions(spline_problem *t)
+static batten_status copy_derivatives(spline_problem *t)
 {
     const batten_curve_interpolate_options *o = t->options;
     const size_t d = (size_t)t->dimension;
-    if (o->derivative_count < 0 || (o->derivative_count > 0 && !o->derivatives))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d derivatives", o->derivative_count);
-    t->conditions = bat_array3((size_t)o->derivative_count, d, sizeof *t->conditions);
-    if (!t->conditions)
-        return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < o->derivative_count; i++) {
         if (bat_first_not_finite(o->derivatives[i].value, d) < d)
             return bat_fail(BATTEN_NOT_FINITE, "derivative %d is not finite", i);
@@ -70,6 +65,16 @@ static batten_status find_conditions(spline_problem *t)
                d * sizeof *t->conditions);
     }
     return BATTEN_OK;
+}
+
+static batten_status find_conditions(spline_problem *t)
+{
+    const batten_curve_interpolate_options *o = t->options;
+    const size_t d = (size_t)t->dimension;
+    if (o->derivative_count < 0 || (o->derivative_count > 0 && !o->derivatives))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d derivatives", o->derivative_count);
+    t->conditions = bat_array3((size_t)o->derivative_count, d, sizeof *t->conditions);
+    return t->conditions ? copy_derivatives(t) : BATTEN_OUT_OF_MEMORY;
 }
 
 static batten_status solve_with_slopes(spline_problem *t)

@@ -75,6 +75,19 @@ static void make_slopes(const right_side *b)
     bat_bessel_slope(w, (const double[]){-op->step[3], -op->step[2]}, from_end, b->slopes + w);
 }
 
+/* The last `shift` numbers come first. */
+static batten_status turn_sequence(size_t size, size_t shift, double *x)
+{
+    double *turned = bat_array(size, sizeof *turned);
+    if (!turned)
+        return BATTEN_OUT_OF_MEMORY;
+    memcpy(turned, x, size * sizeof *x);
+    memcpy(x + shift, turned, (size - shift) * sizeof *x);
+    memcpy(x, turned + (size - shift), shift * sizeof *x);
+    bat_release(turned);
+    return BATTEN_OK;
+}
+
 /* In place: solve, and for a periodic spline turn the sequence so that it begins with point 0.
  */
 static batten_status solve(const bat_operator *op, size_t width, double *x)
@@ -83,17 +96,10 @@ static batten_status solve(const bat_operator *op, size_t width, double *x)
         bat_banded_solve(op->count, op->lower, op->upper, op->factor, width, x);
         return BATTEN_OK;
     }
-    const size_t shift = (size_t)(op->lower % op->count) * width,
-                 size = (size_t)op->count * width;
-    double *turned = bat_array(size, sizeof *turned);
-    if (!turned)
-        return BATTEN_OUT_OF_MEMORY;
     const batten_status status = bat_cyclic_solve(op->cyclic, width, x);
-    memcpy(turned, x, size * sizeof *x);
-    memcpy(x + shift, turned, (size - shift) * sizeof *x);
-    memcpy(x, turned + (size - shift), shift * sizeof *x);
-    bat_release(turned);
-    return status;
+    return status == BATTEN_OK ? turn_sequence((size_t)op->count * width,
+                                               (size_t)(op->lower % op->count) * width, x)
+                               : status;
 }
 
 /* The slopes at the fair ends, and the control values with them, that make the jumps least. */

@@ -235,19 +235,25 @@ static batten_status make_knots(const bat_request *r, bat_operator *op)
 
 /* ---- fair ends ---- */
 
+/* The jumps of the third derivatives of the five basis functions about knot s. */
+static void jumps_at(const double *U, int s, double g[5])
+{
+    double before[16], after[16];
+    bat_basis(3, U, s - 1, U[s], 3, before);
+    bat_basis(3, U, s, U[s], 3, after);
+    for (int j = 0; j < 4; j++) {
+        g[j] -= before[12 + j];
+        g[j + 1] += after[12 + j];
+    }
+}
+
 /* gradient = G^T G response, where row i of G gives the jump of the third derivative at inner
  * knot i of a cubic, from five control values. */
 static void jump_gradient(const bat_operator *op, const double *response, double *gradient)
 {
-    const double *U = op->knots;
     for (int s = 4; s < op->count; s++) {
-        double before[16], after[16], g[5] = {0};
-        bat_basis(3, U, s - 1, U[s], 3, before);
-        bat_basis(3, U, s, U[s], 3, after);
-        for (int j = 0; j < 4; j++) {
-            g[j] -= before[12 + j];
-            g[j + 1] += after[12 + j];
-        }
+        double g[5] = {0};
+        jumps_at(op->knots, s, g);
         const double jump = bat_dot(5, g, response + s - 4);
         for (int j = 0; j < 5; j++)
             gradient[s - 4 + j] += jump * g[j];

@@ -157,18 +157,27 @@ static double share_rate(const bat_middle *m, int e, int i)
     return slope[0] > 0 && slope[1] > 0 ? 2 * slope[0] * slope[1] / (slope[0] + slope[1]) : 0;
 }
 
+/* The point of edge e in pair i, and its derivative by tau. */
+static batten_status edge_row(const bat_plate *plate, const bat_middle *m, int e, int i,
+                              double row[6])
+{
+    bat_edge_place at;
+    const batten_status status =
+        bat_plate_edge_at(&plate->edge[e], e ? m->pairs[i].y : m->pairs[i].x, &at);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_vec3 D = bat_vec3_scale(at.T, plate->edge[e].length * share_rate(m, e, i));
+    memcpy(row, (const double[]){at.P.x, at.P.y, at.P.z, D.x, D.y, D.z}, 6 * sizeof *row);
+    return BATTEN_OK;
+}
+
 /* The edge with the tangents of the given one: C1, for paths that turn sharply. */
 static batten_status fit_tangents(const bat_plate *plate, int e, bat_middle *m)
 {
     double *values = bat_array((size_t)m->count * 6, sizeof *values);
     batten_status status = values ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < m->count && status == BATTEN_OK; i++) {
-        bat_edge_place at;
-        status = bat_plate_edge_at(&plate->edge[e], e ? m->pairs[i].y : m->pairs[i].x, &at);
-        const batten_vec3 D = bat_vec3_scale(at.T, plate->edge[e].length * share_rate(m, e, i));
-        const double row[6] = {at.P.x, at.P.y, at.P.z, D.x, D.y, D.z};
-        for (int c = 0; c < 6; c++)
-            values[6 * i + c] = row[c];
+        status = edge_row(plate, m, e, i, values + 6 * i);
     }
     if (status == BATTEN_OK)
         status = batten_curve_from_hermite(3, m->count, 2, m->tau, values, &m->edge[e]);

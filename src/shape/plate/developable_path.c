@@ -91,43 +91,52 @@ static double step_cost(const node *nodes, int i, int j, int k)
     return cost;
 }
 
+/* From node (i, j) by step k, if that is the cheapest way to where it leads. */
+static void try_step(node *nodes, int i, int j, int k)
+{
+    const int i1 = i + steps[k].x, j1 = j + steps[k].y;
+    if (i1 > N || j1 > N)
+        return;
+    const double cost = nodes[i * SIDE + j].cost + step_cost(nodes, i, j, k);
+    node *to = &nodes[i1 * SIDE + j1];
+    if (cost < to->cost) {
+        to->cost = cost;
+        to->from = (uint8_t)k;
+    }
+}
+
 static void find_costs(node *nodes)
 {
     for (int k = 0; k < SIDE * SIDE; k++)
         nodes[k].cost = k == 0 ? 0 : HUGE_VAL;
     for (int i = 0; i < SIDE; i++)
         for (int j = 0; j < SIDE; j++)
-            for (int k = 0; k < STEPS; k++) {
-                const int i1 = i + steps[k].x, j1 = j + steps[k].y;
-                if (i1 > N || j1 > N)
-                    continue;
-                const double cost = nodes[i * SIDE + j].cost + step_cost(nodes, i, j, k);
-                node *to = &nodes[i1 * SIDE + j1];
-                if (cost < to->cost) {
-                    to->cost = cost;
-                    to->from = (uint8_t)k;
-                }
-            }
+            for (int k = 0; k < STEPS; k++)
+                try_step(nodes, i, j, k);
+}
+
+static void reverse_pairs(bat_plate *plate)
+{
+    for (int a = 0, b = plate->count - 1; a < b; a++, b--) {
+        const bat_pair kept = plate->pairs[a];
+        plate->pairs[a] = plate->pairs[b];
+        plate->pairs[b] = kept;
+    }
 }
 
 /* The nodes of the best path, first to last; there is room for all. */
 static void trace(const node *nodes, bat_plate *plate)
 {
     int i = N, j = N, count = 0;
-    for (;; count++) {
+    for (; i > 0 || j > 0; count++) {
         plate->pairs[count] = (bat_pair){(double)i / N, (double)j / N};
-        if (i == 0 && j == 0)
-            break;
         const int k = nodes[i * SIDE + j].from;
         i -= steps[k].x;
         j -= steps[k].y;
     }
+    plate->pairs[count] = (bat_pair){0, 0};
     plate->count = count + 1;
-    for (int a = 0, b = count; a < b; a++, b--) {
-        const bat_pair kept = plate->pairs[a];
-        plate->pairs[a] = plate->pairs[b];
-        plate->pairs[b] = kept;
-    }
+    reverse_pairs(plate);
 }
 
 /* ---- roots beside the lattice ---- */

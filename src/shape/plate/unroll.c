@@ -202,6 +202,17 @@ static batten_status edge_curve(const bat_flat_strip *flat, int e, batten_curve 
     return status;
 }
 
+/* In space and flat. */
+static void hand_over_measures(const bat_flat_strip *flat, batten_unrolled *out)
+{
+    for (int k = 0; k < 2; k++) {
+        out->length_first[k] = flat->length[0][k];
+        out->length_second[k] = flat->length[1][k];
+        out->area[k] = flat->area[k];
+        out->diagonal[k] = flat->diagonal[k];
+    }
+}
+
 static void hand_over_strip(bat_flat_strip *flat, batten_interval v, batten_unrolled *out)
 {
     out->count = flat->count;
@@ -209,12 +220,7 @@ static void hand_over_strip(bat_flat_strip *flat, batten_interval v, batten_unro
     out->points = flat->points;
     flat->u = flat->points = NULL;
     out->turn = flat->turn;
-    for (int k = 0; k < 2; k++) {
-        out->length_first[k] = flat->length[0][k];
-        out->length_second[k] = flat->length[1][k];
-        out->area[k] = flat->area[k];
-        out->diagonal[k] = flat->diagonal[k];
-    }
+    hand_over_measures(flat, out);
     out->strain = flat->strain;
     out->strain_rms = sqrt(flat->strain_sum / flat->area[0]);
     out->strain_at[0] = flat->strain_at[0];
