@@ -2,7 +2,7 @@
 #define BATTEN_EXTEND_H
 /**
  * @file
- * Curves and surfaces made longer, and parts of curves.
+ * Curves and surfaces made longer, places of surfaces moved, and parts of curves.
  */
 #include <batten/continuity.h>
 
@@ -150,6 +150,35 @@ BATTEN_API batten_status batten_curve_trim(const batten_curve *curve, double a, 
 BATTEN_API batten_status batten_curve_trim_plane(const batten_curve *curve, batten_vec3 normal,
                                                  double distance, double tolerance,
                                                  batten_curves *out);
+
+/** A place of a surface, and how far it is to move, in model units. */
+typedef struct batten_surface_pull {
+    double u, v;
+    batten_vec3 by;
+} batten_surface_pull;
+
+/**
+ * Move places of a surface with the least change: of all control points that bring every place where it is wanted,
+ * those with the least sum of squared moves. Knots and weights stay.
+ *
+ * Beside the seam of a closed direction that is not periodic, and beside a pole, two rows of control points stay, so
+ * that the surface does not open or crease there.
+ *
+ * @param surface  NURBS, of dimension 2 or 3
+ * @param count  places, 1 or more
+ * @param pulls  [count], u and v in the domain
+ * @param kept  rows of control points along each of the four edges that stay: 1 the edges, 2 the tangent planes too
+ * @param[out] moved  the longest move of a control point, model units; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK; UNSUPPORTED for formulas, TOO_FEW_POINTS, NOT_FINITE, OUT_OF_DOMAIN, BAD_ARGUMENT for a place
+ * that kept points hold, SINGULAR_SYSTEM for places that cannot move apart, OUT_OF_MEMORY
+ *
+ * Cost: the square of the places times the control points, and the cube of the places.
+ * Source: [PT97] 11.2.
+ */
+BATTEN_API batten_status batten_surface_pulled(const batten_surface *surface, int count,
+                                               const batten_surface_pull *pulls, int kept,
+                                               double *moved, batten_surface **out);
 
 #ifdef __cplusplus
 }

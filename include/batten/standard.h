@@ -281,6 +281,19 @@ BATTEN_API batten_status batten_surface_hyperboloid(const batten_frame *frame, d
 BATTEN_API batten_status batten_surface_torus(const batten_frame *frame, double major,
                                               double minor, batten_surface **out);
 
+/**
+ * The bicubic patch through sixteen points, at the parameters 0, 1/3, 2/3 and 1 of both directions.
+ *
+ * @param points  [4][4][3], the second index along v
+ * @param[out] out  the result, a Bezier patch over the unit square; as it was when the function fails
+ * @return BATTEN_OK, NOT_FINITE naming the point, OUT_OF_MEMORY
+ *
+ * Cost: constant.
+ * Source: [Utah74] paper 13.
+ */
+BATTEN_API batten_status batten_surface_sixteen_points(const double *points,
+                                                       batten_surface **out);
+
 #ifdef __cplusplus
 }
 #endif

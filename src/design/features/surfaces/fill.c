@@ -20,6 +20,8 @@ static const batten_parameter parameters[] = {
      "of corners, sides from edges, splines from formulas; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
      "how far tangent planes may be left, at corners with other twists and by the spline along edges"},
+    {"curvature", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
+     "how far curvatures across any edge, inner ones too, may differ; more is refused"},
     {"folds", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "also return a fill that folds over, which is otherwise refused"},
 };
@@ -179,6 +181,29 @@ static void report_edges(const bat_run *run, const bat_objects *curves, const bo
         remark_excess(run, curves, most, &reached->inner[i]);
 }
 
+/* More than the bound that was stated is refused, on edges around the fill and within it. */
+static batten_status check_curvature(const bat_run *run, const bat_objects *curves,
+                                     const batten_surface_fill_report *reached)
+{
+    worst_edges worst = {NULL, NULL, NULL};
+    char name[160];
+    if (!bat_has(run, "curvature"))
+        return BATTEN_OK;
+    for (int i = 0; i < 2 * reached->count; i++)
+        keep_worst(i % 2 ? &reached->inner[i / 2] : &reached->outer[i / 2], &worst);
+    const batten_fill_edge *edge = worst.curvature;
+    if (!edge || edge->curvature <= bat_number(run, "curvature"))
+        return BATTEN_OK;
+    name_edge(curves, edge, name);
+    return bat_fail(
+        BATTEN_TOLERANCE_NOT_MET,
+        "%s curvatures across differ by %.3g at (%g, %g, %g), and %g is allowed: the "
+        "surfaces around ask for more than the fill can follow; allow more, or divide "
+        "the hole",
+        name, edge->curvature, edge->curvature_at[0], edge->curvature_at[1],
+        edge->curvature_at[2], bat_number(run, "curvature"));
+}
+
 static const char *curve_name(const bat_objects *curves,
                               const batten_surface_fill_report *reached, int side)
 {
@@ -254,6 +279,11 @@ static batten_status fill(bat_run *run, const bat_objects *curves, const sides *
         batten_surface_fill(all->count, all->ribbons, &options, reached, surfaces);
     if (status == BATTEN_OK) {
         report(run, curves, &options, reached);
+        status = check_curvature(run, curves, reached);
+        for (int i = 0; status != BATTEN_OK && i < reached->count; i++)
+            batten_surface_unref(surfaces[i]);
+    }
+    if (status == BATTEN_OK) {
         bat_report_error(run, missed(reached), missed(reached));
         status = put_all(run, reached->count, surfaces);
     }
@@ -280,13 +310,13 @@ static batten_status run_fill(bat_run *run)
 const bat_feature bat_feature_fill = {
     .shown =
         {"fill", "Surfaces in a hole of 2 to 8 sides",
-         "As many surfaces as sides, named feature.1, feature.2 ..., that meet in the middle of\n"
-         "the hole. They have the same tangent plane where they meet, and that of the surfaces\n"
-         "'along' the sides; what is left free bends as little as possible. Sides with corners are\n"
-         "divided there. A note says where gaps, angles and differences of curvature are largest.\n"
-         "A fill that folds over is refused; so is one with G2 when the curvatures around it\n"
-         "contradict each other so much that curvature would jump between its own surfaces by more\n"
-         "than the largest curvature around it.",
+         "As many surfaces as sides, named feature.1, feature.2 ..., that meet in the middle of the\n"
+         "hole. They have the same tangent plane where they meet, and that of the surfaces 'along'\n"
+         "the sides; what is left free bends as little as possible. Sides with corners are divided\n"
+         "there. A note says where gaps, angles and differences of curvature are largest. A fill\n"
+         "that folds over is refused; so is one with G2 when the curvatures around it contradict\n"
+         "each other so much that curvature would jump between its own surfaces by more than the\n"
+         "largest curvature around it, or than 'curvature' says.",
          "features:\n"
          "  a: {polyline: [[0, 0, 0], [2 m, 0, 0.2 m]]}\n"
          "  b: {polyline: [[2 m, 0, 0.2 m], [1 m, 1.8 m, 0]]}\n"

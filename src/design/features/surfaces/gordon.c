@@ -8,10 +8,8 @@
 
 static const batten_parameter parameters[] = {
     {"gordon", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "the profiles, of which the first and the last may be a point; or, without guides, the curves of both families in any "
-     "order"},
-    {"guides", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
-     "the curves across the profiles; the first and the last may be a point"},
+     "the profiles; or, without guides, the curves of both families in any order"},
+    {"guides", BATTEN_VALUE_MODEL, true, false, NULL, NULL, "the curves across the profiles"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far the surface may be from a curve; the design's tolerance, or the size / 10000"},
     {"gap", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
@@ -271,12 +269,11 @@ const bat_feature bat_feature_gordon = {
         {"gordon", "The surface through a network of curves",
          "Two families of curves, each of which meets all those of the other once. Their order,\n"
          "their directions and where they meet are found; curves of different speed are\n"
-         "reparametrised. Closed curves make a closed surface, periodic where smooth; curves of\n"
-         "one family may end in a common point, which may be given as the first or last of the other\n"
-         "family. A surface can be within a small tolerance of\n"
-         "curves that miss each other by more: it runs midway in such gaps. Without 'guides' one\n"
-         "list holds both families, and which curve crosses which is found. u runs along the\n"
-         "profiles.",
+         "reparametrised. Closed curves make a closed surface, periodic where smooth; curves of one\n"
+         "family may end in a common point, which may be given as the first or last of the other\n"
+         "family. A surface can be within a small tolerance of curves that miss each other by more:\n"
+         "it runs midway in such gaps. Without 'guides' one list holds both families, and which\n"
+         "curve crosses which is found. u runs along the profiles.",
          "features:\n"
          "  a: {polyline: [[0, 0, 0], [3 m, 0, 1 m]]}\n"
          "  b: {polyline: [[0, 2 m, 0], [3 m, 2 m, 0.5 m]]}\n"

@@ -6,6 +6,8 @@
 
 #include <batten/grid.h>
 
+#include <string.h>
+
 static const batten_parameter parameters[] = {
     {"interpolate-grid", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "rows of points, all of the same length, or a table of offsets without gaps"},
@@ -21,6 +23,12 @@ static const batten_parameter parameters[] = {
      "of the points in their order, above 0, or one for all: a rational surface"},
     {"gaps", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
      "missing points, counted from 0: the numbers given there are ignored"},
+    {"du", BATTEN_VALUE_POINT, true, false, NULL, NULL,
+     "derivatives along the rows: at the start of each row, then at the end of each"},
+    {"dv", BATTEN_VALUE_POINT, true, false, NULL, NULL,
+     "derivatives across the rows: at each point of the first row, then of the last"},
+    {"twists", BATTEN_VALUE_POINT, true, false, NULL, NULL,
+     "mixed derivatives at the four corners, in their order around the rim"},
     {"periodic-u", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the rows close smoothly"},
     {"periodic-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "the first row follows the last"},
@@ -80,6 +88,56 @@ static batten_status find_gaps(const bat_run *run, const bat_grid *grid, bool **
     return BATTEN_OK;
 }
 
+/* ---- derivatives on the rim ---- */
+
+typedef struct {
+    double *du, *dv, *twists;
+} rim;
+
+static batten_status list_vectors(const bat_run *run, const char *parameter, int count,
+                                  double **out)
+{
+    const bat_argument *given = bat_argument_of(run, parameter);
+    if (given->count == 0)
+        return BATTEN_OK;
+    if (given->count != count)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d vector%s, not %d", parameter,
+                        given->count, bat_plural(given->count), count);
+    *out = bat_array3((size_t)count, 3, sizeof **out);
+    for (int i = 0; *out && i < count; i++)
+        memcpy(*out + 3 * i, given->items[i].number, 3 * sizeof **out);
+    return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+static batten_status find_rim(const bat_run *run, const bat_grid *grid, rim *out)
+{
+    double *around = NULL; /* the twists in the order of the corners */
+    batten_status status = list_vectors(run, "du", 2 * grid->count_v, &out->du);
+    if (status == BATTEN_OK)
+        status = list_vectors(run, "dv", 2 * grid->count_u, &out->dv);
+    if (status == BATTEN_OK)
+        status = list_vectors(run, "twists", 4, &around);
+    if (status == BATTEN_OK && around && !(out->du && out->dv))
+        status = bat_fail(BATTEN_BAD_ARGUMENT, "'twists' need both 'du' and 'dv'");
+    if (status == BATTEN_OK && around) {
+        /* Wanted as (0, 0), (0, 1), (1, 0), (1, 1). */
+        static const int corners[4] = {0, 3, 1, 2};
+        out->twists = bat_array(12, sizeof *out->twists);
+        for (int c = 0; out->twists && c < 4; c++)
+            memcpy(out->twists + 3 * c, around + 3 * corners[c], 3 * sizeof *around);
+        status = out->twists ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    }
+    bat_release(around);
+    return status;
+}
+
+static void release_rim(rim *r)
+{
+    bat_release(r->du);
+    bat_release(r->dv);
+    bat_release(r->twists);
+}
+
 static void report_interpolate_grid(bat_run *run,
                                     const batten_surface_interpolate_report *report)
 {
@@ -102,7 +160,13 @@ static batten_status make_interpolate_grid(bat_run *run, const bat_grid *grid,
     batten_surface_interpolate_report report;
     double *weights = NULL;
     bool *gaps = NULL;
+    rim given = {NULL};
     batten_status status = find_weights(run, grid, &weights);
+    if (status == BATTEN_OK)
+        status = find_rim(run, grid, &given);
+    options.du = given.du;
+    options.dv = given.dv;
+    options.twists = given.twists;
     if (status == BATTEN_OK)
         status = find_gaps(run, grid, &gaps);
     options.weights = weights;
@@ -113,6 +177,7 @@ static batten_status make_interpolate_grid(bat_run *run, const bat_grid *grid,
             (batten_uv_out){NULL, NULL}, &report, surface);
     if (status == BATTEN_OK)
         report_interpolate_grid(run, &report);
+    release_rim(&given);
     bat_release(gaps);
     bat_release(weights);
     return status;
@@ -126,9 +191,11 @@ static batten_status run_interpolate_grid(bat_run *run)
 const bat_feature bat_feature_interpolate_grid = {
     .shown =
         {"interpolate-grid", "The surface through a grid of points",
-         "Every row must have as many points; u runs along the rows, v across them. 'gaps' lists\n"
-         "where points are missing; least energy fills them, and the surface passes through all\n"
-         "others. In a file of points the rows are separated by empty lines; in the design\n"
+         "Every row must have as many points; u runs along the rows, v across them. 'gaps'\n"
+         "lists where points are missing; least energy fills them, and the surface passes\n"
+         "through all others. 'du' and 'dv' say how the surface leaves its rim, per unit of the\n"
+         "parameters, which run from 0 to 1; 'twists' go with both and are estimated by\n"
+         "default. In a file of points the rows are separated by empty lines; in the design\n"
          "'columns' says how long they are.",
          "features:\n"
          "  grid:\n"

@@ -4,8 +4,7 @@
 
 static const batten_parameter parameters[] = {
     {"sweep", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "the section, or several, drawn in the xy-plane or, as space curves, about it; of several the "
-     "first and the last may be a point"},
+     "the section, or several, drawn in the xy-plane or, as space curves, about it"},
     {"spine", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curve along which they go"},
     {"frames", BATTEN_VALUE_WORD, false, false, "rotation-minimising",
      "rotation-minimising fixed frenet closing", "how the sections turn along the spine"},
@@ -123,17 +122,17 @@ static batten_status run_sweep(bat_run *run)
 const bat_feature bat_feature_sweep = {
     .shown =
         {"sweep", "A section swept along a spine",
-         "The section is drawn in the xy-plane around the origin, which moves along the spine; x,\n"
-         "y and z of a space curve are taken along the axes of the moving frame, z along the\n"
-         "spine. Rotation-minimising frames turn as little as possible; 'closing' ones also meet\n"
-         "again at the end of a closed spine; with 'up' or 'guide' the y-axis points in a given\n"
-         "direction. 'scale' and 'twist' are laws over the length of the spine. Several sections\n"
-         "are blended; the first and the last may be a point, in which the sweep ends sharply ('skin'\n"
-         "with 'spine' and 'poles: smooth' ends round). Sections that would twist it are reversed or\n"
-         "turned, as 'align' says, and named. At corners sections lean into the 'mitre' plane, or the surface is 'split'.\n"
-         "A sweep is not a NURBS surface: sections are added until the true sweep is met 'within'\n"
-         "the tolerance. Where the spine bends too sharply for the section the sweep is refused,\n"
-         "and the message says where.",
+         "The section is drawn in the xy-plane around the origin, which moves along the spine; x, y\n"
+         "and z of a space curve are taken along the axes of the moving frame, z along the spine.\n"
+         "Rotation-minimising frames turn as little as possible; 'closing' ones also meet again at\n"
+         "the end of a closed spine; with 'up' or 'guide' the y-axis points in a given direction.\n"
+         "'scale' and 'twist' are laws over the length of the spine. Several sections are blended;\n"
+         "the first and the last may be a point, in which the sweep ends sharply ('skin' with\n"
+         "'spine' and 'poles: smooth' ends round). Sections that would twist it are reversed or\n"
+         "turned, as 'align' says, and named. At corners sections lean into the 'mitre' plane, or\n"
+         "the surface is 'split'. A sweep is not a NURBS surface: sections are added until the true\n"
+         "sweep is met 'within' the tolerance. Where the spine bends too sharply for the section the\n"
+         "sweep is refused, and the message says where.",
          "units: m\n"
          "features:\n"
          "  way: {points: [[0, 0, 0], [2, 1, 0.5], [4, 0, 1], [6, 1, 1]]}\n"

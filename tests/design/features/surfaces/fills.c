@@ -77,6 +77,21 @@ TEST(a_fill_takes_over_curvature)
     batten_notes_free(notes);
 }
 
+TEST(a_bound_on_jumps_of_curvature_is_met_or_refused)
+{
+    batten_design *design = NULL;
+    CHECK_STATUS(evaluate("{fill: [c, a, b], along: [down, back, left], continuity: G2, "
+                          "curvature: 1e-6}",
+                          NULL, &design),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("curvatures across differ by");
+    CHECK_MESSAGE("and 1e-06 is allowed");
+    CHECK_OK(evaluate("{fill: [c, a, b], along: [down, back, left], continuity: G2, "
+                      "curvature: 2}",
+                      NULL, &design));
+    batten_design_free(design);
+}
+
 TEST(fills_that_are_formulas_become_splines)
 {
     static const char *features[] = {
