@@ -92,7 +92,8 @@ batten_status bat_step_curve_on_surface(const bat_step_reading *reading,
     const bat_step_instance *on = NULL;
     batten_curve *parameters = NULL;
     batten_surface *surface = NULL;
-    batten_status status = bat_step_get_reference(reading->file, record, 1, &on);
+    batten_status status = bat_step_get_reference(
+        reading->file, record, bat_step_pcurve_surface(reading->file, record), &on);
     if (status == BATTEN_OK)
         status = bat_step_pcurve_in(reading, instance, on, &parameters);
     if (status == BATTEN_OK && !parameters)

@@ -106,6 +106,14 @@ batten_status bat_step_polyline(const bat_step_reading *reading,
 batten_status bat_step_offset_curve(const bat_step_reading *reading,
                                     const bat_step_instance *instance,
                                     const bat_step_record *record, batten_curve **out);
+/* Where a PCURVE names its surface, and behind that its curve: in complex instances the name stands in
+ * REPRESENTATION_ITEM. */
+int bat_step_pcurve_surface(const bat_step_file *file, const bat_step_record *pcurve);
+/* The list of what lies on a SURFACE_CURVE, SEAM_CURVE or INTERSECTION_CURVE, and the record for messages; none for other
+ * instances. */
+batten_status bat_step_pcurves_of(const bat_step_file *file,
+                                  const bat_step_instance *surface_curve, int *count,
+                                  size_t *first, const bat_step_record **record);
 /* A PCURVE as a curve in space. */
 batten_status bat_step_curve_on_surface(const bat_step_reading *reading,
                                         const bat_step_instance *instance,

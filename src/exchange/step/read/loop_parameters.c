@@ -1,4 +1,5 @@
 /* Loops with their curves in the parameters of a B-spline surface of the file. */
+#include "exchange/step/read/geometry.h"
 #include "exchange/step/read/topology.h"
 #include "numeric/vector.h"
 
@@ -10,17 +11,19 @@ static const bat_step_instance *seam_part(const bat_step_topology *t,
                                           const bat_step_instance *seam,
                                           const bat_step_instance *surface, int wanted)
 {
-    const bat_step_record *record = bat_step_as(t->file, seam, "SEAM_CURVE");
+    const bat_step_record *record = NULL;
     int count = 0, found = 0;
     size_t at = 0;
-    if (bat_step_get_list(t->file, record, 2, &count, &at) != BATTEN_OK)
+    if (bat_step_pcurves_of(t->file, seam, &count, &at, &record) != BATTEN_OK)
         return NULL;
     for (int k = 0; k < count && k < 2; k++) {
         const bat_step_instance *part = NULL, *on = NULL;
         if (bat_step_item_reference(t->file, record, &at, &part) != BATTEN_OK)
             return NULL;
         const bat_step_record *curve = bat_step_as(t->file, part, "PCURVE");
-        if (curve && bat_step_get_reference(t->file, curve, 1, &on) == BATTEN_OK &&
+        if (curve &&
+            bat_step_get_reference(t->file, curve, bat_step_pcurve_surface(t->file, curve),
+                                   &on) == BATTEN_OK &&
             on == surface && found++ == wanted)
             return part;
     }

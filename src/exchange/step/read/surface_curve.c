@@ -36,6 +36,21 @@ batten_status bat_step_resolve(const bat_step_reading *reading,
     return status;
 }
 
+int bat_step_pcurve_surface(const bat_step_file *file, const bat_step_record *pcurve)
+{
+    return bat_step_argument_count(file, pcurve) > 2 ? 1 : 0;
+}
+
+batten_status bat_step_pcurves_of(const bat_step_file *file,
+                                  const bat_step_instance *surface_curve, int *count,
+                                  size_t *first, const bat_step_record **record)
+{
+    *count = 0;
+    if (!is_surface_curve(file, surface_curve, record))
+        return BATTEN_OK;
+    return bat_step_get_list(file, *record, 1 + first_argument(file, *record), count, first);
+}
+
 /* The PCURVE on a surface that an instance is or has; NULL when there is none. */
 static batten_status find_pcurve(const bat_step_file *file, const bat_step_instance *instance,
                                  const bat_step_instance *surface, const bat_step_record **out)
@@ -46,8 +61,8 @@ static batten_status find_pcurve(const bat_step_file *file, const bat_step_insta
     size_t at = 0;
     batten_status status = BATTEN_OK;
     *out = NULL;
-    if (!record && is_surface_curve(file, instance, &of))
-        status = bat_step_get_list(file, of, 1 + first_argument(file, of), &count, &at);
+    if (!record)
+        status = bat_step_pcurves_of(file, instance, &count, &at, &of);
     for (int i = 0; status == BATTEN_OK && i < count && !*out; i++) {
         if (of)
             status = bat_step_item_reference(file, of, &at, &item);
@@ -55,7 +70,8 @@ static batten_status find_pcurve(const bat_step_file *file, const bat_step_insta
             break;
         record = bat_step_as(file, item, "PCURVE");
         if (record)
-            status = bat_step_get_reference(file, record, 1, &on);
+            status = bat_step_get_reference(file, record, bat_step_pcurve_surface(file, record),
+                                            &on);
         if (status == BATTEN_OK && record && on == surface)
             *out = record;
     }
@@ -80,7 +96,8 @@ batten_status bat_step_pcurve_in(const bat_step_reading *reading,
     batten_status status = find_pcurve(file, instance, surface, &pcurve);
     if (status != BATTEN_OK || !pcurve)
         return status;
-    status = bat_step_get_record(file, pcurve, 2, "DEFINITIONAL_REPRESENTATION", &definition);
+    status = bat_step_get_record(file, pcurve, 1 + bat_step_pcurve_surface(file, pcurve),
+                                 "DEFINITIONAL_REPRESENTATION", &definition);
     if (status == BATTEN_OK)
         status = bat_step_get_list(file, definition, 1, &count, &at);
     if (status == BATTEN_OK)
