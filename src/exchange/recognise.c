@@ -93,6 +93,15 @@ static batten_status recognise_rows(bat_separated *table, batten_format *format)
     batten_status status = bat_separated_next(table, &more);
     if (status != BATTEN_OK || !more)
         return status;
+    if (bat_field_is_number(table, 0) &&
+        (bat_row_length(table) == 1 || bat_row_length(table) == 3)) {
+        bool are_frames = false;
+        status = bat_are_frames(table->input, &are_frames);
+        if (status != BATTEN_OK || are_frames) {
+            *format = BATTEN_FORMAT_OFFSET_TABLE;
+            return status;
+        }
+    }
     if (is_number_row(table, &count))
         return recognise_numbers(table, count, format);
     if (bat_is_offsets_header(table)) {

@@ -15,7 +15,8 @@ typedef enum {
     BAT_OFFSETS_NONE,
     BAT_OFFSETS_LONG,   /* a header that names x, z and y; then a row for each point */
     BAT_OFFSETS_MATRIX, /* stations against heights; the corner cell says which is which */
-    BAT_OFFSETS_LOFT    /* the boat builder's: axis, name, stations; lengths, heights, widths */
+    BAT_OFFSETS_LOFT,   /* the boat builder's: axis, name, stations; lengths, heights, widths */
+    BAT_OFFSETS_LOFTING /* the loftsman's: stations; positions, heights, breadths, diagonals */
 } bat_offsets_dialect;
 /* "station\\height": does the text say what the rows and columns of a matrix are? */
 bool bat_is_matrix_corner(const char *text);
@@ -28,6 +29,11 @@ bool bat_is_points_header(const bat_separated *table);
 batten_status bat_offsets_long(bat_separated *table, bat_gathering *gathering);
 batten_status bat_offsets_matrix(bat_separated *table, bat_gathering *gathering);
 batten_status bat_offsets_loft(bat_separated *table, bat_gathering *gathering);
+batten_status bat_offsets_lofting(bat_separated *table, bat_gathering *gathering);
+
+/* Is the text, which begins with a number, a table of frames that comes out even? Cost: reads it all. */
+batten_status bat_are_frames(const bat_input *input, bool *are_frames);
+batten_status bat_offsets_frames(bat_input *input, bat_gathering *gathering);
 
 /* Do the first two rows of an aerofoil begin with Lednicer's counts? */
 bool bat_are_aerofoil_counts(const double first[3], const double second[3]);

@@ -2,7 +2,6 @@
 #include "exchange/csv/csv.h"
 
 #include <batten/text.h>
-#include <string.h>
 
 /*
  * The boat builder's table: after the names of the stations come blocks of rows, each begun by
@@ -16,7 +15,7 @@
  *
  * 2-8-6 is feet, inches and eighths of an inch. When it occurs, plain numbers are inches.
  */
-typedef enum { NO_BLOCK, LENGTHS, HEIGHTS, WIDTHS } block;
+typedef enum { NO_BLOCK, LENGTHS, HEIGHTS, WIDTHS, OTHERS } block;
 
 static const struct {
     const char *name;
@@ -67,55 +66,6 @@ static batten_status read_names(loft *l)
 
 /* ---- values ---- */
 
-/* An integer of one or more digits from *text on, below `limit`; -1 when there is none. */
-static int read_digits(const char **text, int limit)
-{
-    const char *begin = *text;
-    int value = 0;
-    for (; **text >= '0' && **text <= '9' && value < limit; (*text)++)
-        value = 10 * value + (**text - '0');
-    return *text > begin && value < limit ? value : -1;
-}
-
-/* Feet, inches below 12 and eighths below 8: "1-7-4" is 19.5 inches. */
-static bool read_feet(const char *text, double *inches)
-{
-    const bool negative = *text == '-';
-    text += negative;
-    const int feet = read_digits(&text, 1000000);
-    if (feet < 0 || *text++ != '-')
-        return false;
-    const int whole = read_digits(&text, 12);
-    if (whole < 0 || *text++ != '-')
-        return false;
-    const int eighths = read_digits(&text, 8);
-    if (eighths < 0 || *text != '\0')
-        return false;
-    const double value = 12.0 * feet + whole + eighths / 8.0;
-    *inches = negative ? -value : value;
-    return true;
-}
-
-static batten_status read_value(loft *l, int field, double *value)
-{
-    const char *text = l->table->fields[field].text;
-    if (bat_field_is_absent(l->table, field)) {
-        *value = (double)NAN;
-        return BATTEN_OK;
-    }
-    if (read_feet(text, value)) {
-        l->has_feet = true;
-        return BATTEN_OK;
-    }
-    const char *dash = strchr(text + 1, '-');
-    if (dash && dash[-1] >= '0' && dash[-1] <= '9')
-        return bat_field_fail(l->table, field,
-                              "'%.40s' is not feet-inches-eighths with inches below 12 and "
-                              "eighths below 8",
-                              text);
-    return bat_field_number(l->table, field, value);
-}
-
 static batten_status read_values(loft *l, double **values)
 {
     bat_input *input = l->table->input;
@@ -126,7 +76,7 @@ static batten_status read_values(loft *l, double **values)
     if (status == BATTEN_OK)
         status = bat_input_array(input, (size_t)l->count, sizeof *made, &made);
     for (int k = 0; status == BATTEN_OK && k < l->count; k++)
-        status = read_value(l, FIRST_STATION + k, &made[k]);
+        status = bat_field_length(l->table, FIRST_STATION + k, &l->has_feet, &made[k]);
     if (status == BATTEN_OK)
         *values = made;
     else
@@ -136,20 +86,15 @@ static batten_status read_values(loft *l, double **values)
 
 /* ---- rows ---- */
 
-static batten_status read_block(loft *l)
+static void read_block(loft *l)
 {
     const char *text = l->table->fields[0].text;
     if (text[0] == '\0')
-        return BATTEN_OK;
-    l->block = NO_BLOCK;
+        return;
+    l->block = OTHERS;
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++)
         if (bat_same_word(text, blocks[k].name))
             l->block = blocks[k].block;
-    if (l->block == NO_BLOCK)
-        return bat_input_fail(l->table->input, BATTEN_UNSUPPORTED, l->table->line,
-                              "rows of '%.40s' are not read, only length, heights and widths",
-                              text);
-    return BATTEN_OK;
 }
 
 static batten_status read_lengths(loft *l)
@@ -204,11 +149,24 @@ static batten_status read_line(loft *l)
     return read_values(l, &line->values[l->block]);
 }
 
+/* Angles of stations, diagonals and such are no points. */
+static batten_status skip_row(const loft *l)
+{
+    const char *of = l->table->fields[0].text, *name = l->table->fields[1].text;
+    batten_notes_add(
+        l->table->input->notes, l->table->input->file, l->table->line, "",
+        "the row '%.40s%s%.40s' is left out: only length, heights and widths are read", of,
+        of[0] && name[0] ? ", " : "", name);
+    return BATTEN_OK;
+}
+
 static batten_status read_row(loft *l)
 {
+    read_block(l);
+    if (l->block == OTHERS ||
+        (l->block == LENGTHS && l->x && bat_same_word(l->table->fields[1].text, "angle")))
+        return skip_row(l);
     batten_status status = bat_row_check(l->table, FIRST_STATION + l->count);
-    if (status == BATTEN_OK)
-        status = read_block(l);
     if (status == BATTEN_OK && l->block == NO_BLOCK)
         status = bat_input_fail(l->table->input, BATTEN_BAD_FORMAT, l->table->line,
                                 "the first column must be length, heights or widths here");

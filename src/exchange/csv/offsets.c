@@ -18,6 +18,9 @@ static bat_offsets_dialect dialect_of(const bat_separated *table)
     if (table->count > 1 && bat_same_word(table->fields[0].text, "axis") &&
         bat_same_word(table->fields[1].text, "name"))
         return BAT_OFFSETS_LOFT;
+    if (table->count > 1 && (bat_same_word(table->fields[0].text, "stations") ||
+                             bat_same_word(table->fields[0].text, "station")))
+        return BAT_OFFSETS_LOFTING;
     return BAT_OFFSETS_NONE;
 }
 
@@ -43,13 +46,15 @@ static batten_status read_table(bat_separated *table, bat_gathering *gathering)
         return bat_offsets_matrix(table, gathering);
     case BAT_OFFSETS_LOFT:
         return bat_offsets_loft(table, gathering);
+    case BAT_OFFSETS_LOFTING:
+        return bat_offsets_lofting(table, gathering);
     case BAT_OFFSETS_NONE:
         break;
     }
     return bat_input_fail(
         table->input, BATTEN_BAD_FORMAT, table->line,
         "no table of offsets: the first row must name columns for station, "
-        "height and half-breadth, or begin with station\\height or axis,name");
+        "height and half-breadth, or begin with station\\height, axis,name or stations");
 }
 
 batten_status bat_read_offsets(bat_input *input, batten_model **out)
@@ -58,7 +63,11 @@ batten_status bat_read_offsets(bat_input *input, batten_model **out)
     bat_gathering gathering;
     bat_separated_begin(&table, input);
     bat_gather_begin(&gathering, input);
-    batten_status status = read_table(&table, &gathering);
+    bool are_frames = false;
+    batten_status status = bat_are_frames(input, &are_frames);
+    if (status == BATTEN_OK)
+        status =
+            are_frames ? bat_offsets_frames(input, &gathering) : read_table(&table, &gathering);
     if (status == BATTEN_OK)
         status = bat_gather_finish(&gathering, out);
     if (status == BATTEN_OK && table.comments)

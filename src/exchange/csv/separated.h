@@ -41,6 +41,12 @@ batten_status bat_field_fail(const bat_separated *table, int field, const char *
     BATTEN_PRINTF(3, 4);
 /* The number of a field; one too small for a double is 0, with a note. */
 batten_status bat_field_number(const bat_separated *table, int field, double *value);
+/* Feet, inches and eighths of an inch, "1-7-4": inches below 12, but in the names of lines, "0-36-0". */
+bool bat_read_feet(const char *text, bool is_name, double *inches);
+/* Feet, inches and eighths, in inches, which sets *has_feet, or a number; NaN where nothing is. Eight eighths are borne with a
+ * note. */
+batten_status bat_field_length(const bat_separated *table, int field, bool *has_feet,
+                               double *value);
 /* Is nothing there: blank, "-" or "x"? */
 bool bat_field_is_absent(const bat_separated *table, int field);
 /* Does a number stand there? */

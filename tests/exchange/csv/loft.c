@@ -50,12 +50,46 @@ TEST(a_point_that_is_only_half_given_is_left_out_with_a_note)
     batten_model_unref(model);
 }
 
-TEST(rows_that_are_not_known_are_refused_by_name)
+/* A table of one point, and a row that is none. */
+static const struct {
+    const char *row, *note;
+} strange_rows[] = {
+    {"diagonals,d1,2\n", "the row 'diagonals, d1' is left out"},
+    {"Buttocks,d1,2\n,d2,3\n", "the row 'd2' is left out"},
+    {"angle,,90\n", "the row 'angle' is left out"},
+};
+
+TEST(rows_that_are_not_known_are_left_out_by_name)
 {
-    check_refused("axis,name,0\nlength,x,0\ndiagonals,d1,2\n", BATTEN_FORMAT_AUTO,
-                  BATTEN_UNSUPPORTED, "t:3: rows of 'diagonals' are not read");
-    check_refused("axis,name,0\nlength,x,0\nButtocks,d1,2\n", BATTEN_FORMAT_AUTO,
-                  BATTEN_UNSUPPORTED, "t:3: rows of 'Buttocks'");
+    char text[200];
+    for (int k = 0; k < COUNT(strange_rows); k++) {
+        snprintf(text, sizeof text, "axis,name,0\nlength,x,0\nheight,a,1\nwidth,a,2\n%s",
+                 strange_rows[k].row);
+        batten_model *model = read_noting(text, BATTEN_FORMAT_AUTO, strange_rows[k].note);
+        CHECK_INT(batten_offset_table_station(batten_model_object(model, 0)->offset_table, 0)
+                      ->point_count,
+                  1);
+        batten_model_unref(model);
+    }
+    batten_model *model =
+        read_noting("axis,name,0\nlength,x,0\n,angle,45\nheight,a,1\nwidth,a,2\n",
+                    BATTEN_FORMAT_AUTO, "the row 'angle' is left out");
+    batten_model_unref(model);
+}
+
+TEST(eight_eighths_are_an_inch_with_a_note)
+{
+    batten_model *model =
+        read_noting("axis,name,0\nlength,x,0-0-0\nheight,a,1-0-8\nwidth,a,2\n",
+                    BATTEN_FORMAT_AUTO, "'1-0-8' has eight eighths");
+    batten_box box;
+    CHECK(batten_model_box(model, &box));
+    CHECK_BITS(box.high.z, 13);
+    batten_model_unref(model);
+}
+
+TEST(a_boat_table_without_its_parts_is_refused)
+{
     check_refused("axis,name,0\n,x,0\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
                   "t:2: the first column must be length");
     check_refused("axis,name\nlength,x\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
@@ -91,7 +125,7 @@ TEST(a_station_without_a_name_is_called_by_its_place_and_a_line_needs_one)
 
 TEST(feet_that_make_no_sense_are_refused)
 {
-    const char *const bad[] = {"1-12-0", "1-0-8",        "1-2", "1-2-3-4",
+    const char *const bad[] = {"1-12-0", "1-0-9",        "1-2", "1-2-3-4",
                                "1--2-3", "12345678-0-0", "1-2-"};
     char text[120];
     for (int i = 0; i < COUNT(bad); i++) {
