@@ -358,7 +358,7 @@ static bool write_options(const arguments *given, batten_write_options *write,
         return false;
     }
     if (arguments_has(given, "angle"))
-        mesh->angle = degrees * (acos(-1.0) / 180);
+        mesh->angle = degrees * (3.14159265358979323846 / 180);
     write->mesh = mesh;
     write->no_parameter_curves = arguments_has(given, "no-pcurves");
     write->solids = arguments_has(given, "solids");

@@ -1,6 +1,8 @@
 /* What our own files use of the ground: failing, memory, references. */
 #ifndef BAT_BASE_H
 #define BAT_BASE_H
+#include "base/elementary.h"
+
 #include <assert.h>
 #include <batten/base.h>
 #include <batten/text.h>

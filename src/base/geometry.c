@@ -50,9 +50,9 @@ batten_affine batten_affine_rotation(batten_vec3 origin, batten_vec3 axis, doubl
 {
     double n[3];
     unit(axis, n);
-    const double c = cos(angle), s = sin(angle);
+    const double c = bat_cos(angle), s = bat_sin(angle);
     /* 1 - cos without cancelling */
-    const double versine = 2 * sin(angle / 2) * sin(angle / 2);
+    const double versine = 2 * bat_sin(angle / 2) * bat_sin(angle / 2);
     const double cross[3][3] = {{0, -n[2], n[1]}, {n[2], 0, -n[0]}, {-n[1], n[0], 0}};
     batten_affine map = {.t = {0}};
     for (int i = 0; i < 3; i++)

@@ -180,7 +180,7 @@ static double turn_at(const batten_table_station *station, int i)
     const batten_table_point *p = station->points + i;
     const double ay = p[0].y - p[-1].y, az = p[0].z - p[-1].z;
     const double by = p[1].y - p[0].y, bz = p[1].z - p[0].z;
-    return fabs(atan2(ay * bz - az * by, ay * by + az * bz));
+    return fabs(bat_atan2(ay * bz - az * by, ay * by + az * bz));
 }
 
 static batten_status add_station(bat_net *net, const batten_table_station *station, int begin,
@@ -250,7 +250,7 @@ static void set_weights(bat_net *net)
         spans[strand->is_line] += strand->count - 1;
     }
     for (int k = 0; k < 2; k++)
-        net->weight[k] = spans[k] > 0 ? pow(length[k] / spans[k], 3) : 1;
+        net->weight[k] = spans[k] > 0 ? bat_pow(length[k] / spans[k], 3) : 1;
 }
 
 /* ---- the net ---- */

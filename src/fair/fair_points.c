@@ -68,7 +68,7 @@ static void complete_frame(int width, double *frame)
     axis[least] = 1;
     const double cross[3] = {t[1] * axis[2] - t[2] * axis[1], t[2] * axis[0] - t[0] * axis[2],
                              t[0] * axis[1] - t[1] * axis[0]};
-    const double size = hypot(hypot(cross[0], cross[1]), cross[2]);
+    const double size = bat_hypot(bat_hypot(cross[0], cross[1]), cross[2]);
     for (int k = 0; k < 3; k++)
         frame[k] = cross[k] / size;
     frame[3] = t[1] * frame[2] - t[2] * frame[1];

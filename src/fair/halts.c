@@ -150,7 +150,7 @@ static batten_status add_halt_at_knot(bat_judged_curve *j, double left, double r
     if (status != BATTEN_OK)
         return status;
     const double turn =
-        atan2(bat_vec3_norm(bat_vec3_cross(before, after)), bat_vec3_dot(before, after));
+        bat_atan2(bat_vec3_norm(bat_vec3_cross(before, after)), bat_vec3_dot(before, after));
     add_halt(j, turn);
     return turn > j->options->angle ? BATTEN_OK : note_curvature_at_knot(j, left, right);
 }

@@ -47,7 +47,7 @@ static void add_step(int d, const double *before, const double *after,
         out->corners++;
         /* From the chord of a unit circle; slopes of functions as they are. */
         out->largest_turn =
-            bat_max(out->largest_turn, d == 1 ? turn : 2 * asin(bat_min(1, turn / 2)));
+            bat_max(out->largest_turn, d == 1 ? turn : 2 * bat_asin(bat_min(1, turn / 2)));
     } else if (jump > scale->curvature * bent + BAT_MEANT_SAME * scale->largest +
                           scale->curvature_noise) {
         out->curvature_jumps++;

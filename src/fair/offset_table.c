@@ -168,7 +168,7 @@ static void note_suspects(const bat_net *net, const bat_strand *strand, int firs
                                    .from = {node->x, node->given[0], node->given[1]},
                                    .to = {node->x, to[0], to[1]}};
         /* What fairing nearly mends by itself is no blunder. */
-        if (hypot(to[0] - node->given[0], to[1] - node->given[1]) > 2 * node->within)
+        if (bat_hypot(to[0] - node->given[0], to[1] - node->given[1]) > 2 * node->within)
             suspect_of[n] = k + 1;
     }
 }

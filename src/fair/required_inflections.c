@@ -33,7 +33,7 @@ static bool lay_out(outline *o, int a, int b, int sign)
     const double *p = o->points;
     const double dx = o->width == 1 ? 0 : p[2 * b] - p[2 * a];
     const double dy = o->width == 1 ? 0 : p[2 * b + 1] - p[2 * a + 1];
-    const double chord = hypot(dx, dy);
+    const double chord = bat_hypot(dx, dy);
     if (o->width == 2 && chord == 0)
         return false;
     for (int i = a; i <= b; i++) {

@@ -164,7 +164,7 @@ static void compare(int d, const bat_side *l, const bat_side *r, double size,
     const batten_vec3 a = l->tangent, b = r->tangent;
     out->gap = difference(l->c[0], r->c[0]);
     out->angle = bat_vec3_norm(a) > 0 && bat_vec3_norm(b) > 0
-                     ? atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b))
+                     ? bat_atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b))
                      : (double)NAN;
     out->singular[0] = l->singular;
     out->singular[1] = r->singular;

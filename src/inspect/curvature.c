@@ -39,7 +39,7 @@ double bat_span_width(const batten_curve *curve, double u, batten_side side)
 
 double bat_derivative_roundoff(const batten_curve *curve, int m, double size, double h)
 {
-    return 8 * DBL_EPSILON * size * pow(2 * curve->degree / h, m);
+    return 8 * DBL_EPSILON * size * bat_pow(2 * curve->degree / h, m);
 }
 
 /* The first derivative that does not vanish gives the direction; from the left an even one

@@ -155,7 +155,7 @@ static bool is_zero(bat_form form, double t)
     const double x = late ? (1 - t) / t : t / (1 - t);
     for (int k = 0; k <= form.degree; k++, power *= x)
         value += form.c[late ? form.degree - k : k] * power;
-    return fabs(value) * pow(late ? t : 1 - t, form.degree) <= 4 * form.error;
+    return fabs(value) * bat_pow(late ? t : 1 - t, form.degree) <= 4 * form.error;
 }
 
 /* After the turns of a form on a span have been noted, from number `first` on: those at which

@@ -49,8 +49,8 @@ static shape_form form_of(const double *values, batten_vec3 normal)
 /* Half the angle of (a - c, 2 b) points along the larger eigenvalue. */
 static void principal(const shape_form *f, batten_surface_local *out)
 {
-    const double half = (f->a - f->c) / 2, radius = hypot(half, f->b);
-    const double angle = atan2(f->b, half) / 2, c = cos(angle), s = sin(angle);
+    const double half = (f->a - f->c) / 2, radius = bat_hypot(half, f->b);
+    const double angle = bat_atan2(f->b, half) / 2, c = bat_cos(angle), s = bat_sin(angle);
     out->mean = (f->a + f->c) / 2;
     out->gaussian = f->a * f->c - f->b * f->b;
     out->kappa1 = out->mean + radius;

@@ -185,8 +185,8 @@ static batten_status measure_place(const batten_triangles *triangles,
     if (join->same_way)
         normals[1] = bat_vec3_scale(normals[1], -1);
     so_far->angle =
-        bat_max(so_far->angle, atan2(bat_vec3_norm(bat_vec3_cross(normals[0], normals[1])),
-                                     bat_vec3_dot(normals[0], normals[1])));
+        bat_max(so_far->angle, bat_atan2(bat_vec3_norm(bat_vec3_cross(normals[0], normals[1])),
+                                         bat_vec3_dot(normals[0], normals[1])));
     return BATTEN_OK;
 }
 

@@ -10,7 +10,8 @@
 
 static double size_of(const batten_box box)
 {
-    return hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
+    return bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
+                     box.high.z - box.low.z);
 }
 
 static double largest_of(const batten_box box)

@@ -9,7 +9,8 @@
 static double size_of(const batten_surface *surface)
 {
     const batten_box box = batten_surface_box(surface);
-    return hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
+    return bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
+                     box.high.z - box.low.z);
 }
 
 static batten_status whole(const batten_surface *surface, batten_body **out)

@@ -136,7 +136,7 @@ static double second_difference(const batten_triangles *triangles)
                     const double *c = p + 3 * BATTEN_TRIANGLE_POINT(j2, k2);
                     double square = 0;
                     for (int i = 0; i < 3; i++)
-                        square = hypot(square, a[i] - 2 * b[i] + c[i]);
+                        square = bat_hypot(square, a[i] - 2 * b[i] + c[i]);
                     largest = bat_max(largest, square);
                 }
     }
@@ -148,7 +148,7 @@ static double angle_between(const double *a, const double *b)
 {
     const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
     const double z = a[0] * b[1] - a[1] * b[0];
-    return atan2(hypot(hypot(x, y), z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+    return bat_atan2(bat_hypot(bat_hypot(x, y), z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
 /* The largest distance of the patches from the parts, at the middles of these, and the largest
@@ -172,10 +172,10 @@ static batten_status measure_division(const dividing *d, batten_mesh_report *rep
                     return status;
                 double off = 0;
                 for (int i = 0; i < 3; i++)
-                    off = hypot(off, p[i] - (d->points[3 * a + (size_t)i] +
-                                             d->points[3 * b + (size_t)i] +
-                                             d->points[3 * (b + 1) + (size_t)i]) /
-                                                3);
+                    off = bat_hypot(off, p[i] - (d->points[3 * a + (size_t)i] +
+                                                 d->points[3 * b + (size_t)i] +
+                                                 d->points[3 * (b + 1) + (size_t)i]) /
+                                                    3);
                 report->chord = bat_max(report->chord, off);
                 report->beyond += off > d->chord;
                 const double *at_a = &d->normals[3 * a], *at_b = &d->normals[3 * b];
@@ -202,8 +202,8 @@ static batten_status set_parts(dividing *d, double parts, int most)
 static batten_status choose_parts(dividing *d, const batten_mesh_options *o)
 {
     const batten_box box = batten_triangles_box(d->triangles);
-    const double size =
-        hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
+    const double size = bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
+                                  box.high.z - box.low.z);
     const int degree = batten_triangles_degree(d->triangles);
     if (!(o->chord >= 0 && isfinite(o->chord)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the chord is %g; it must not be below 0",

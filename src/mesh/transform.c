@@ -40,7 +40,7 @@ static void map_normals(double c[3][3], bool turned, size_t triangles, const dou
             double *made = &to[9 * t + 3 * k], length = 0;
             for (int i = 0; i < 3; i++) {
                 made[i] = c[i][0] * n[0] + c[i][1] * n[1] + c[i][2] * n[2];
-                length = hypot(length, made[i]);
+                length = bat_hypot(length, made[i]);
             }
             for (int i = 0; i < 3; i++)
                 made[i] *= length > 0 ? (turned ? -1 : 1) / length : 0;

@@ -131,7 +131,7 @@ static double column_norm(int rows, size_t stride, int first, const double *colu
 {
     double norm = 0;
     for (int i = first; i < rows; i++)
-        norm = hypot(norm, column[(size_t)i * stride]);
+        norm = bat_hypot(norm, column[(size_t)i * stride]);
     return norm;
 }
 

@@ -10,9 +10,9 @@
 static void rotate_pair(int n, double *a, double *vectors, int p, int q)
 {
     const double difference = (a[q * n + q] - a[p * n + p]) / 2, off = a[p * n + q];
-    const double size = hypot(difference, off);
+    const double size = bat_hypot(difference, off);
     const double t = difference >= 0 ? off / (difference + size) : off / (difference - size);
-    const double c = 1 / hypot(1, t), s = t * c;
+    const double c = 1 / bat_hypot(1, t), s = t * c;
     for (int k = 0; k < n; k++) {
         const double x = a[k * n + p], y = a[k * n + q];
         a[k * n + p] = c * x - s * y;

@@ -62,7 +62,7 @@ static int panels(const double a[DEGREE + 1])
     bound(a, b);
     const double each = growth16 / DEGREE;
     const double z = bat_max(bat_max(b[1] / each, sqrt(b[2] / each)),
-                             bat_max(cbrt(b[3] / each), sqrt(sqrt(b[4] / each))));
+                             bat_max(bat_cbrt(b[3] / each), sqrt(sqrt(b[4] / each))));
     return bat_max_int(2, (int)ceil(z * radius16 / 2));
 }
 
@@ -75,7 +75,10 @@ static void add_node(const double c[DEGREE + 1], double t, double weight, int mo
                      double *x, double *y)
 {
     const double theta = c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
-    double u = weight * cos(theta), v = weight * sin(theta);
+    double u, v;
+    bat_sincos(theta, &v, &u);
+    u *= weight;
+    v *= weight;
     for (int j = 0; j < moments; j++, u *= t, v *= t) {
         x[j] += u;
         y[j] += v;

@@ -69,9 +69,9 @@ static rotation begin_rotation(double *above, double *row)
 {
     const double r = bat_max(fabs(above[0]), fabs(row[0])) < 0x1p500
                          ? sqrt(above[0] * above[0] + row[0] * row[0])
-                         : hypot(above[0], row[0]);
+                         : bat_hypot(above[0], row[0]);
     /* Squares that vanish together are left to hypot. */
-    const double size = r > 0x1p-500 ? r : hypot(above[0], row[0]);
+    const double size = r > 0x1p-500 ? r : bat_hypot(above[0], row[0]);
     const rotation by = {above[0] / size, row[0] / size};
     above[0] = size;
     row[0] = 0;

@@ -35,7 +35,7 @@ static double root_bound(int degree, const double *c)
     double bound = 0;
     for (int k = 1; k <= degree; k++) {
         const double ratio = fabs(c[degree - k]) / fabs(c[degree]);
-        bound = bat_max(bound, pow(ratio, 1.0 / k));
+        bound = bat_max(bound, bat_pow(ratio, 1.0 / k));
     }
     return bat_min(2.1 * bound, DBL_MAX);
 }

@@ -258,7 +258,7 @@ static void split(program *p, int i)
 /* Turn rows a and a + 1 of Q, and the pair (*x, *y) with them, so that *y vanishes. */
 static void turn_pair(program *p, int a, double *x, double *y, double *cosine, double *sine)
 {
-    const double size = hypot(*x, *y);
+    const double size = bat_hypot(*x, *y);
     const double c = size > 0 ? *x / size : 1, s = size > 0 ? *y / size : 0;
     double *upper = p->q + (size_t)a * (size_t)p->free, *lower = upper + p->free;
     for (int k = 0; k < p->free; k++) {

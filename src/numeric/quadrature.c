@@ -55,7 +55,7 @@ void bat_gauss(int n, double *nodes, double *weights)
     }
     for (int i = 0; i <= (n - 1) / 2; i++) {
         /* The start is within 1/n^2; each of Newton's steps doubles the digits. */
-        double x = 2 * i + 1 == n ? 0 : cos(BAT_PI * (i + 0.75) / (n + 0.5));
+        double x = 2 * i + 1 == n ? 0 : bat_cos(BAT_PI * (i + 0.75) / (n + 0.5));
         double slope, value = legendre(n, x, &slope);
         for (int step = 0; step < 6 && 2 * i + 1 != n; step++) {
             x -= value / slope;

@@ -29,11 +29,11 @@ static batten_status sum_steps(bat_around *around, const batten_curve *curve, do
         if (status != BATTEN_OK)
             return status;
         see(around, point, here);
-        around->meets_axis |= around->is_turned && hypot(here[0], here[1]) <= around->near;
+        around->meets_axis |= around->is_turned && bat_hypot(here[0], here[1]) <= around->near;
         if (i == 0)
             continue;
         const double cross = before[0] * here[1] - before[1] * here[0];
-        const double turn = atan2(cross, before[0] * here[0] + before[1] * here[1]);
+        const double turn = bat_atan2(cross, before[0] * here[0] + before[1] * here[1]);
         *sum += around->is_turned ? turn : cross;
         *widest = bat_max(*widest, fabs(turn));
     }

@@ -19,16 +19,16 @@ static void flat(const bat_conic *conic, double t, int order, double at[2])
         at[1] = 0;
         return;
     case BAT_ELLIPSE:
-        at[0] = point ? a * cos(t) : -a * sin(t);
-        at[1] = point ? b * sin(t) : b * cos(t);
+        at[0] = point ? a * bat_cos(t) : -a * bat_sin(t);
+        at[1] = point ? b * bat_sin(t) : b * bat_cos(t);
         return;
     case BAT_PARABOLA:
         at[0] = point ? a * t * t : 2 * a * t;
         at[1] = point ? 2 * a * t : 2 * a;
         return;
     case BAT_HYPERBOLA:
-        at[0] = point ? a * cosh(t) : a * sinh(t);
-        at[1] = point ? b * sinh(t) : b * cosh(t);
+        at[0] = point ? a * bat_cosh(t) : a * bat_sinh(t);
+        at[1] = point ? b * bat_sinh(t) : b * bat_cosh(t);
         return;
     }
 }
@@ -88,7 +88,7 @@ static double bracket(const bat_conic *conic, const double p[2])
 static double foot_of_ellipse(const bat_conic *conic, const double p[2])
 {
     if (conic->a == conic->b)
-        return atan2(p[1], p[0]);
+        return bat_atan2(p[1], p[0]);
     const double quarter[2] = {fabs(p[0]), fabs(p[1])};
     /* On the axes the halving would end next to the foot. */
     double t = quarter[1] == 0 && quarter[0] >= conic->a ? 0
@@ -197,7 +197,7 @@ static batten_status hyperbola_between(const bat_conic *conic, double t0, double
             break;
         double *middle = points + 4 * (size_t)i + 2;
         flat(conic, t0 + h * (2 * i + 1), 0, middle);
-        weights[2 * i + 1] = cosh(h);
+        weights[2 * i + 1] = bat_cosh(h);
         middle[0] /= weights[2 * i + 1];
         middle[1] /= weights[2 * i + 1];
     }

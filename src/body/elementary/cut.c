@@ -18,7 +18,8 @@ typedef struct {
 /* Distance from the axis and height of a place. */
 static void see(const bat_stand *stand, const double point[3], double at[2])
 {
-    at[0] = hypot(bat_stand_coordinate(stand, point, 0), bat_stand_coordinate(stand, point, 1));
+    at[0] =
+        bat_hypot(bat_stand_coordinate(stand, point, 0), bat_stand_coordinate(stand, point, 1));
     at[1] = bat_stand_coordinate(stand, point, 2);
 }
 
@@ -128,7 +129,7 @@ static batten_status find_cuts(const bat_stand *stand, const batten_curve *curve
     batten_vec3 outward = stand->frame.x;
     for (int i = 0; i < batten_curve_point_count(curve); i++) {
         const double x = bat_stand_coordinate(stand, P + 3 * (size_t)i, 0),
-                     y = bat_stand_coordinate(stand, P + 3 * (size_t)i, 1), r = hypot(x, y);
+                     y = bat_stand_coordinate(stand, P + 3 * (size_t)i, 1), r = bat_hypot(x, y);
         if (r <= farthest)
             continue;
         farthest = r;

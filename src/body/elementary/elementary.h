@@ -2,8 +2,8 @@
  * Lines, conics, planes, cylinders, cones, spheres, tori, extrusions and revolutions as IGES
  * and STEP say them, unbounded, and their bounded parts as exact NURBS.
  */
-#ifndef BAT_ELEMENTARY_H
-#define BAT_ELEMENTARY_H
+#ifndef BAT_BODY_ELEMENTARY_H
+#define BAT_BODY_ELEMENTARY_H
 #include "base/base.h"
 #include <batten/geometry.h>
 #include <batten/surface.h>

@@ -63,7 +63,7 @@ typedef struct {
  * reach it, else not so far, for there the surface has no normal. */
 static batten_status slant_over(const bat_stand *stand, slant *over)
 {
-    const double a = stand->of->a, slope = tan(stand->of->b);
+    const double a = stand->of->a, slope = bat_tan(stand->of->b);
     const batten_interval z = bat_stand_range(stand, 2);
     *over = (slant){z.a, z.b, a + z.a * slope, a + z.b * slope};
     const double half = over->at_low + over->at_high < 0 ? -1 : 1;
@@ -105,7 +105,7 @@ batten_status bat_stand_cone(const bat_stand *stand, batten_surface **out)
     const batten_frame base = at_height(stand, over.low);
     status = batten_surface_cone(&base, over.at_low, over.at_high, over.high - over.low, &made);
     if (status == BATTEN_OK)
-        status = with_domain(made, over.low / cos(b), over.high / cos(b), out);
+        status = with_domain(made, over.low / bat_cos(b), over.high / bat_cos(b), out);
     batten_surface_unref(made);
     return status;
 }
@@ -133,11 +133,11 @@ static bool is_lemon(const bat_stand *stand)
     const double a = fabs(stand->of->a);
     for (int i = 0; i < stand->count; i++) {
         const double *p = stand->points + 3 * (size_t)i;
-        const double r = hypot(bat_stand_coordinate(stand, p, 0),
-                               bat_stand_coordinate(stand, p, 1)),
+        const double r = bat_hypot(bat_stand_coordinate(stand, p, 0),
+                                   bat_stand_coordinate(stand, p, 1)),
                      z = bat_stand_coordinate(stand, p, 2);
-        apple += fabs(hypot(r - a, z) - stand->of->b);
-        lemon += fabs(hypot(r + a, z) - stand->of->b);
+        apple += fabs(bat_hypot(r - a, z) - stand->of->b);
+        lemon += fabs(bat_hypot(r + a, z) - stand->of->b);
     }
     /* Points on the circle where both sheets meet fit either, to the tolerance or rounding. */
     const double near = bat_max(stand->tolerance, 1e-9 * stand->of->b) * stand->count;
@@ -156,7 +156,7 @@ static batten_status turn_normal(batten_surface **made)
 static batten_status spindle(const bat_stand *stand, batten_surface **out)
 {
     const double a = fabs(stand->of->a), b = stand->of->b;
-    const double to_centre = is_lemon(stand) ? -a : a, half = acos(-to_centre / b);
+    const double to_centre = is_lemon(stand) ? -a : a, half = bat_acos(-to_centre / b);
     bat_conic tube = {.kind = BAT_ELLIPSE, .frame = stand->frame, .a = b, .b = b};
     tube.frame.origin = bat_vec3_along(stand->frame.origin, to_centre, stand->frame.x);
     tube.frame.z = bat_vec3_scale(stand->y, -1); /* so that its second axis points up */

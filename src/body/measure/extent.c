@@ -112,7 +112,7 @@ static bool may_enter(const side *s, const batten_interval r[2])
     const double off =
         dx * ((r[1].a + r[1].b) / 2 - s->from[1]) - dy * ((r[0].a + r[0].b) / 2 - s->from[0]);
     const double reach = fabs(dx) * (r[1].b - r[1].a) / 2 + fabs(dy) * (r[0].b - r[0].a) / 2;
-    return fabs(off) <= reach + s->sag * hypot(dx, dy);
+    return fabs(off) <= reach + s->sag * bat_hypot(dx, dy);
 }
 
 /* An odd number of sides is met on the way out. */

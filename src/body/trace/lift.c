@@ -110,8 +110,8 @@ static batten_status miss_between(const lifting *l, const lifted_place *a,
         if (status != BATTEN_OK)
             return status;
         cubic(a, b, x, point);
-        *miss = bat_max(
-            *miss, hypot(hypot(point[0] - value[0], point[1] - value[1]), point[2] - value[2]));
+        *miss = bat_max(*miss, bat_hypot(bat_hypot(point[0] - value[0], point[1] - value[1]),
+                                         point[2] - value[2]));
     }
     return BATTEN_OK;
 }

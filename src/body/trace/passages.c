@@ -188,7 +188,7 @@ batten_status bat_loops_doubt(const batten_body_parts *parts, int face, double *
         status = set_lengths(parts, &all);
     for (int i = 0; i < found.count && status == BATTEN_OK; i++) {
         const double length = doubtful_length(&all, &found.at[i]);
-        *area += length * length / acos(-1);
+        *area += length * length / bat_acos(-1);
     }
     bat_release(found.at);
     bat_passages_release(&all);

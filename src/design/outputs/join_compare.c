@@ -10,7 +10,7 @@
 /* The angle by which a way out of one shape turns on its way into the other. */
 static double turn_between(batten_vec3 out_of, batten_vec3 into)
 {
-    return atan2(bat_join_norm(bat_vec3_cross(out_of, into)), bat_vec3_dot(out_of, into));
+    return bat_atan2(bat_join_norm(bat_vec3_cross(out_of, into)), bat_vec3_dot(out_of, into));
 }
 
 /* |a - b| of two curvatures as a part of the larger one; what bulges by less than the tolerance

@@ -6,7 +6,7 @@
 
 static inline double bat_join_norm(batten_vec3 a)
 {
-    return hypot(hypot(a.x, a.y), a.z);
+    return bat_hypot(bat_hypot(a.x, a.y), a.z);
 }
 
 static inline double bat_join_gap(batten_vec3 p, batten_vec3 q)

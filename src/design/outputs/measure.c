@@ -64,7 +64,7 @@ static batten_status measure_gap(const batten_curve *curve, double *gap)
     batten_status status = batten_curve_evaluate(curve, domain.a, 0, a);
     if (status == BATTEN_OK)
         status = batten_curve_evaluate(curve, domain.b, 0, b);
-    *gap = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
+    *gap = bat_hypot(bat_hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
     return status;
 }
 
@@ -361,7 +361,7 @@ static batten_status add_bounds(const batten_surface *surface, bool first, exten
 {
     const batten_box b = batten_surface_box(surface);
     const double size =
-        hypot(hypot(b.high.x - b.low.x, b.high.y - b.low.y), b.high.z - b.low.z);
+        bat_hypot(bat_hypot(b.high.x - b.low.x, b.high.y - b.low.y), b.high.z - b.low.z);
     batten_box box;
     double error = 0;
     const batten_status status =
@@ -441,7 +441,7 @@ static double default_within(const bat_run *run, const batten_curve *curve)
 {
     const batten_box b = batten_curve_box(curve);
     const double size =
-        hypot(hypot(b.high.x - b.low.x, b.high.y - b.low.y), b.high.z - b.low.z);
+        bat_hypot(bat_hypot(b.high.x - b.low.x, b.high.y - b.low.y), b.high.z - b.low.z);
     const double tolerance = bat_tolerance(run);
     return size > 0 ? bat_min(tolerance, size / 1000) : tolerance;
 }

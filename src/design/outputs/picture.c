@@ -50,7 +50,7 @@ static void read_line_options(const bat_run *run, batten_draw_options *options)
     options->silhouettes = bat_yes(run, "silhouettes");
     options->contours = field != CONTOURS_NONE;
     const double a = options->azimuth, e = options->elevation;
-    const batten_vec3 eye = {cos(e) * cos(a), cos(e) * sin(a), sin(e)};
+    const batten_vec3 eye = {bat_cos(e) * bat_cos(a), bat_cos(e) * bat_sin(a), bat_sin(e)};
     if (options->contours)
         options->contour_field =
             bat_field_of(run, (batten_field_kind)(field - CONTOURS_FIRST), eye);

@@ -173,7 +173,7 @@ static bool is_within(int count, const double *points, const double *others, dou
 {
     for (int i = 0; i < count; i++) {
         const double *p = points + 3 * i, *q = others + 3 * i;
-        if (hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]) > most)
+        if (bat_hypot(bat_hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]) > most)
             return false;
     }
     return true;

@@ -10,8 +10,8 @@ static void add_rounded(batten_text *out, double value)
         batten_text_number(out, value);
         return;
     }
-    const double places = 3 - floor(log10(fabs(value)));
-    const double scale = pow(10, fabs(places));
+    const double places = 3 - floor(bat_log10(fabs(value)));
+    const double scale = bat_pow(10, fabs(places));
     batten_text_number(out, places >= 0 ? round(value * scale) / scale
                                         : round(value / scale) * scale);
 }

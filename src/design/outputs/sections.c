@@ -48,11 +48,11 @@ static int thin(const batten_polyline *line, int axis, double *plane)
 static double bulge(const double *points, int first, int last)
 {
     const double *a = points + 2 * (first - 1), *b = points + 2 * (last + 1);
-    const double x = b[0] - a[0], y = b[1] - a[1], length = hypot(x, y);
+    const double x = b[0] - a[0], y = b[1] - a[1], length = bat_hypot(x, y);
     double height = 0;
     for (int i = first; i <= last; i++) {
         const double dx = points[2 * i] - a[0], dy = points[2 * i + 1] - a[1];
-        const double h = length > 0 ? fabs(x * dy - y * dx) / length : hypot(dx, dy);
+        const double h = length > 0 ? fabs(x * dy - y * dx) / length : bat_hypot(dx, dy);
         height = bat_max(height, h);
     }
     return height;

@@ -192,7 +192,7 @@ static batten_status take_slope(bat_run *run, const batten_object *object, int e
     /* A sine: less than a millionth is what exact neighbours keep of rounding. */
     if (off > 1e-6)
         bat_note(run, "a boundary curve leaves '%s' %.3g degrees off its tangent plane",
-                 object->name, asin(bat_min(1, off)) * 180 / BAT_PI);
+                 object->name, bat_asin(bat_min(1, off)) * 180 / BAT_PI);
     return BATTEN_OK;
 }
 

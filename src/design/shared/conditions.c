@@ -37,7 +37,7 @@ static batten_status find_datum(const asking *a, int number, const double *point
     for (int i = 0; i < data->count; i++) {
         const double *q = data->points + (size_t)i * d;
         const double distance =
-            hypot(hypot(q[0] - point[0], q[1] - point[1]), d > 2 ? q[2] - point[2] : 0);
+            bat_hypot(bat_hypot(q[0] - point[0], q[1] - point[1]), d > 2 ? q[2] - point[2] : 0);
         if (distance < least) {
             least = distance;
             *out = i;

@@ -4,7 +4,7 @@
 
 static double length_of(batten_vec3 v)
 {
-    return hypot(hypot(v.x, v.y), v.z);
+    return bat_hypot(bat_hypot(v.x, v.y), v.z);
 }
 
 static batten_vec3 unit(batten_vec3 v)

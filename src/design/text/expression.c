@@ -95,7 +95,7 @@ static batten_status raise_to(const bat_quantity *a, const bat_quantity *b, bat_
                         "a length or angle can be raised to whole numbers up to 9, not to %g",
                         k);
     const int whole = a->length || a->angle ? (int)k : 0;
-    *out = (bat_quantity){pow(a->value, k), a->length * whole, a->angle * whole};
+    *out = (bat_quantity){bat_pow(a->value, k), a->length * whole, a->angle * whole};
     return BATTEN_OK;
 }
 
@@ -138,13 +138,13 @@ static batten_status apply_function(int which, bat_quantity *x)
         return bat_fail(BATTEN_BAD_FORMAT, "sqrt of %g is not a number", x->value);
     switch (op) {
     case SIN:
-        *x = (bat_quantity){sin(x->value), 0, 0};
+        *x = (bat_quantity){bat_sin(x->value), 0, 0};
         break;
     case COS:
-        *x = (bat_quantity){cos(x->value), 0, 0};
+        *x = (bat_quantity){bat_cos(x->value), 0, 0};
         break;
     case TAN:
-        *x = (bat_quantity){tan(x->value), 0, 0};
+        *x = (bat_quantity){bat_tan(x->value), 0, 0};
         break;
     case SQRT:
         *x = (bat_quantity){sqrt(x->value), x->length / 2, x->angle / 2};

@@ -70,8 +70,10 @@ static void turn_steps(const batten_frame *frame, double angle, const double apa
                        bat_dxf_places *places)
 {
     const batten_vec3 x = frame->x, y = bat_vec3_cross(frame->z, frame->x);
-    const batten_vec3 along = bat_vec3_along(bat_vec3_scale(x, cos(angle)), sin(angle), y);
-    const batten_vec3 up = bat_vec3_along(bat_vec3_scale(y, cos(angle)), -sin(angle), x);
+    const batten_vec3 along =
+        bat_vec3_along(bat_vec3_scale(x, bat_cos(angle)), bat_sin(angle), y);
+    const batten_vec3 up =
+        bat_vec3_along(bat_vec3_scale(y, bat_cos(angle)), -bat_sin(angle), x);
     places->along = bat_vec3_scale(along, apart[0]);
     places->up = bat_vec3_scale(up, apart[1]);
 }

@@ -61,9 +61,9 @@ static bool find_axes(const looking *l, batten_vec3 p, batten_vec3 q, found *f)
         return false;
     f->z = bat_vec3_scale(normal, 1 / area);
     const double rough = l->tolerance * bat_max(1, qq / (chord * chord));
-    const bool is_circle = hypot(2 * pq, pp - qq) <= rough * sqrt(pp + qq);
-    const double t = is_circle ? 0 : atan2(2 * pq, pp - qq) / 2;
-    const batten_vec3 x = bat_vec3_along(bat_vec3_scale(p, cos(t)), sin(t), q);
+    const bool is_circle = bat_hypot(2 * pq, pp - qq) <= rough * sqrt(pp + qq);
+    const double t = is_circle ? 0 : bat_atan2(2 * pq, pp - qq) / 2;
+    const batten_vec3 x = bat_vec3_along(bat_vec3_scale(p, bat_cos(t)), bat_sin(t), q);
     f->a = bat_vec3_norm(x);
     f->x = bat_vec3_scale(x, 1 / f->a);
     f->b = area / f->a;
@@ -78,9 +78,9 @@ static bool angle_of(const looking *l, const found *f, const double point[3], do
 {
     const batten_vec3 d = bat_vec3_subtract(bat_dxf_vector(point), f->centre);
     const double x = bat_vec3_dot(d, f->x) / f->a, y = bat_vec3_dot(d, f->y) / f->b;
-    *angle = atan2(y, x);
+    *angle = bat_atan2(y, x);
     return fabs(bat_vec3_dot(d, f->z)) <= l->tolerance &&
-           fabs(hypot(x, y) - 1) * f->a <= l->tolerance;
+           fabs(bat_hypot(x, y) - 1) * f->a <= l->tolerance;
 }
 
 /* Does the whole curve go along the ellipse, onwards and at most once? A conic is where another
@@ -120,7 +120,7 @@ static batten_status follow(const looking *l, found *f, bool *does)
 /* To a multiple of 10^n, |n| <= 22: such powers are exact. */
 static double to_places(double x, int n)
 {
-    const double power = pow(10, abs(n));
+    const double power = bat_pow(10, abs(n));
     return n < 0 ? round(x * power) / power : round(x / power) * power;
 }
 
@@ -177,7 +177,7 @@ static batten_status settle_circle(const looking *l, found *f, const places *n,
     out->kind = f->is_full ? BAT_DXF_CIRCLE : BAT_DXF_ARC;
     if (f->is_full)
         return BATTEN_OK;
-    const double from = f->from + atan2(bat_vec3_dot(f->x, y), bat_vec3_dot(f->x, axes.x));
+    const double from = f->from + bat_atan2(bat_vec3_dot(f->x, y), bat_vec3_dot(f->x, axes.x));
     out->angles[0] = angle_to_places(from * 180 / BAT_PI, 360, n->angle + 2);
     out->angles[1] = angle_to_places((from + f->sweep) * 180 / BAT_PI, 360, n->angle + 2);
     if (out->normal[2] == -1)
@@ -190,7 +190,7 @@ static batten_status settle_circle(const looking *l, found *f, const places *n,
 static bool takes_other_axis(const found *f)
 {
     if (f->is_full)
-        return cos(f->from) < -1e-6;
+        return bat_cos(f->from) < -1e-6;
     const double x[3] = {f->x.x, f->x.y, f->x.z};
     const double most = bat_largest(3, x);
     int k = 0;
@@ -223,12 +223,13 @@ static places places_of(const looking *l, const found *f)
     const double unlike = f->a == f->b ? 1 : 1 - f->b / f->a;
     /* Some 50 roundings of DBL_EPSILON in finding the axes. */
     const double coordinate = bat_max(1e-14 * f->a, 4 * DBL_EPSILON * l->far);
-    const double centre = 4 * DBL_EPSILON * (l->far + f->a) / (2 * sin(half) * sin(half));
-    return (places){.centre = (int)ceil(log10(bat_max(centre, coordinate))),
-                    .size = (int)ceil(log10(coordinate)),
-                    .axis = (int)ceil(log10(coordinate / unlike)),
+    const double centre =
+        4 * DBL_EPSILON * (l->far + f->a) / (2 * bat_sin(half) * bat_sin(half));
+    return (places){.centre = (int)ceil(bat_log10(bat_max(centre, coordinate))),
+                    .size = (int)ceil(bat_log10(coordinate)),
+                    .axis = (int)ceil(bat_log10(coordinate / unlike)),
                     /* three times as many roundings for angles, which divide */
-                    .angle = (int)ceil(log10(coordinate / (f->a * unlike) + 3e-14))};
+                    .angle = (int)ceil(bat_log10(coordinate / (f->a * unlike) + 3e-14))};
 }
 
 /* Nearly a circle its axes would have to be rough: it stays what it is. */
@@ -238,7 +239,7 @@ static bool are_fine(const looking *l, const found *f, const places *n)
     if (abs(n->centre) > 22 || abs(n->size) > 22 || abs(n->axis) > 22 || n->angle < -20 ||
         n->angle > -6)
         return false;
-    return pow(10, n->axis) <= limit && pow(10, n->angle) * f->a <= limit;
+    return bat_pow(10, n->axis) <= limit && bat_pow(10, n->angle) * f->a <= limit;
 }
 
 /* A full turn looks upward. */

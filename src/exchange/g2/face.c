@@ -34,7 +34,8 @@ static bool is_point(const batten_curve *curve, double tolerance)
 {
     const double *p = batten_curve_points(curve);
     for (int i = 1; i < batten_curve_point_count(curve); i++)
-        if (hypot(hypot(p[3 * i] - p[0], p[3 * i + 1] - p[1]), p[3 * i + 2] - p[2]) > tolerance)
+        if (bat_hypot(bat_hypot(p[3 * i] - p[0], p[3 * i + 1] - p[1]), p[3 * i + 2] - p[2]) >
+            tolerance)
             return false;
     return true;
 }
@@ -118,7 +119,8 @@ static double judge_tolerance(const face_reading *r, const loop *of)
 
 static double box_size(batten_box box)
 {
-    return hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
+    return bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
+                     box.high.z - box.low.z);
 }
 
 static batten_status add_samples(bat_input *input, const batten_curve *curve, bat_list *points)

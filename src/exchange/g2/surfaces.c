@@ -133,7 +133,7 @@ static batten_frame meridian(const elementary *e)
 {
     const batten_vec3 side = bat_vec3_cross(e->frame.z, e->frame.x);
     const batten_vec3 x =
-        bat_vec3_along(bat_vec3_scale(e->frame.x, cos(e->u.a)), sin(e->u.a), side);
+        bat_vec3_along(bat_vec3_scale(e->frame.x, bat_cos(e->u.a)), bat_sin(e->u.a), side);
     return (batten_frame){
         .origin = e->frame.origin, .x = x, .z = bat_vec3_cross(x, e->frame.z)};
 }
@@ -148,8 +148,8 @@ static batten_status make_profile(const elementary *e, batten_curve **out)
             frame.origin = bat_vec3_along(frame.origin, e->radius, frame.x);
         return batten_curve_arc_in(&frame, small, e->v.a, e->v.b - e->v.a, out);
     }
-    const batten_interval r = {e->radius + e->v.a * tan(e->angle),
-                               e->radius + e->v.b * tan(e->angle)};
+    const batten_interval r = {e->radius + e->v.a * bat_tan(e->angle),
+                               e->radius + e->v.b * bat_tan(e->angle)};
     const batten_vec3 p =
         bat_vec3_along(bat_vec3_along(frame.origin, r.a, frame.x), e->v.a, e->frame.z);
     const batten_vec3 q =

@@ -30,7 +30,7 @@ static const double inch = 0.0254;
 
 static double rounded(const program *p, double value)
 {
-    const double ten = pow(10, p->options.decimals);
+    const double ten = bat_pow(10, p->options.decimals);
     const double result = round(value * ten) / ten;
     return result == 0 ? 0 : result;
 }
@@ -104,7 +104,7 @@ static void cut_arc(program *p, const bat_vertex *from, double x, double y, bool
 static batten_status cut_chords(program *p, const bat_vertex *from, double x, double y,
                                 double off, bool first)
 {
-    const double dx = x - from->x, dy = y - from->y, half = 2 * atan(from->bulge);
+    const double dx = x - from->x, dy = y - from->y, half = 2 * bat_atan(from->bulge);
     const double count = ceil(sqrt(bat_path_sagitta(from, x, y) / off));
     /* A million moves for one arc: more is a wrong tolerance, and 30 MB of text. */
     if (!(count <= 1e6))
@@ -113,11 +113,11 @@ static batten_status cut_chords(program *p, const bat_vertex *from, double x, do
                         "would be %.0f lines within %g: allow a greater radius, or fewer "
                         "decimals",
                         from->x, from->y, x, y, p->options.greatest_radius, count, off);
-    const double chord = hypot(dx, dy) / sin(half), angle = atan2(dy, dx) - half;
+    const double chord = bat_hypot(dx, dy) / bat_sin(half), angle = bat_atan2(dy, dx) - half;
     for (int i = 1; i < (int)count; i++) {
-        const double part = half * (i / count), length = chord * sin(part);
-        cut_line(p, rounded(p, from->x + length * cos(angle + part)),
-                 rounded(p, from->y + length * sin(angle + part)), first && i == 1);
+        const double part = half * (i / count), length = chord * bat_sin(part);
+        cut_line(p, rounded(p, from->x + length * bat_cos(angle + part)),
+                 rounded(p, from->y + length * bat_sin(angle + part)), first && i == 1);
     }
     cut_line(p, x, y, first && count <= 1);
     p->flat++;
@@ -128,10 +128,10 @@ static batten_status cut_chords(program *p, const bat_vertex *from, double x, do
 static batten_status cut(program *p, double x, double y, double bulge, bool first)
 {
     const bat_vertex from = {p->at[0], p->at[1], bulge};
-    const double place = pow(10, -p->options.decimals);
+    const double place = bat_pow(10, -p->options.decimals);
     const double off = bat_path_sagitta(&from, x, y);
     /* chord^2 / (8 off) + off / 2, without a square that overflows. */
-    const double radius = off / 2 + hypot(x - from.x, y - from.y) / (4 * fabs(bulge));
+    const double radius = off / 2 + bat_hypot(x - from.x, y - from.y) / (4 * fabs(bulge));
     if (x == from.x && y == from.y)
         return BATTEN_OK;
     if (bulge == 0 || off < place / 2)
@@ -174,7 +174,8 @@ static void note_flat(const program *p, const batten_object *object, batten_note
         batten_notes_add(notes, "", 0, object->name,
                          "lines within %g in the place of %d arcs with radii above %g, the "
                          "greatest radius that the control takes",
-                         pow(10, -p->options.decimals), p->flat, p->options.greatest_radius);
+                         bat_pow(10, -p->options.decimals), p->flat,
+                         p->options.greatest_radius);
 }
 
 static batten_status put_path(program *p, const batten_object *object, const bat_path *path,

@@ -52,7 +52,7 @@ static int put_accessor(bat_gltf_writing *w, size_t at, int count, bool is_index
 /* sRGB to the linear light in which glTF has colours. */
 static double linear(double c)
 {
-    return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+    return c <= 0.04045 ? c / 12.92 : bat_pow((c + 0.055) / 1.055, 2.4);
 }
 
 /* ---- meshes ---- */
@@ -98,7 +98,7 @@ static bool has_unit_normals(const bat_gltf_writing *w, const batten_object *obj
     const batten_mesh_parts *p = batten_mesh_view(object->mesh);
     for (size_t i = 0; p->normals && i < 3 * (size_t)p->triangle_count; i++) {
         const double *n = p->normals + 3 * i;
-        if (fabs(hypot(hypot(n[0], n[1]), n[2]) - 1) < 1e-3)
+        if (fabs(bat_hypot(bat_hypot(n[0], n[1]), n[2]) - 1) < 1e-3)
             continue;
         batten_notes_add(w->notes, "", 0, object->name,
                          "the normals are left out: (%g, %g, %g) has not the length 1", n[0],
@@ -110,7 +110,7 @@ static bool has_unit_normals(const bat_gltf_writing *w, const batten_object *obj
 
 static void put_normal(bat_gltf_writing *w, const double n[3])
 {
-    const double length = hypot(hypot(n[0], n[1]), n[2]);
+    const double length = bat_hypot(bat_hypot(n[0], n[1]), n[2]);
     double turned[3];
     turn_up(n, 1 / length, turned);
     for (int k = 0; k < 3; k++)

@@ -20,7 +20,7 @@ void bat_facet_normal(const double a[3], const double b[3], const double c[3], d
     }
     const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                          u[0] * v[1] - u[1] * v[0]};
-    const double length = hypot(hypot(n[0], n[1]), n[2]);
+    const double length = bat_hypot(bat_hypot(n[0], n[1]), n[2]);
     for (int k = 0; k < 3 && length > 0; k++)
         normal[k] = n[k] / length;
 }

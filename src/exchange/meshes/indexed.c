@@ -251,7 +251,7 @@ static void check_normals(bat_indexed *mesh)
     size_t i = 0;
     for (; mesh->normals && i < mesh->count; i++) {
         const double *n = mesh->normals + 3 * i;
-        const double length = hypot(hypot(n[0], n[1]), n[2]);
+        const double length = bat_hypot(bat_hypot(n[0], n[1]), n[2]);
         if (!(length == 0 || fabs(length - 1) < 1e-3))
             break;
     }

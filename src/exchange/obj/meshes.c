@@ -133,7 +133,7 @@ static bool keep_normals(const bat_obj_making *m)
         return false;
     for (size_t i = 0; !m->lacks_normals && i < 3 * m->normals.count; i++) {
         const double *n = normals + 3 * i;
-        const double length = hypot(hypot(n[0], n[1]), n[2]);
+        const double length = bat_hypot(bat_hypot(n[0], n[1]), n[2]);
         if (length == 0 || fabs(length - 1) < 1e-3)
             continue;
         batten_notes_add(input->notes, input->file, 0, m->name,

@@ -36,7 +36,7 @@ static void add_span(const batten_span *span, bat_path *path)
     for (int i = 0; i < parts; i++) {
         double at[2];
         bat_arc_at(span, i * step, at);
-        path->vertices[path->count++] = (bat_vertex){at[0], at[1], tan(k * step / 4)};
+        path->vertices[path->count++] = (bat_vertex){at[0], at[1], bat_tan(k * step / 4)};
     }
 }
 
@@ -134,7 +134,7 @@ void bat_path_release(bat_path *path)
 
 double bat_path_sagitta(const bat_vertex *from, double x, double y)
 {
-    return fabs(from->bulge) * (hypot(x - from->x, y - from->y) / 2);
+    return fabs(from->bulge) * (bat_hypot(x - from->x, y - from->y) / 2);
 }
 
 void bat_path_centre(const bat_vertex *from, double x, double y, double *cx, double *cy,
@@ -145,5 +145,5 @@ void bat_path_centre(const bat_vertex *from, double x, double y, double *cx, dou
     const double left = (1 - b * b) / (4 * b);
     *cx = from->x + dx / 2 - left * dy;
     *cy = from->y + dy / 2 + left * dx;
-    *radius = hypot(dx, dy) * (1 + b * b) / (4 * fabs(b));
+    *radius = bat_hypot(dx, dy) * (1 + b * b) / (4 * fabs(b));
 }

@@ -43,29 +43,29 @@ static void add_arc(tracing *t, const bat_vertex *a, const bat_vertex *b, int pi
 {
     double cx, cy, radius;
     bat_path_centre(a, b->x, b->y, &cx, &cy, &radius);
-    const double sweep = 4 * atan(a->bulge), step = sweep / pieces;
-    const double start = atan2(a->y - cy, a->x - cx);
+    const double sweep = 4 * bat_atan(a->bulge), step = sweep / pieces;
+    const double start = bat_atan2(a->y - cy, a->x - cx);
     for (int i = 0; i < pieces; i++) {
-        const double angle = start + (i + 0.5) * step, far = radius / cos(step / 2);
-        const double middle[2] = {cx + far * cos(angle), cy + far * sin(angle)};
+        const double angle = start + (i + 0.5) * step, far = radius / bat_cos(step / 2);
+        const double middle[2] = {cx + far * bat_cos(angle), cy + far * bat_sin(angle)};
         const double to = start + (i + 1) * step;
-        const double end[2] = {i + 1 == pieces ? b->x : cx + radius * cos(to),
-                               i + 1 == pieces ? b->y : cy + radius * sin(to)};
-        add_piece(t, middle, cos(step / 2), end, fabs(step) * radius);
+        const double end[2] = {i + 1 == pieces ? b->x : cx + radius * bat_cos(to),
+                               i + 1 == pieces ? b->y : cy + radius * bat_sin(to)};
+        add_piece(t, middle, bat_cos(step / 2), end, fabs(step) * radius);
     }
 }
 
 static int pieces_of(const bat_vertex *v)
 {
     /* A quarter turn that rounding made a little more is still one piece. */
-    return v->bulge == 0 ? 1 : 1 + (int)(4 * fabs(atan(v->bulge)) / (BAT_PI / 2) - 1e-9);
+    return v->bulge == 0 ? 1 : 1 + (int)(4 * fabs(bat_atan(v->bulge)) / (BAT_PI / 2) - 1e-9);
 }
 
 static void add_line(tracing *t, const bat_vertex *a, const bat_vertex *b)
 {
     const double middle[2] = {a->x + (b->x - a->x) / 2, a->y + (b->y - a->y) / 2};
     const double end[2] = {b->x, b->y};
-    add_piece(t, middle, 1, end, hypot(b->x - a->x, b->y - a->y));
+    add_piece(t, middle, 1, end, bat_hypot(b->x - a->x, b->y - a->y));
 }
 
 static void trace(tracing *t)

@@ -8,16 +8,16 @@
 
 static bat_svg_map turned(double angle)
 {
-    const double c = cos(angle * BAT_PI / 180), s = sin(angle * BAT_PI / 180);
+    const double c = bat_cos(angle * BAT_PI / 180), s = bat_sin(angle * BAT_PI / 180);
     return (bat_svg_map){c, s, -s, c, 0, 0};
 }
 
 static bool skew_of(bat_span name, int count, const double v[6], bat_svg_map *map)
 {
     if (name.length == 5 && memcmp(name.bytes, "skewX", 5) == 0)
-        map->c = tan(v[0] * BAT_PI / 180);
+        map->c = bat_tan(v[0] * BAT_PI / 180);
     else if (name.length == 5 && memcmp(name.bytes, "skewY", 5) == 0)
-        map->b = tan(v[0] * BAT_PI / 180);
+        map->b = bat_tan(v[0] * BAT_PI / 180);
     else
         return false;
     return count == 1;

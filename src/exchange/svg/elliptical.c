@@ -52,7 +52,7 @@ static bool conic_of(int dimension, int degree, const double *points, const doub
 /* How far the middle of the arc that a reader makes is from that of the conic. */
 static double miss(const conic *c, const bat_svg_elliptical *e)
 {
-    const double cosine = cos(e->angle), sine = sin(e->angle);
+    const double cosine = bat_cos(e->angle), sine = bat_sin(e->angle);
     const double dx = (c->b[0] - c->a[0]) / 2, dy = (c->b[1] - c->a[1]) / 2;
     /* Half the chord where the ellipse is a unit circle, and how far the arc is beside it. */
     const double u = (cosine * dx + sine * dy) / e->rx, v = (cosine * dy - sine * dx) / e->ry;
@@ -94,12 +94,13 @@ bool bat_svg_is_elliptical(int dimension, int degree, const double *points,
     const double area = u[0] * v[1] - u[1] * v[0];
     const double e = u[0] * u[0] + v[0] * v[0], g = u[1] * u[1] + v[1] * v[1];
     const double f = u[0] * u[1] + v[0] * v[1];
-    const double rx = hypot(u[0] + v[1], u[1] - v[0]) / 2 + hypot(u[0] - v[1], u[1] + v[0]) / 2;
+    const double rx =
+        bat_hypot(u[0] + v[1], u[1] - v[0]) / 2 + bat_hypot(u[0] - v[1], u[1] + v[0]) / 2;
     if (!(area != 0 && rx > 0))
         return false;
     *out = (bat_svg_elliptical){.rx = rx, .ry = fabs(area) / rx, .is_clockwise = area < 0};
     if (fabs(f) > 8 * DBL_EPSILON * (e + g) + rounding / 4 * rx) /* else it is rounding */
-        out->angle = atan2(2 * f, e - g) / 2;
+        out->angle = bat_atan2(2 * f, e - g) / 2;
     else if (e < g)
         out->angle = BAT_PI / 2;
     return miss(&c, out) <= rounding + 16 * DBL_EPSILON * rx;

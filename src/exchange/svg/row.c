@@ -80,7 +80,7 @@ typedef struct {
 
 static void at(const ellipse *e, double t, double far, double point[2])
 {
-    const double x = far * e->rx * cos(t), y = far * e->ry * sin(t);
+    const double x = far * e->rx * bat_cos(t), y = far * e->ry * bat_sin(t);
     point[0] = e->cx + e->cosine * x - e->sine * y;
     point[1] = e->cy + e->sine * x + e->cosine * y;
 }
@@ -94,10 +94,10 @@ static batten_status put_arc(bat_svg_row *row, const ellipse *e, double start, d
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < pieces; i++) {
         double middle[2], end[2] = {x, y};
-        at(e, start + (i + 0.5) * step, 1 / cos(step / 2), middle);
+        at(e, start + (i + 0.5) * step, 1 / bat_cos(step / 2), middle);
         if (i + 1 < pieces)
             at(e, start + (i + 1) * step, 1, end);
-        status = bat_svg_quadratic(row, middle, cos(step / 2), end);
+        status = bat_svg_quadratic(row, middle, bat_cos(step / 2), end);
     }
     return status;
 }
@@ -114,7 +114,7 @@ static double turn_of_sweep(double turn, bool sweep)
 /* Half axes too small to reach the ends grow until they do. */
 static void grow_to_ends(ellipse *e, double px, double py)
 {
-    const double reach = hypot(px / e->rx, py / e->ry);
+    const double reach = bat_hypot(px / e->rx, py / e->ry);
     if (reach > 1) {
         e->rx *= reach;
         e->ry *= reach;
@@ -130,18 +130,18 @@ batten_status bat_svg_arc(bat_svg_row *row, double rx, double ry, double angle, 
         return BATTEN_OK;
     if (!(e.rx > 0 && e.ry > 0))
         return bat_svg_line(row, x, y);
-    e.cosine = cos(angle * BAT_PI / 180);
-    e.sine = sin(angle * BAT_PI / 180);
+    e.cosine = bat_cos(angle * BAT_PI / 180);
+    e.sine = bat_sin(angle * BAT_PI / 180);
     const double dx = (row->x - x) / 2, dy = (row->y - y) / 2;
     const double px = e.cosine * dx + e.sine * dy, py = -e.sine * dx + e.cosine * dy;
     grow_to_ends(&e, px, py);
-    const double ux = px / e.rx, uy = py / e.ry, u = hypot(ux, uy);
+    const double ux = px / e.rx, uy = py / e.ry, u = bat_hypot(ux, uy);
     const double side = (large == sweep ? -1 : 1) * sqrt(bat_max(0, 1 - u * u)) / u;
     const double qx = side * e.rx * uy, qy = -side * e.ry * ux;
     e.cx = e.cosine * qx - e.sine * qy + (row->x + x) / 2;
     e.cy = e.sine * qx + e.cosine * qy + (row->y + y) / 2;
-    const double start = atan2((py - qy) / e.ry, (px - qx) / e.rx);
-    double turn = atan2((-py - qy) / e.ry, (-px - qx) / e.rx) - start;
+    const double start = bat_atan2((py - qy) / e.ry, (px - qx) / e.rx);
+    double turn = bat_atan2((-py - qy) / e.ry, (-px - qx) / e.rx) - start;
     if (!isfinite(turn))
         return bat_fail(BATTEN_BAD_FORMAT,
                         "its arc with the half axes %g and %g to (%g, %g) cannot be computed: "

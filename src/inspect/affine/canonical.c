@@ -194,7 +194,7 @@ static void list_invariants(const shape_table *t, int shifted, double by, double
 static void scale_invariants(double tolerance, batten_canonical *c)
 {
     for (int i = 0; i < c->count; i++)
-        c->radius = bat_max(c->radius, pow(fabs(c->at[i].value), 1.0 / c->at[i].weight));
+        c->radius = bat_max(c->radius, bat_pow(fabs(c->at[i].value), 1.0 / c->at[i].weight));
     c->base = -1;
     for (int i = 0; i < c->count && c->radius > 0; i++) {
         c->at[i].scaled = c->at[i].value / power(c->radius, c->at[i].weight);

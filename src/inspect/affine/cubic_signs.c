@@ -104,7 +104,7 @@ void bat_cubic_begin(bat_cubic *c)
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 2; k++)
             c->edge[i][k] = c->point[i + 1][k] - c->point[i][k];
-        c->longest = bat_max(c->longest, hypot(c->edge[i][0], c->edge[i][1]));
+        c->longest = bat_max(c->longest, bat_hypot(c->edge[i][0], c->edge[i][1]));
     }
     for (int k = 0; k < 3; k++) {
         const double *d = c->edge[pairs[k][0]], *e = c->edge[pairs[k][1]];

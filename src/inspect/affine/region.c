@@ -159,10 +159,11 @@ static void finish_region(const double *origin, const double *m, batten_region *
     out->xy = m[4] - area * x * y;
     out->yy = m[5] - area * y * y;
     const double sign = area < 0 ? -1 : 1, middle = (out->xx + out->yy) / 2;
-    const double half = hypot((out->xx - out->yy) / 2, out->xy);
+    const double half = bat_hypot((out->xx - out->yy) / 2, out->xy);
     out->principal[0] = middle + sign * half;
     out->principal[1] = middle - sign * half;
-    out->angle = half == 0 ? 0 : 0.5 * atan2(2 * sign * out->xy, sign * (out->xx - out->yy));
+    out->angle =
+        half == 0 ? 0 : 0.5 * bat_atan2(2 * sign * out->xy, sign * (out->xx - out->yy));
 }
 
 static batten_status integrate(const batten_curve *curve, double precision, sums *all, ruler *r,

@@ -119,7 +119,7 @@ static bat_jet1 arc_sine(bat_jet1 a)
     const double x = bat_max(-1, bat_min(1, a.f));
     /* At the poles of the Gauss map the derivative is infinite, that of x 0. */
     const double root2 = bat_max(1 - x * x, DBL_EPSILON);
-    return bat_jet1_compose(asin(x), 1 / sqrt(root2), a);
+    return bat_jet1_compose(bat_asin(x), 1 / sqrt(root2), a);
 }
 
 /* The signed distance of the line through S along `ray` from the light line. */

@@ -182,7 +182,7 @@ static batten_status substitute(const batten_curve *curve, batten_implicit *f,
     for (int k = 0; k < f->degree * f->degree; k++)
         entries = bat_max(entries, fabs(f->c[k]) + fabs(f->a[k]) + fabs(f->b[k]));
     /* A determinant of entries that large is 0 when it is below their rounding. */
-    if (!(most > 1e-12 * pow(entries, f->degree)))
+    if (!(most > 1e-12 * bat_pow(entries, f->degree)))
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "the equation of the curve vanishes everywhere: the curve is run over "
                         "more than once or its degree %d is too high for it",
@@ -311,7 +311,7 @@ static double miss_at(const batten_implicit *f, double t, double x, double y)
             for (int k = 0; k < 3; k++)
                 rows[i][k] = (1 - t) * rows[i][k] + t * rows[i + 1][k];
     const double *at = rows[0];
-    return hypot(at[0] / at[2] - x, at[1] / at[2] - y);
+    return bat_hypot(at[0] / at[2] - x, at[1] / at[2] - y);
 }
 
 /* A line: p and q are linear in t. */

@@ -191,7 +191,7 @@ static batten_status go_on(const bat_tracer *t, line *l, const double *b)
         const double *from = l->points + 3 * (size_t)(l->count - 1), *to = ends[top];
         const double middle[2] = {(from[0] + to[0]) / 2, (from[1] + to[1]) / 2};
         double place[2] = {middle[0], middle[1]};
-        const double chord = hypot(to[0] - from[0], to[1] - from[1]);
+        const double chord = bat_hypot(to[0] - from[0], to[1] - from[1]);
         const bool bent = depth[top] < DEPTH && chord > t->tolerance &&
                           correct(t, 0.4 * chord, place) &&
                           bat_distance(2, place, middle) > t->tolerance / 2;

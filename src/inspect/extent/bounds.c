@@ -139,7 +139,7 @@ static rectangle calipers(int n, const point *hull)
     int right = 0, far = 0, left = 0;
     for (int i = 0; n > 1 && i < n; i++) {
         const point a = hull[i], b = hull[(i + 1) % n];
-        const double length = hypot(b.x - a.x, b.y - a.y);
+        const double length = bat_hypot(b.x - a.x, b.y - a.y);
         const point x = {(b.x - a.x) / length, (b.y - a.y) / length}, y = {-x.y, x.x};
         const point back = {-x.x, -x.y};
         right = climb(hull, n, bat_max_int(right, i), x);

@@ -29,12 +29,12 @@ static batten_status affine_speed(const batten_curve *curve, bool is_flat, doubl
         return status;
     const double *a = v + d, *b = v + 2 * d, *c = v + 3 * d;
     if (d == 2) {
-        *speed = cbrt(fabs(cross(a, b)));
+        *speed = bat_cbrt(fabs(cross(a, b)));
         return BATTEN_OK;
     }
     const double n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
                          a[0] * b[1] - a[1] * b[0]};
-    *speed = is_flat ? cbrt(bat_norm(3, n)) : sqrt(cbrt(fabs(bat_dot(3, n, c))));
+    *speed = is_flat ? bat_cbrt(bat_norm(3, n)) : sqrt(bat_cbrt(fabs(bat_dot(3, n, c))));
     return BATTEN_OK;
 }
 
@@ -232,7 +232,7 @@ batten_status batten_curve_divide_affine(const batten_curve *curve, int count, d
     measured m;
     const double size = bat_largest(curve->count * curve->dimension, curve->points);
     /* A first measure, for the unit. */
-    const double unit = size > 0 ? cbrt(size * size) : 1;
+    const double unit = size > 0 ? bat_cbrt(size * size) : 1;
     batten_status status = measure_curve(curve, 0.01 * unit, &m);
     if (status != BATTEN_OK)
         return status;
@@ -273,7 +273,7 @@ batten_status batten_curve_affine_curvature(const batten_curve *curve, double u,
     if (fabs(w) <= 1e-14 * size)
         return bat_fail(BATTEN_SINGULAR_HERE, "the curve is straight or stops at u = %g", u);
     /* [23] w^(-5/3) - (w^(-2/3))'' / 2, with w' = [13] and w'' = [14] + [23] */
-    const double slope = cross(first, third), root = cbrt(w);
+    const double slope = cross(first, third), root = bat_cbrt(w);
     const double eighth = root * root * w * w;
     *curvature =
         (3 * w * (4 * cross(second, third) + cross(first, fourth)) - 5 * slope * slope) /

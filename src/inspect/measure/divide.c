@@ -177,7 +177,7 @@ batten_status batten_curve_divide_chord(const batten_curve *curve, double height
 batten_status batten_curve_divide_turn(const batten_curve *curve, double height, double angle,
                                        batten_parameters *out)
 {
-    const limits l = {height, cos(angle / 2)};
+    const limits l = {height, bat_cos(angle / 2)};
     if (!(height > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the height of chords is %g, not above 0", height);
     if (!(angle > 0 && angle <= BAT_PI))

@@ -153,13 +153,13 @@ static batten_status fixed(const batten_curve *spine, int count, const double *a
 static double angle_between(const batten_frame *from, const batten_frame *to)
 {
     const batten_vec3 y = bat_vec3_cross(to->z, from->x);
-    return atan2(bat_vec3_dot(to->x, y), bat_vec3_dot(to->x, from->x));
+    return bat_atan2(bat_vec3_dot(to->x, y), bat_vec3_dot(to->x, from->x));
 }
 
 static void turn_frame(batten_frame *frame, double angle)
 {
     const batten_vec3 y = bat_vec3_cross(frame->z, frame->x);
-    frame->x = bat_vec3_along(bat_vec3_scale(frame->x, cos(angle)), sin(angle), y);
+    frame->x = bat_vec3_along(bat_vec3_scale(frame->x, bat_cos(angle)), bat_sin(angle), y);
 }
 
 /* Ends that meet with one tangent. */

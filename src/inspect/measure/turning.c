@@ -119,7 +119,7 @@ static batten_status tangent_at(const batten_curve *curve, double size, double u
 /* The angle from one direction to the next, which must stay below `most`. */
 static batten_status add_angle(batten_vec3 a, batten_vec3 b, double most, double u, double *sum)
 {
-    const double angle = atan2(bat_vec3_cross(a, b).z, bat_vec3_dot(a, b));
+    const double angle = bat_atan2(bat_vec3_cross(a, b).z, bat_vec3_dot(a, b));
     if (fabs(angle) > most)
         return bat_fail(BATTEN_SINGULAR_HERE, "the curve has a cusp near u = %.17g", u);
     *sum += angle;

@@ -41,7 +41,7 @@ typedef struct {
 
 static double distance(const double *a, const double *b)
 {
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+    return bat_hypot(bat_hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 /* The angle between directions; 0 when one of them vanishes. */
@@ -49,7 +49,7 @@ static double angle_between(const double *a, const double *b)
 {
     const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
     const double z = a[0] * b[1] - a[1] * b[0];
-    return atan2(hypot(hypot(x, y), z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+    return bat_atan2(bat_hypot(bat_hypot(x, y), z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
 /* Near enough counts as 1. The curve leaves its chord by the square of a piece's length, and

@@ -75,8 +75,8 @@ static batten_status judge(const bat_lattice *l, const bat_meshing *m, const cel
         const double angle = h[k] * most.turn[k] / m->angle;
         const double length = h[k] * most.length[k];
         rise += own;
-        turn = hypot(turn, angle);
-        reach = hypot(reach, length);
+        turn = bat_hypot(turn, angle);
+        reach = bat_hypot(reach, length);
         excess[k] =
             bat_max(bat_max(own, angle * angle), length * length / (m->longest * m->longest));
         /* A twist asks for shorter cells both ways: the longer goes first. */

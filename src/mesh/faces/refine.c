@@ -48,7 +48,7 @@ static void choose_samples(const bat_face_mesh *f, int triangle, batch *b, int i
 
 static double distance(const double *a, const double *b)
 {
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+    return bat_hypot(bat_hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 static bool is_side(const bat_side_triangle *t, int k)
@@ -125,7 +125,7 @@ static int turn_and_length(const bat_face_mesh *f, bat_side_triangle *t)
         if (a->regular && b->regular && !a->on_crease && !b->on_crease && !a->pole &&
             !b->pole) {
             const double chord = distance(a->normal, b->normal) / 2;
-            const double turn = 2 * asin(bat_min(chord, 1));
+            const double turn = 2 * bat_asin(bat_min(chord, 1));
             t->turn = bat_max(t->turn, turn);
             if (length > f->m->chord)
                 excess = bat_max(excess, turn / f->m->angle);
@@ -163,7 +163,7 @@ static bool is_turned(const bat_face_mesh *f, const bat_side_triangle *t)
         for (int i = 0; i < 3 && v->regular; i++)
             sum += v->normal[i] * n[i];
     }
-    const double height = hypot(hypot(n[0], n[1]), n[2]) / longest;
+    const double height = bat_hypot(bat_hypot(n[0], n[1]), n[2]) / longest;
     return sum < 0 && height > 0.25 * f->m->chord;
 }
 

@@ -75,7 +75,7 @@ static void cross(const double *a, const double *b, double *out)
 
 static double norm(const double *a)
 {
-    return hypot(hypot(a[0], a[1]), a[2]);
+    return bat_hypot(bat_hypot(a[0], a[1]), a[2]);
 }
 
 /* A sine below which the directions of Su and Sv, or one of their lengths, are lost. */

@@ -24,7 +24,7 @@ static const double *place_of(const bat_meshing *m, int vertex)
 static double apart(const bat_meshing *m, int a, int b)
 {
     const double *p = place_of(m, a), *q = place_of(m, b);
-    return hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
+    return bat_hypot(bat_hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
 }
 
 /* Vertices at the ends of edges about as short as the tolerance stay what they are: else the

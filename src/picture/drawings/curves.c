@@ -73,7 +73,7 @@ static bool is_crowded(const bat_drawing *d, const bat_shape *s, double arm)
         double from[2], to[2];
         to_sheet(d, s->object->points + 3 * (size_t)(i - 1), from);
         to_sheet(d, s->object->points + 3 * (size_t)i, to);
-        close += hypot(to[0] - from[0], to[1] - from[1]) < 2 * arm;
+        close += bat_hypot(to[0] - from[0], to[1] - from[1]) < 2 * arm;
     }
     return 4 * close > count;
 }

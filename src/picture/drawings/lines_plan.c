@@ -18,7 +18,7 @@ static void name_of(const bat_lines_sheet *s, bat_family family, int i, char tex
         return;
     }
     const double range = s->hull.high[family] - s->hull.low[family];
-    bat_number_text(cuts->cuts[i].at, 3 - (int)floor(log10(range)), number);
+    bat_number_text(cuts->cuts[i].at, 3 - (int)floor(bat_log10(range)), number);
     snprintf(text, 48, "%s %s",
              cuts->cuts[i].is_design    ? "DWL"
              : family == BAT_WATERLINES ? "WL"

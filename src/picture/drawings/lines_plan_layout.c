@@ -39,7 +39,7 @@ static double largest_scale(const bat_hull *hull, bat_rectangle room, double em,
 static double usual_ratio(double least)
 {
     static const double factors[] = {1, 1.5, 2, 2.5, 3, 4, 5, 7.5};
-    const double power = pow(10, floor(log10(least)));
+    const double power = bat_pow(10, floor(bat_log10(least)));
     for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++)
         /* A scale that is reached but for rounding is taken. */
         if (factors[i] * power >= least * (1 - 1e-9))

@@ -231,7 +231,7 @@ static batten_status cover(const bat_facets *f, size_t count, const double *poin
     batten_status status = BATTEN_OK;
     for (size_t i = 0; f->count > 0 && i + 1 < count && status == BATTEN_OK; i++) {
         const double *p = points + 3 * i, *q = p + 3;
-        const double length = hypot(q[0] - p[0], q[1] - p[1]);
+        const double length = bat_hypot(q[0] - p[0], q[1] - p[1]);
         const int parts = (int)bat_min(ceil(length / f->cell), 65536) + (length <= 0);
         for (int k = 0; k < parts && status == BATTEN_OK; k++)
             status = cover_part(f, p, q, i, (double)k / parts, (double)(k + 1) / parts, list);
@@ -281,11 +281,11 @@ static double length_between(const double *points, size_t count, double from, do
     double a[2], b[2], length = 0;
     point_at(points, count, from, a);
     for (size_t i = (size_t)from + 1; (double)i < to; i++) {
-        length += hypot(points[3 * i] - a[0], points[3 * i + 1] - a[1]);
+        length += bat_hypot(points[3 * i] - a[0], points[3 * i + 1] - a[1]);
         memcpy(a, points + 3 * i, sizeof a);
     }
     point_at(points, count, to, b);
-    return length + hypot(b[0] - a[0], b[1] - a[1]);
+    return length + bat_hypot(b[0] - a[0], b[1] - a[1]);
 }
 
 /* Gaps between hidden parts that are too short to be seen close; then too short hidden parts

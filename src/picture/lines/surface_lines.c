@@ -37,8 +37,8 @@ static void write_label(bat_canvas *canvas, const bat_wire *wire, const bat_runs
     for (size_t i = 0; i < runs->count; i++) {
         double length = 0;
         for (size_t k = 1; k < runs->runs[i].count; k++)
-            length += hypot(runs->runs[i].xy[2 * k] - runs->runs[i].xy[2 * k - 2],
-                            runs->runs[i].xy[2 * k + 1] - runs->runs[i].xy[2 * k - 1]);
+            length += bat_hypot(runs->runs[i].xy[2 * k] - runs->runs[i].xy[2 * k - 2],
+                                runs->runs[i].xy[2 * k + 1] - runs->runs[i].xy[2 * k - 1]);
         if (!runs->runs[i].hidden && length > most) {
             most = length;
             longest = &runs->runs[i];

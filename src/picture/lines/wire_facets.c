@@ -18,7 +18,7 @@ void bat_eye_project(const bat_eye *eye, const double point[3], double out[3])
 
 static double distance(const double *a, const double *b)
 {
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+    return bat_hypot(bat_hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 /* How far the surface bulges over an edge of a tile: an arc of length s that turns by t rises

@@ -141,7 +141,7 @@ static batten_status is_crease(const batten_surface *surface, batten_direction d
         if (status != BATTEN_OK)
             return status;
         const double length = sqrt(bat_dot(3, a, a)) * sqrt(bat_dot(3, b, b));
-        *out = length > 0 && bat_dot(3, a, b) < cos(0.5 * BAT_PI / 180) * length;
+        *out = length > 0 && bat_dot(3, a, b) < bat_cos(0.5 * BAT_PI / 180) * length;
     }
     return BATTEN_OK;
 }

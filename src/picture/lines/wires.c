@@ -142,7 +142,7 @@ batten_status bat_wires_measure(bat_wires *w)
             batten_model_count(w->model));
     batten_model_box(w->model, &w->box);
     const batten_vec3 a = w->box.low, b = w->box.high;
-    w->size = hypot(hypot(b.x - a.x, b.y - a.y), b.z - a.z);
+    w->size = bat_hypot(bat_hypot(b.x - a.x, b.y - a.y), b.z - a.z);
     if (!isfinite(w->size))
         return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw", a.x,
                         b.x);

@@ -88,7 +88,7 @@ bat_light bat_light_zebra(const bat_scene *scene, const double normal[3])
         mirrored[k] = 2 * facing * n[k] - scene->eye[k];
     /* As the normal makes a half turn, its mirror image of the eye goes around once. */
     const double angle =
-        atan2(bat_dot(3, mirrored, scene->third), bat_dot(3, mirrored, scene->across));
+        bat_atan2(bat_dot(3, mirrored, scene->third), bat_dot(3, mirrored, scene->across));
     const double phase = angle * scene->stripes / (2 * BAT_PI);
     const bat_light dark = {0.006, 0.012, 0.028}, bright = {0.90, 0.92, 0.94};
     const bat_light stripe = phase - floor(phase) < 0.5 ? dark : bright;
@@ -99,7 +99,7 @@ bat_light bat_light_isophotes(const bat_scene *scene, const double normal[3])
 {
     double n[3];
     face(scene, normal, n);
-    const double angle = acos(bat_max(-1, bat_min(1, bat_dot(3, n, scene->key))));
+    const double angle = bat_acos(bat_max(-1, bat_min(1, bat_dot(3, n, scene->key))));
     const double phase = angle * scene->stripes / BAT_PI;
     const bat_light dark = {0.10, 0.16, 0.24}, bright = {0.90, 0.92, 0.94};
     return times(phase - floor(phase) < 0.5 ? bright : dark, 0.55 + 0.45 * diffuse(scene, n));

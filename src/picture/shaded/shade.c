@@ -17,8 +17,8 @@ static int longest_axis(const batten_box *box)
 
 static double diagonal(const batten_box *box)
 {
-    return hypot(hypot(box->high.x - box->low.x, box->high.y - box->low.y),
-                 box->high.z - box->low.z);
+    return bat_hypot(bat_hypot(box->high.x - box->low.x, box->high.y - box->low.y),
+                     box->high.z - box->low.z);
 }
 
 /* ---- range of the colours ---- */
@@ -68,7 +68,7 @@ static batten_status choose_range(bat_shaded *p, double size)
     if (count > 0)
         range = bat_max(range, samples[(size_t)(0.95 * (double)(count - 1))]);
     bat_release(samples);
-    const double power = pow(10, floor(log10(range)) - 1);
+    const double power = bat_pow(10, floor(bat_log10(range)) - 1);
     p->scene.range = ceil(range / power) * power; /* two digits */
     return isfinite(p->scene.range)
                ? BATTEN_OK

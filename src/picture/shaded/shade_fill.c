@@ -89,7 +89,7 @@ static void fill_segment(bat_raster *band, const double *from, const double *to,
                          double nearer, const bat_light *light)
 {
     double x = to[0] - from[0], y = to[1] - from[1];
-    const double length = hypot(x, y);
+    const double length = bat_hypot(x, y);
     x = length > 0 ? half * x / length : half;
     y = length > 0 ? half * y / length : 0;
     bat_corner c[4] = {{.x = from[0] - x - y, .y = from[1] - y + x, .depth = from[2] + nearer},
@@ -149,8 +149,8 @@ static void fill_dot(bat_raster *band, const double *at, const bat_shaded_style 
     for (int k = 1; k <= CORNERS; k++) {
         const double angle = 2 * BAT_PI * k / CORNERS;
         c[1] = c[2];
-        c[2].x = at[0] + i->dot * cos(angle);
-        c[2].y = at[1] + i->dot * sin(angle);
+        c[2].x = at[0] + i->dot * bat_cos(angle);
+        c[2].y = at[1] + i->dot * bat_sin(angle);
         bat_raster_triangle(band, &c[0], &c[1], &c[2], shade_flat, &i->light);
     }
 }

@@ -12,7 +12,7 @@ static void draw_triad(bat_canvas *canvas, const bat_plot *plot, const bat_view 
         const double right = view->right[k], up = view->up[k];
         bat_canvas_segment(canvas, (bat_pen){bat_grey, 1, BAT_SOLID}, x, y,
                            x + 2.5 * em * right, y - 2.5 * em * up);
-        if (hypot(right, up) > 0.1)
+        if (bat_hypot(right, up) > 0.1)
             bat_canvas_text(canvas, bat_grey, 0.9 * em, BAT_MIDDLE, x + 3.2 * em * right,
                             y - 3.2 * em * up, names[k]);
     }

@@ -75,7 +75,7 @@ void bat_arcs_probe_make(const batten_biarc *biarc, bat_arcs_probe *probe)
     probe->count = biarc->count;
     for (int i = 0; i < biarc->count; i++) {
         const batten_span *arc = &biarc->arcs[i];
-        const double c = cos(arc->angle), s = sin(arc->angle);
+        const double c = bat_cos(arc->angle), s = bat_sin(arc->angle);
         for (int k = 0; k < 2; k++) {
             probe->arcs[i].start[k] = arc->start[k];
             probe->arcs[i].T[k] = k ? s : c;
@@ -150,7 +150,7 @@ static bool chord_of(const bat_arcs_stretch *on, bat_arc_chord *chord, double un
         return false;
     unit[0] = (b[0] - a[0]) / l;
     unit[1] = (b[1] - a[1]) / l;
-    *chord = (bat_arc_chord){{a[0], a[1]}, atan2(unit[1], unit[0]), l};
+    *chord = (bat_arc_chord){{a[0], a[1]}, bat_atan2(unit[1], unit[0]), l};
     return true;
 }
 
@@ -197,7 +197,7 @@ bool bat_arcs_biarc(const bat_arcs_stretch *on, batten_biarc *out)
         const double smaller = bat_min(shares[0], shares[1]);
         if (made.count == 1 || !(smaller > 0) || larger < 1.1 * smaller)
             break;
-        const double ratio = place / (1 - place) * cbrt(shares[1] / shares[0]);
+        const double ratio = place / (1 - place) * bat_cbrt(shares[1] / shares[0]);
         place = bat_max(0.05, bat_min(0.95, ratio / (1 + ratio)));
     }
     return best < HUGE_VAL;
@@ -207,8 +207,8 @@ void bat_arcs_line(const bat_node *a, const bat_node *b, batten_biarc *out)
 {
     const double l = bat_distance(2, a->point, b->point);
     *out = (batten_biarc){.count = 1, .place = 0.5};
-    bat_arc_span(a->point, l, atan2(b->point[1] - a->point[1], b->point[0] - a->point[0]), 0,
-                 &out->arcs[0]);
+    bat_arc_span(a->point, l, bat_atan2(b->point[1] - a->point[1], b->point[0] - a->point[0]),
+                 0, &out->arcs[0]);
 }
 
 static void make_arc(const bat_arc_chord *chord, double half, batten_biarc *out)
@@ -269,7 +269,7 @@ bool bat_arcs_single(const bat_arcs_stretch *on, batten_biarc *out)
         bat_arcs_probe_make(out, &probe);
         const double by = better_bulge(&probe, on, &chord, unit);
         /* An arc that turns left bulges to the right of its chord. */
-        half = 2 * atan(tan(half / 2) - 2 * by / chord.length);
+        half = 2 * bat_atan(bat_tan(half / 2) - 2 * by / chord.length);
         make_arc(&chord, half, out);
         if (fabs(by) <= 0.01 * (on->band->high - on->band->low))
             break;
@@ -310,8 +310,8 @@ batten_status bat_arcs_spread(bat_arcs_run run, void *task, double tolerance, bo
         return status;
     /* The error of a part goes by the third power of its length. */
     double good = tolerance, tried = tolerance;
-    double bad = tolerance * pow(bat_max(count - 1, 0.3) / count, 3);
-    double guess = tolerance * pow((count - 1 + last) / count, 3);
+    double bad = tolerance * bat_pow(bat_max(count - 1, 0.3) / count, 3);
+    double guess = tolerance * bat_pow((count - 1 + last) / count, 3);
     for (int i = 0; i < TRIALS && good - bad > 0.02 * good; i++) {
         tried = guess > bad && guess < good ? guess : sqrt(good * bad);
         guess = 0;

@@ -15,7 +15,7 @@ static const double nearly_full = BAT_PI - 0x1p-12;
 void bat_arc_span(const double start[2], double chord, double direction, double half,
                   batten_span *out)
 {
-    const double sine = sin(half);
+    const double sine = bat_sin(half);
     *out = (batten_span){.kind = BATTEN_SPAN_ARC,
                          .length = half == 0 ? chord : chord * (half / sine),
                          .start = {start[0], start[1]},
@@ -25,7 +25,7 @@ void bat_arc_span(const double start[2], double chord, double direction, double 
 
 double bat_turn(const double from[2], const double to[2])
 {
-    const double turn = atan2(from[0] * to[1] - from[1] * to[0], bat_dot(2, from, to));
+    const double turn = bat_atan2(from[0] * to[1] - from[1] * to[0], bat_dot(2, from, to));
     return turn == -BAT_PI ? BAT_PI : turn;
 }
 
@@ -39,22 +39,22 @@ double bat_turn(const double from[2], const double to[2])
  * (cos alpha + cos beta) / 2, written so that nothing cancels. */
 static double equal_radii(double alpha, double beta)
 {
-    const double a = sin(alpha / 2), b = sin(beta / 2), D = (alpha - beta) / 2;
+    const double a = bat_sin(alpha / 2), b = bat_sin(beta / 2), D = (alpha - beta) / 2;
     const double sum = (alpha + beta) / 2;
-    const double tau = (sum > 0 ? -2 : 2) * asin(bat_min(1, sqrt((a * a + b * b) / 2)));
+    const double tau = (sum > 0 ? -2 : 2) * bat_asin(bat_min(1, sqrt((a * a + b * b) / 2)));
     if (D == 0)
         return 0.5;
-    return 1 - asin(sin(sum) * sin(D) / (2 * sin((alpha - tau) / 2))) / D;
+    return 1 - bat_asin(bat_sin(sum) * bat_sin(D) / (2 * bat_sin((alpha - tau) / 2))) / D;
 }
 
 /* Both legs d: J is the middle of P0 + d T0 and P1 - d T1. */
 static double equal_legs(double alpha, double beta)
 {
     const double D = (alpha - beta) / 2, S = (alpha + beta) / 2;
-    const double b = cos(S) * cos(D), root = sqrt(b * b + sin(D) * sin(D));
-    const double d = b > 0 ? 1 / (2 * (b + root)) : (root - b) / (2 * sin(D) * sin(D));
-    const double x = 0.5 - d * sin(S) * sin(D), y = d * cos(S) * sin(D);
-    const double place = 1 - atan2(y, x) / D;
+    const double b = bat_cos(S) * bat_cos(D), root = sqrt(b * b + bat_sin(D) * bat_sin(D));
+    const double d = b > 0 ? 1 / (2 * (b + root)) : (root - b) / (2 * bat_sin(D) * bat_sin(D));
+    const double x = 0.5 - d * bat_sin(S) * bat_sin(D), y = d * bat_cos(S) * bat_sin(D);
+    const double place = 1 - bat_atan2(y, x) / D;
     return place > 0 && place < 1 ? place : 0.5;
 }
 
@@ -126,7 +126,7 @@ static batten_status check_arcs(const batten_biarc *made)
 
 static double leg(double chord, double half)
 {
-    return fabs(fabs(half) - BAT_PI / 2) < DBL_EPSILON ? HUGE_VAL : chord / (2 * cos(half));
+    return fabs(fabs(half) - BAT_PI / 2) < DBL_EPSILON ? HUGE_VAL : chord / (2 * bat_cos(half));
 }
 
 /* One arc from end to end: its two halves are the arcs that it might have been. */
@@ -140,11 +140,12 @@ static void make_single(const bat_arc_chord *chord, double half, double place,
     made->turn[0] = 2 * half;
     made->is_long = fabs(made->turn[0]) > BAT_PI;
     /* The joint belongs to the equal angles of the circle over its chord. */
-    const double share = half == 0 ? 1 - place : sin(half * (1 - place)) / sin(half);
-    bat_arc_span(chord->start, l * (half == 0 ? place : sin(half * place) / sin(half)),
+    const double share = half == 0 ? 1 - place : bat_sin(half * (1 - place)) / bat_sin(half);
+    bat_arc_span(chord->start, l * (half == 0 ? place : bat_sin(half * place) / bat_sin(half)),
                  phi - half * (1 - place), half * place, &first);
     bat_arc_at(&first, first.length, made->joint);
-    made->legs[0] = leg(l * (half == 0 ? place : sin(half * place) / sin(half)), half * place);
+    made->legs[0] =
+        leg(l * (half == 0 ? place : bat_sin(half * place) / bat_sin(half)), half * place);
     made->legs[1] = leg(l * share, half * (1 - place));
 }
 
@@ -155,11 +156,11 @@ static void make_two(const bat_arc_chord *whole, double D, const double half[2],
 {
     const double place = made->place, w = D * (1 - place), v = D * place;
     const double *start = whole->start, l = whole->length, phi = whole->angle;
-    const double chord[2] = {l * (D == 0 ? place : sin(v) / sin(D)),
-                             l * (D == 0 ? 1 - place : sin(w) / sin(D))};
+    const double chord[2] = {l * (D == 0 ? place : bat_sin(v) / bat_sin(D)),
+                             l * (D == 0 ? 1 - place : bat_sin(w) / bat_sin(D))};
     bat_arc_span(start, chord[0], phi + w, half[0], &made->arcs[0]);
-    made->joint[0] = start[0] + chord[0] * cos(phi + w);
-    made->joint[1] = start[1] + chord[0] * sin(phi + w);
+    made->joint[0] = start[0] + chord[0] * bat_cos(phi + w);
+    made->joint[1] = start[1] + chord[0] * bat_sin(phi + w);
     bat_arc_span(made->joint, chord[1], phi - v, half[1], &made->arcs[1]);
     for (int i = 0; i < 2; i++) {
         made->turn[i] = 2 * half[i];
@@ -241,7 +242,7 @@ batten_status batten_biarc_between(batten_ray start, batten_ray end, batten_biar
     const double along[2] = {(end.point[0] - start.point[0]) / l,
                              (end.point[1] - start.point[1]) / l};
     const bat_arc_chord chord = {
-        {start.point[0], start.point[1]}, atan2(along[1], along[0]), l};
+        {start.point[0], start.point[1]}, bat_atan2(along[1], along[0]), l};
     double T0[2], T1[2];
     bat_direction(2, start.direction, T0);
     bat_direction(2, end.direction, T1);

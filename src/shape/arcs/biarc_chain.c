@@ -264,12 +264,12 @@ static bool merge(batten_span *a, const batten_span *b, double tolerance)
     if (!(c > 0))
         return false;
     batten_span one;
-    bat_arc_span(a->start, c, atan2(chord[1], chord[0]), turn / 2, &one);
+    bat_arc_span(a->start, c, bat_atan2(chord[1], chord[0]), turn / 2, &one);
     batten_span part = one;
     part.length = a->length / length * one.length;
     bat_arc_at(&part, part.length, middle);
     bat_arc_at(&one, one.length, new_end);
-    if (!(fabs(sin((one.angle - a->angle) / 2)) * length <= tolerance &&
+    if (!(fabs(bat_sin((one.angle - a->angle) / 2)) * length <= tolerance &&
           bat_distance(2, middle, b->start) <= tolerance &&
           bat_distance(2, new_end, end) <= tolerance))
         return false;

@@ -54,8 +54,8 @@ static void add_arc(rational_pieces *p, const double *a, const double *corner, c
         middle[k] = corner[k] - (a[k] / 2 + b[k] / 2);
         height += middle[k] * middle[k];
     }
-    const double half = atan2(2 * sqrt(height), chord);
-    const double length = half == 0 ? chord : chord * (half / sin(half));
+    const double half = bat_atan2(2 * sqrt(height), chord);
+    const double length = half == 0 ? chord : chord * (half / bat_sin(half));
     const double start = p->breaks[p->count];
     if (w * w >= 0.5) {
         add_piece(p, (const double *const[]){a, corner, b}, w, start + length);

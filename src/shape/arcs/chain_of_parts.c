@@ -10,7 +10,7 @@ static void straighten(batten_span *arc, double rounding)
         double end[2];
         bat_arc_at(arc, arc->length, end);
         bat_arc_span(arc->start, bat_distance(2, arc->start, end),
-                     atan2(end[1] - arc->start[1], end[0] - arc->start[0]), 0, arc);
+                     bat_atan2(end[1] - arc->start[1], end[0] - arc->start[0]), 0, arc);
     }
 }
 

@@ -70,8 +70,8 @@ static void fall_back(bat_conic_fit *t, int i)
 bool bat_conic_find_legs(const bat_conic_span *s, double *start, double *end)
 {
     const double turn = fabs(s->alpha) + fabs(s->beta);
-    *start = s->l * sin(fabs(s->beta)) / sin(turn);
-    *end = s->l * sin(fabs(s->alpha)) / sin(turn);
+    *start = s->l * bat_sin(fabs(s->beta)) / bat_sin(turn);
+    *end = s->l * bat_sin(fabs(s->alpha)) / bat_sin(turn);
     return s->alpha * s->beta < 0 && turn < BAT_PI &&
            bat_max(*start, *end) <= bat_conic_longest_leg * s->l &&
            bat_min(*start, *end) * bat_conic_longest_leg >= bat_max(*start, *end);
@@ -120,7 +120,7 @@ static bool find_pair(const bat_conic_fit *t, const bat_conic_span *s, double le
     const double mu = o->end_share > 0 ? o->end_share : w1 / (1 + w1);
     const double a = lambda * leg0, b = mu * leg1;
     /* Powers of lengths by the chord, so that none is too large. */
-    const double x = cbrt(fabs(s->k0) * s->l) * a, y = cbrt(fabs(s->k1) * s->l) * b;
+    const double x = bat_cbrt(fabs(s->k0) * s->l) * a, y = bat_cbrt(fabs(s->k1) * s->l) * b;
     make_pair(s, a, b, x / (x + y), out);
     out[0].w = weight_for(&out[0], false, s->k0);
     out[1].w = weight_for(&out[1], true, s->k1);
@@ -154,7 +154,7 @@ void bat_conic_add_s(bat_conic_fit *t, int i, const bat_conic_span *s)
     const double share = s->alpha / (s->alpha + s->beta), gamma = -share * s->beta;
     const double chord[2] = {(s->end[0] - s->start[0]) / s->l,
                              (s->end[1] - s->start[1]) / s->l};
-    const double c = cos(gamma), d = sin(gamma);
+    const double c = bat_cos(gamma), d = bat_sin(gamma);
     const double T[2] = {c * chord[0] - d * chord[1], c * chord[1] + d * chord[0]};
     double joint[2], leg = 0, other = 0;
     between(s->start, s->end, share, joint);
@@ -197,12 +197,12 @@ static void add_arc(bat_conic_fit *t, const batten_span *arc, const double end[2
     const double turn = arc->curvature[0] * arc->length;
     const int parts = bat_max_int(1, (int)ceil(fabs(turn) / (2 * BAT_PI / 3)));
     const double step = arc->length / parts, half = turn / parts / 2;
-    const double leg = half == 0 ? step / 2 : step / 2 * (tan(half) / half);
+    const double leg = half == 0 ? step / 2 : step / 2 * (bat_tan(half) / half);
     for (int i = 0; i < parts; i++) {
         const double angle = arc->angle + 2 * half * i;
-        bat_conic_piece p = {.w = cos(half)};
+        bat_conic_piece p = {.w = bat_cos(half)};
         bat_arc_at(arc, i * step, p.a);
-        along(p.a, leg, (const double[]){cos(angle), sin(angle)}, p.b);
+        along(p.a, leg, (const double[]){bat_cos(angle), bat_sin(angle)}, p.b);
         bat_arc_at(arc, (i + 1) * step, p.c);
         if (i + 1 == parts)
             memcpy(p.c, end, sizeof p.c);

@@ -113,7 +113,8 @@ static bool is_long_enough(const bat_arc_fit *t, const reached *r)
 static double next_end(const bat_arc_fit *t, const reached *r, double u, double share)
 {
     const double from = r->from, good = r->good, bad = r->bad;
-    const double factor = share < BAT_ARCS_REFUSED ? cbrt(0.9997 / bat_max(share, 1e-6)) : 0.5;
+    const double factor =
+        share < BAT_ARCS_REFUSED ? bat_cbrt(0.9997 / bat_max(share, 1e-6)) : 0.5;
     const double wanted = from + (u - from) * factor;
     if (isinf(bad))
         return bat_min(t->to, bat_max(wanted, from + 1.1 * (good - from)));
@@ -148,7 +149,7 @@ static batten_status longest(bat_arc_fit *t, const bat_node *a, double from, tri
     }
     if (!(r.good > from))
         return nothing_fits(t, from);
-    *reach = r.good_share > 0 ? (r.good - from) * cbrt(1 / r.good_share) : HUGE_VAL;
+    *reach = r.good_share > 0 ? (r.good - from) * bat_cbrt(1 / r.good_share) : HUGE_VAL;
     t->guess = r.good - from;
     return BATTEN_OK;
 }

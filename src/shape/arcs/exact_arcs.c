@@ -27,13 +27,13 @@ static bool arc_through(const double a[2], const double m[2], const double b[2],
     const double half = bat_turn(in, on);
     if (!(bat_norm(2, chord) > 0) || !(fabs(half) < BAT_PI * (1 - 0x1p-20)))
         return false;
-    bat_arc_span(a, bat_norm(2, chord), atan2(chord[1], chord[0]), half, out);
+    bat_arc_span(a, bat_norm(2, chord), bat_atan2(chord[1], chord[0]), half, out);
     return isfinite(out->length) && out->length > 0;
 }
 
 static void line_between(const double a[2], const double b[2], batten_span *out)
 {
-    bat_arc_span(a, bat_distance(2, a, b), atan2(b[1] - a[1], b[0] - a[0]), 0, out);
+    bat_arc_span(a, bat_distance(2, a, b), bat_atan2(b[1] - a[1], b[0] - a[0]), 0, out);
 }
 
 /* How far a point is beside the circle of an arc, or its line: k d^2 / 2 - N d, which for
@@ -41,7 +41,7 @@ static void line_between(const double a[2], const double b[2], batten_span *out)
  * headed at the point comes along. */
 static double beside(const batten_span *arc, const double at[2], double tangent[2])
 {
-    const double k = arc->curvature[0], T[2] = {cos(arc->angle), sin(arc->angle)};
+    const double k = arc->curvature[0], T[2] = {bat_cos(arc->angle), bat_sin(arc->angle)};
     const double d[2] = {at[0] - arc->start[0], at[1] - arc->start[1]};
     tangent[0] = T[0] - k * d[1];
     tangent[1] = T[1] + k * d[0];
@@ -65,7 +65,7 @@ static bool lies_on(const piece_part *part, const batten_span *arc, double toler
     const int n = 4 * part->curve->degree;
     double before[2], turn = 0;
     for (int i = 0; i <= n; i++) {
-        const double share = i < n ? sin(BAT_PI * i / (2 * n)) : 1;
+        const double share = i < n ? bat_sin(BAT_PI * i / (2 * n)) : 1;
         double row[4], tangent[2];
         piece_at(part->curve, part->piece, i < n ? from + (to - from) * share * share : to,
                  row);
@@ -146,7 +146,7 @@ bool bat_exact_merge(batten_span *first, const batten_span *next, double toleran
         fabs(turn[0] + turn[1]) > BAT_PI * (1 + 1e-9) ||
         !(bat_norm(2, chord) > bat_max(first->length, next->length) / 2))
         return false;
-    bat_arc_span(first->start, bat_norm(2, chord), atan2(chord[1], chord[0]),
+    bat_arc_span(first->start, bat_norm(2, chord), bat_atan2(chord[1], chord[0]),
                  (turn[0] + turn[1]) / 2, &one);
     if (!passes(&one, first, first->length / 2, tolerance) ||
         !passes(&one, first, first->length, tolerance) ||

@@ -119,7 +119,7 @@ static batten_status longest(point_fit *t, int from, bat_arcs_part *best, double
             "between points %d and %d no arcs with radii of %g and more stay within "
             "the tolerance",
             from, from + 1, t->options.least_radius);
-    *last = good_share > 0 ? bat_min(1, cbrt(good_share)) : 0;
+    *last = good_share > 0 ? bat_min(1, bat_cbrt(good_share)) : 0;
     return BATTEN_OK;
 }
 
@@ -146,10 +146,10 @@ static batten_status greedy(void *context, double tolerance, int *count, double 
 /* How far along an arc its point nearest to another is. */
 static double along(const batten_span *arc, const double *point)
 {
-    const double c = cos(arc->angle), s = sin(arc->angle), k = arc->curvature[0];
+    const double c = bat_cos(arc->angle), s = bat_sin(arc->angle), k = arc->curvature[0];
     const double x = point[0] - arc->start[0], y = point[1] - arc->start[1];
     const double ahead = x * c + y * s, left = y * c - x * s;
-    double at = k == 0 ? ahead : atan2(k * ahead, 1 - k * left) / k;
+    double at = k == 0 ? ahead : bat_atan2(k * ahead, 1 - k * left) / k;
     /* Of more than a half circle the second half is behind. */
     if (at < -arc->length / 1e6 && fabs(k) * arc->length > BAT_PI)
         at += 2 * BAT_PI / fabs(k);
@@ -159,8 +159,8 @@ static double along(const batten_span *arc, const double *point)
 static double place_of(const batten_biarc *biarc, const double *point)
 {
     const batten_span *second = &biarc->arcs[biarc->count - 1];
-    const double ahead = (point[0] - second->start[0]) * cos(second->angle) +
-                         (point[1] - second->start[1]) * sin(second->angle);
+    const double ahead = (point[0] - second->start[0]) * bat_cos(second->angle) +
+                         (point[1] - second->start[1]) * bat_sin(second->angle);
     if (biarc->count == 2 && ahead > 0)
         return biarc->arcs[0].length + along(second, point);
     return along(&biarc->arcs[0], point);

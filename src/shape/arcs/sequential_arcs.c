@@ -19,8 +19,8 @@ typedef struct {
 static double curvature_of(const chords *c, int i, double x, double *rate)
 {
     const double sign = i % 2 == 0 ? 1 : -1, lean = c->base[i] + sign * x;
-    *rate = -2 * sign * cos(lean) / c->length[i];
-    return -2 * sin(lean) / c->length[i];
+    *rate = -2 * sign * bat_cos(lean) / c->length[i];
+    return -2 * bat_sin(lean) / c->length[i];
 }
 
 /* The angle of arc i from its chord, -pi .. pi. */
@@ -93,7 +93,7 @@ static batten_status find_chords(chords *c)
     for (int i = 0; i < c->count; i++) {
         const double *a = c->points + 2 * i, q[2] = {a[2] - a[0], a[3] - a[1]};
         c->length[i] = bat_norm(2, q);
-        c->direction[i] = atan2(q[1], q[0]);
+        c->direction[i] = bat_atan2(q[1], q[0]);
         if (!(c->length[i] > 0))
             return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", i, i + 1);
         if (!isfinite(c->length[i]))

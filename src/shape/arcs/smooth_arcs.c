@@ -99,7 +99,7 @@ static bool both_bend_alike(const bat_arc_search *s, const batten_biarc *biarc,
 static bat_node leaning_node(const bat_smooth_row *row, double lean)
 {
     const double angle = row->angle + lean;
-    return (bat_node){{row->node[0], row->node[1]}, {cos(angle), sin(angle)}};
+    return (bat_node){{row->node[0], row->node[1]}, {bat_cos(angle), bat_sin(angle)}};
 }
 
 /* From a state around to the given one at the end by two arcs: at first with a few looks. */

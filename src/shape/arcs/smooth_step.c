@@ -30,8 +30,8 @@ static batten_status make_row(bat_arc_search *s, int i, double u, double reach)
                           .direction = {at[2], at[3]},
                           .node = {at[0] - off * at[3], at[1] + off * at[2]},
                           .reach = reach};
-    r->angle =
-        i == 0 ? atan2(at[3], at[2]) : r[-1].angle + bat_turn(r[-1].direction, r->direction);
+    r->angle = i == 0 ? bat_atan2(at[3], at[2])
+                      : r[-1].angle + bat_turn(r[-1].direction, r->direction);
     return BATTEN_OK;
 }
 
@@ -115,8 +115,10 @@ bool bat_smooth_bends_alike(const bat_arc_search *s, double lean, const bat_smoo
 bat_smooth_leg bat_smooth_leg_of(const bat_smooth_row *from, double lean)
 {
     const double angle = from->angle + lean;
-    return (bat_smooth_leg){
-        .from = from, .lean = lean, .angle = angle, .direction = {cos(angle), sin(angle)}};
+    return (bat_smooth_leg){.from = from,
+                            .lean = lean,
+                            .angle = angle,
+                            .direction = {bat_cos(angle), bat_sin(angle)}};
 }
 
 bool bat_smooth_aim(const bat_arc_search *s, bat_smooth_leg *l, const bat_smooth_row *to,

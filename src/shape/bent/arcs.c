@@ -11,12 +11,12 @@ static batten_status curvatures(double alpha, double beta, double l, double tens
     const double s = (3 * alpha + beta) / 4, e = (alpha + 3 * beta) / 4, d = (alpha - beta) / 4;
     (void)tension;
     *out = (bat_end_curvatures){
-        .k0 = -4 / l * sin(s) * cos(d),
-        .k1 = 4 / l * sin(e) * cos(d),
-        .k0_alpha = -1 / l * (3 * cos(s) * cos(d) - sin(s) * sin(d)),
-        .k0_beta = -1 / l * (cos(s) * cos(d) + sin(s) * sin(d)),
-        .k1_alpha = 1 / l * (cos(e) * cos(d) - sin(e) * sin(d)),
-        .k1_beta = 1 / l * (3 * cos(e) * cos(d) + sin(e) * sin(d)),
+        .k0 = -4 / l * bat_sin(s) * bat_cos(d),
+        .k1 = 4 / l * bat_sin(e) * bat_cos(d),
+        .k0_alpha = -1 / l * (3 * bat_cos(s) * bat_cos(d) - bat_sin(s) * bat_sin(d)),
+        .k0_beta = -1 / l * (bat_cos(s) * bat_cos(d) + bat_sin(s) * bat_sin(d)),
+        .k1_alpha = 1 / l * (bat_cos(e) * bat_cos(d) - bat_sin(e) * bat_sin(d)),
+        .k1_beta = 1 / l * (3 * bat_cos(e) * bat_cos(d) + bat_sin(e) * bat_sin(d)),
     };
     return BATTEN_OK;
 }

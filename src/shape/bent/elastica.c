@@ -100,8 +100,8 @@ static bool solve(const response *r, const double by[3], double out[3])
  */
 static double miss(const response *r, double alpha, double beta, double by[3])
 {
-    by[0] = cos(alpha) - r->end.point[0];
-    by[1] = -sin(alpha) - r->end.point[1];
+    by[0] = bat_cos(alpha) - r->end.point[0];
+    by[1] = -bat_sin(alpha) - r->end.point[1];
     by[2] = beta - alpha - r->end.turn;
     return fabs(by[0]) + fabs(by[1]) + fabs(by[2]);
 }
@@ -166,8 +166,8 @@ static bool walk(double alpha, double beta, unknowns *p, response *r)
         return false;
     while (at < 1) {
         const double next = bat_min(1, at + step);
-        const double by[3] = {cos(next * alpha) - cos(at * alpha),
-                              sin(at * alpha) - sin(next * alpha),
+        const double by[3] = {bat_cos(next * alpha) - bat_cos(at * alpha),
+                              bat_sin(at * alpha) - bat_sin(next * alpha),
                               (next - at) * (beta - alpha)};
         double change[3];
         unknowns there = *p;
@@ -208,7 +208,7 @@ static batten_status curvatures(double alpha, double beta, double l, double tens
     if (status != BATTEN_OK)
         return status;
     double by_alpha[3], by_beta[3];
-    const double turned[3] = {-sin(alpha), -cos(alpha), -1}, ended[3] = {0, 0, 1};
+    const double turned[3] = {-bat_sin(alpha), -bat_cos(alpha), -1}, ended[3] = {0, 0, 1};
     if (!solve(&r, turned, by_alpha) || !solve(&r, ended, by_beta))
         return bat_fail(BATTEN_SINGULAR_SYSTEM,
                         "the beam between %g and %g radians from its chord is about to snap",

@@ -63,7 +63,7 @@ static bool find_plane(const bat_energy_spline *t, plane_points *out)
     bool is_flat = off <= flat * size && bat_vec3_norm(out->z) > 0;
     for (int e = 0; e < 2 && is_flat; e++) {
         const batten_vec3 way = tangents[e] ? bat_vec3_of(t->d, tangents[e]) : out->x;
-        out->angles[e] = atan2(bat_vec3_dot(way, out->y), bat_vec3_dot(way, out->x));
+        out->angles[e] = bat_atan2(bat_vec3_dot(way, out->y), bat_vec3_dot(way, out->x));
         is_flat = fabs(bat_vec3_dot(way, out->z)) <= flat * bat_vec3_norm(way);
     }
     return is_flat;

@@ -43,7 +43,7 @@ static double largest_bend(double p, double q)
 static batten_status find(double alpha, double beta, beam *out)
 {
     enum { STEPS = 100 };
-    beam b = {.p = sin(alpha), .q = sin(beta)};
+    beam b = {.p = bat_sin(alpha), .q = bat_sin(beta)};
     double low = -largest_bend(b.p, b.q), high = largest_bend(-b.p, -b.q);
     double B = bat_max(low / 2, bat_min(high / 2, 3 * (alpha + beta)));
     for (int i = 0; i < STEPS; i++) {
@@ -83,10 +83,10 @@ static batten_status curvatures(double alpha, double beta, double l, double tens
     const double B_p = (m[0] - m[1]) / soft, B_q = m[1] / soft;
     *out = (bat_end_curvatures){.k0 = (b.q - b.p - b.B) / l,
                                 .k1 = (b.q - b.p + b.B) / l,
-                                .k0_alpha = cos(alpha) * (-1 - B_p) / l,
-                                .k0_beta = cos(beta) * (1 - B_q) / l,
-                                .k1_alpha = cos(alpha) * (-1 + B_p) / l,
-                                .k1_beta = cos(beta) * (1 + B_q) / l};
+                                .k0_alpha = bat_cos(alpha) * (-1 - B_p) / l,
+                                .k0_beta = bat_cos(beta) * (1 - B_q) / l,
+                                .k1_alpha = bat_cos(alpha) * (-1 + B_p) / l,
+                                .k1_beta = bat_cos(beta) * (1 + B_q) / l};
     return BATTEN_OK;
 }
 

@@ -22,9 +22,10 @@ static batten_status curvatures(double alpha, double beta, double l, double tens
 static double reach(double near, double far)
 {
     const double root2 = sqrt(2), root5 = sqrt(5);
-    const double a = root2 * (sin(near) - sin(far) / 16) * (sin(far) - sin(near) / 16) *
-                     (cos(near) - cos(far));
-    const double below = 3 * (1 + (root5 - 1) / 2 * cos(near) + (3 - root5) / 2 * cos(far));
+    const double a = root2 * (bat_sin(near) - bat_sin(far) / 16) *
+                     (bat_sin(far) - bat_sin(near) / 16) * (bat_cos(near) - bat_cos(far));
+    const double below =
+        3 * (1 + (root5 - 1) / 2 * bat_cos(near) + (3 - root5) / 2 * bat_cos(far));
     return 2 + a < 4 * below ? (2 + a) / below : 4;
 }
 
@@ -34,8 +35,8 @@ static batten_status spans(double alpha, double beta, double l, double tension,
     (void)tension;
     const double first = reach(alpha, -beta), last = reach(-beta, alpha);
     /* Control points in chords, the last one from the end. */
-    const double P[2] = {first * cos(alpha), first * sin(alpha)};
-    const double Q[2] = {-last * cos(beta), -last * sin(beta)};
+    const double P[2] = {first * bat_cos(alpha), first * bat_sin(alpha)};
+    const double Q[2] = {-last * bat_cos(beta), -last * bat_sin(beta)};
     *out = (batten_span){.kind = BATTEN_SPAN_TENSION, .length = l, .end = {l, 0, 0}};
     for (int k = 0; k < 2; k++) {
         const double end = k == 0;

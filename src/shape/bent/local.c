@@ -29,16 +29,16 @@ static batten_status tension_curvatures(double alpha, double beta, double l, dou
 {
     const stiffness s = stiffness_of(tension);
     const double scale = 1 / ((s.A - s.B) * (s.A + s.B) * l);
-    const double c = cos(alpha), e = cos(beta), c3 = c * c * c, e3 = e * e * e;
+    const double c = bat_cos(alpha), e = bat_cos(beta), c3 = c * c * c, e3 = e * e * e;
     double M[2];
-    bends(s, l, tan(alpha), tan(beta), M);
+    bends(s, l, bat_tan(alpha), bat_tan(beta), M);
     *out = (bat_end_curvatures){
         .k0 = M[0] * c3,
         .k1 = M[1] * e3,
-        .k0_alpha = -s.A * scale * c - 3 * M[0] * c * c * sin(alpha),
+        .k0_alpha = -s.A * scale * c - 3 * M[0] * c * c * bat_sin(alpha),
         .k0_beta = -s.B * scale * c3 / (e * e),
         .k1_alpha = s.B * scale * e3 / (c * c),
-        .k1_beta = s.A * scale * e - 3 * M[1] * e * e * sin(beta),
+        .k1_beta = s.A * scale * e - 3 * M[1] * e * e * bat_sin(beta),
     };
     return BATTEN_OK;
 }
@@ -47,7 +47,7 @@ static batten_status tension_spans(double alpha, double beta, double l, double t
                                    batten_span *out, int *count)
 {
     double M[2];
-    bends(stiffness_of(tension), l, tan(alpha), tan(beta), M);
+    bends(stiffness_of(tension), l, bat_tan(alpha), bat_tan(beta), M);
     *out = (batten_span){
         .kind = BATTEN_SPAN_TENSION,
         .length = l,
@@ -93,7 +93,7 @@ const bat_span_family bat_family_local_tension = {
 
 double bat_local_tension_for(double alpha, double beta)
 {
-    const double first = fabs(tan(alpha)), last = fabs(tan(beta));
+    const double first = fabs(bat_tan(alpha)), last = fabs(bat_tan(beta));
     const double low_slope = bat_min(first, last), high_slope = bat_max(first, last);
     if (high_slope <= 2 * low_slope)
         return 0;

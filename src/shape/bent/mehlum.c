@@ -77,8 +77,8 @@ static double sine_quotient(double x, double *rate)
         *rate = -x / 3;
         return 1 - x * x / 6;
     }
-    const double q = sin(x) / x;
-    *rate = (cos(x) - q) / x;
+    const double q = bat_sin(x) / x;
+    *rate = (bat_cos(x) - q) / x;
     return q;
 }
 
@@ -92,7 +92,8 @@ static void find_end(const mehlum *m, double end[2], double by_bend[2])
         const double share = share_of(m, i), half = (m->turns[i] + m->bend * share) / 2;
         double rate = 0;
         const double chord = h * sine_quotient(half, &rate);
-        const double c = cos(angle + half), s = sin(angle + half), sweep = turned + share / 2;
+        const double c = bat_cos(angle + half), s = bat_sin(angle + half),
+                     sweep = turned + share / 2;
         end[0] += chord * c;
         end[1] += chord * s;
         by_bend[0] += h * rate * share / 2 * c - chord * s * sweep;
@@ -143,7 +144,7 @@ static void put_arcs(const mehlum *m, batten_span *out)
 /* How far a point is from the elastica, whose place next to it is near s. */
 static double distance(const batten_span *e, const double point[2], double s)
 {
-    const double c = cos(e->angle), d = sin(e->angle);
+    const double c = bat_cos(e->angle), d = bat_sin(e->angle);
     const double p[2] = {point[0] - e->start[0], point[1] - e->start[1]};
     const double q[2] = {c * p[0] + d * p[1], c * p[1] - d * p[0]};
     bat_elastica at;
@@ -219,7 +220,7 @@ static batten_status find_span(mehlum_fit *t, mehlum *m, int index)
     for (int round = 0; tolerance > 0 && (status == BATTEN_TOLERANCE_NOT_MET ||
                                           (status == BATTEN_OK && m->deviation > tolerance));
          round++) {
-        const double factor = status == BATTEN_OK ? cbrt(m->deviation / tolerance) : 2;
+        const double factor = status == BATTEN_OK ? bat_cbrt(m->deviation / tolerance) : 2;
         const double more = bat_max(m->count + ldexp(1, bat_max_int(0, round - 4)),
                                     ceil(0.98 * factor * m->count));
         if (more > MOST_ARCS)

@@ -139,9 +139,9 @@ static void set_ends(const batten_chain_nonlinear_options *options, polygon *p)
     task->start = options->start;
     task->end = options->end;
     task->start_value = end_value(options->start, options->start_value,
-                                  atan2(first[1], first[0]), p->chords.unit);
-    task->end_value =
-        end_value(options->end, options->end_value, atan2(last[1], last[0]), p->chords.unit);
+                                  bat_atan2(first[1], first[0]), p->chords.unit);
+    task->end_value = end_value(options->end, options->end_value, bat_atan2(last[1], last[0]),
+                                p->chords.unit);
 }
 
 /* ---- the chain ---- */

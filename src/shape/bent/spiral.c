@@ -72,7 +72,7 @@ static double end_error(const batten_span *span, const double *end, double end_a
 {
     double at[4];
     bat_span_spiral(2, span, span->length, 1, at);
-    const double turn = remainder(atan2(at[3], at[2]) - end_angle, 2 * BAT_PI);
+    const double turn = remainder(bat_atan2(at[3], at[2]) - end_angle, 2 * BAT_PI);
     return bat_max(bat_distance(2, at, end), fabs(turn) * span->length);
 }
 
@@ -89,7 +89,7 @@ batten_status batten_spiral_hermite(batten_heading start, batten_heading end, in
         return bat_fail(BATTEN_COINCIDENT, "start and end coincide");
     if (!isfinite(l))
         return bat_fail(BATTEN_OVERFLOW, "start and end are too far apart");
-    const double phi = atan2(q[1], q[0]);
+    const double phi = bat_atan2(q[1], q[0]);
     const double alpha = remainder(start.angle - phi, 2 * BAT_PI);
     const double beta = remainder(end.angle - phi, 2 * BAT_PI);
     if (fabs(alpha) > limit && fabs(beta) > limit)

@@ -91,7 +91,7 @@ static batten_spiro_end relative(const spline *s, const batten_spiro_end *given,
 {
     const double *q = s->chords.vector + 2 * (size_t)span;
     batten_spiro_end end = *given;
-    end.tangent = remainder(given->tangent - atan2(q[1], q[0]), 2 * BAT_PI);
+    end.tangent = remainder(given->tangent - bat_atan2(q[1], q[0]), 2 * BAT_PI);
     end.curvature *= s->chords.unit;
     return end;
 }

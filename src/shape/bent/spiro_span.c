@@ -17,12 +17,12 @@ static double moments(const double *c, double x[N + 1], double y[N + 1])
     const double theta[BAT_FRESNEL_DEGREE + 1] = {0, c[0], c[1], c[2], c[3]};
     double u[N + 1], v[N + 1];
     bat_fresnel(theta, N + 1, u, v);
-    const double r = hypot(u[0], v[0]), cosine = u[0] / r, sine = -v[0] / r;
+    const double r = bat_hypot(u[0], v[0]), cosine = u[0] / r, sine = -v[0] / r;
     for (int j = 0; j <= N; j++) {
         x[j] = cosine * u[j] - sine * v[j];
         y[j] = sine * u[j] + cosine * v[j];
     }
-    return -atan2(v[0], u[0]);
+    return -bat_atan2(v[0], u[0]);
 }
 
 void bat_spiro_span_at(const double *c, double chord, bat_spiro_span *out)

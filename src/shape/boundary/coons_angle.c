@@ -12,7 +12,8 @@ double bat_coons_off_plane(const double *direction, const double *a, const doubl
     const double area = bat_vec3_norm(n), length = bat_norm(3, direction);
     if (!(area > parallel * bat_norm(3, a) * bat_norm(3, b)) || !(length > 0))
         return 0;
-    return asin(bat_min(1, fabs(bat_vec3_dot(n, bat_vec3_of(3, direction))) / (area * length)));
+    return bat_asin(
+        bat_min(1, fabs(bat_vec3_dot(n, bat_vec3_of(3, direction))) / (area * length)));
 }
 
 /* Tangent along the edge and derivative into the patch: as the surface has them. */
@@ -64,8 +65,8 @@ batten_status bat_coons_angles(const batten_ribbon sides[4], const batten_surfac
             const batten_vec3 m = bat_vec3_cross(bat_vec3_of(3, b[0]), bat_vec3_of(3, b[1]));
             if (bat_vec3_norm(n) > parallel * bat_norm(3, a[0]) * bat_norm(3, a[1]) &&
                 bat_vec3_norm(m) > parallel * bat_norm(3, b[0]) * bat_norm(3, b[1]))
-                angle[e] = bat_max(
-                    angle[e], atan2(bat_vec3_norm(bat_vec3_cross(n, m)), bat_vec3_dot(n, m)));
+                angle[e] = bat_max(angle[e], bat_atan2(bat_vec3_norm(bat_vec3_cross(n, m)),
+                                                       bat_vec3_dot(n, m)));
         }
     }
     return status;

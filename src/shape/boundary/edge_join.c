@@ -108,8 +108,8 @@ static batten_status measure_at(pair *p, double t, batten_edge_join *found)
     /* Edges that run against each other have the normal on the other side. */
     if (bat_vec3_dot(s.along, r.along) < 0)
         r.normal = bat_vec3_scale(r.normal, -1);
-    const double angle = atan2(bat_vec3_norm(bat_vec3_cross(s.normal, r.normal)),
-                               bat_vec3_dot(s.normal, r.normal));
+    const double angle = bat_atan2(bat_vec3_norm(bat_vec3_cross(s.normal, r.normal)),
+                                   bat_vec3_dot(s.normal, r.normal));
     if (angle > found->angle) {
         found->angle = angle;
         found->at = s.point;
@@ -134,7 +134,7 @@ static batten_status measure_spans(pair *p, batten_edge_join *found)
     for (int k = 0; k <= (count - 1) * PLACES && status == BATTEN_OK; k++) {
         /* Denser to the ends of each span, where splines that follow a twist are farthest off. */
         const int span = bat_min_int(k / PLACES, count - 2);
-        const double s = 0.5 - 0.5 * cos((k - span * PLACES) * BAT_PI / PLACES);
+        const double s = 0.5 - 0.5 * bat_cos((k - span * PLACES) * BAT_PI / PLACES);
         status = measure_at(p, (1 - s) * knots[span] + s * knots[span + 1], found);
     }
     bat_release(knots);

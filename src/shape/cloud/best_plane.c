@@ -40,8 +40,8 @@ static void find_mean(size_t count, const double *points, double mean[3], double
 static void turn_axes(double from[2][3], double angle, double to[2][3])
 {
     for (int c = 0; c < 3; c++) {
-        to[0][c] = from[0][c] * cos(angle) + from[1][c] * sin(angle);
-        to[1][c] = from[1][c] * cos(angle) - from[0][c] * sin(angle);
+        to[0][c] = from[0][c] * bat_cos(angle) + from[1][c] * bat_sin(angle);
+        to[1][c] = from[1][c] * bat_cos(angle) - from[0][c] * bat_sin(angle);
     }
 }
 

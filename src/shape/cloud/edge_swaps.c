@@ -36,7 +36,7 @@ static double angle_between(const double a[3], const double b[3])
 {
     const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
     const double z = a[0] * b[1] - a[1] * b[0];
-    return atan2(hypot(hypot(x, y), z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+    return bat_atan2(bat_hypot(bat_hypot(x, y), z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
 /* Twice the area by the square of the longest side: is the triangle there, and not thin? */
@@ -46,7 +46,8 @@ static bool is_stout(const swapper *s, int a, int b, int c)
     const double *q = s->triangles->vertices + 2 * (size_t)b;
     const double *r = s->triangles->vertices + 2 * (size_t)c;
     const double x = q[0] - p[0], y = q[1] - p[1], u = r[0] - p[0], v = r[1] - p[1];
-    const double longest = bat_max(bat_max(hypot(x, y), hypot(u, v)), hypot(u - x, v - y));
+    const double longest =
+        bat_max(bat_max(bat_hypot(x, y), bat_hypot(u, v)), bat_hypot(u - x, v - y));
     /* A height of a millionth of the longest side: thinner, gradients lose all digits. */
     return (x * v - y * u) / longest > 1e-6 * longest;
 }

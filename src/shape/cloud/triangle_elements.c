@@ -198,7 +198,7 @@ static void find_sides(const element_data *data, const int *corner, double side[
     for (int e = 0; e < 3; e++) {
         const double *a = vertex(data, corner[(e + 1) % 3]),
                      *b = vertex(data, corner[(e + 2) % 3]);
-        side[e] = hypot(b[0] - a[0], b[1] - a[1]);
+        side[e] = bat_hypot(b[0] - a[0], b[1] - a[1]);
     }
 }
 

@@ -98,7 +98,7 @@ static int list_ring(surroundings *s, int v, int of, int most, int count)
             continue;
         s->seen[other] = v;
         const double *q = vertex(s, other);
-        s->candidates[count++] = (candidate){hypot(q[0] - p[0], q[1] - p[1]), other};
+        s->candidates[count++] = (candidate){bat_hypot(q[0] - p[0], q[1] - p[1]), other};
     }
     return count;
 }
@@ -163,7 +163,7 @@ static bool fit_plane(const surroundings *s, int v, double *gradient)
     double xx = 0, xy = 0, yy = 0, right[2] = {0, 0};
     for (int k = s->rings.start[v]; k < s->rings.start[v + 1]; k++) {
         const double *q = vertex(s, s->rings.list[k]);
-        const double length = hypot(q[0] - p[0], q[1] - p[1]);
+        const double length = bat_hypot(q[0] - p[0], q[1] - p[1]);
         const double x = (q[0] - p[0]) / length, y = (q[1] - p[1]) / length;
         const double slope = (s->values[s->rings.list[k]] - s->values[v]) / length;
         xx += x * x;
@@ -250,7 +250,7 @@ static bool take_edge(const batten_plane_triangles *triangles, int i, network_ed
     edge->to = corners[(i + 2) % 3];
     const double *p = triangles->vertices + 2 * (size_t)edge->from;
     const double *q = triangles->vertices + 2 * (size_t)edge->to;
-    edge->length = hypot(q[0] - p[0], q[1] - p[1]);
+    edge->length = bat_hypot(q[0] - p[0], q[1] - p[1]);
     edge->x = (q[0] - p[0]) / edge->length;
     edge->y = (q[1] - p[1]) / edge->length;
     return true;

@@ -78,18 +78,19 @@ static batten_status arc_piece(const bat_tip *tip, double length, batten_curve *
                         "an arc of the length %g goes around the circle of radius %g more "
                         "than once",
                         length, 1 / k);
-    const double turn = angle / count, leg = tan(turn / 2) / k;
+    const double turn = angle / count, leg = bat_tan(turn / 2) / k;
     for (int i = 0; i <= count; i++) {
-        const double a = i * turn, half = sin(a / 2);
-        const batten_vec3 on = point_beside_tip(tip, tip->p, sin(a) / k, 2 * half * half / k);
+        const double a = i * turn, half = bat_sin(a / 2);
+        const batten_vec3 on =
+            point_beside_tip(tip, tip->p, bat_sin(a) / k, 2 * half * half / k);
         put_point(d, on, points + (size_t)(2 * i * d));
-        breaks[i] = tip->u + i * (2 * sin(turn / 2) / (k * tip->speed));
+        breaks[i] = tip->u + i * (2 * bat_sin(turn / 2) / (k * tip->speed));
         weights[2 * i] = 1;
         if (i == count)
             break;
-        put_point(d, point_beside_tip(tip, on, leg * cos(a), leg * sin(a)),
+        put_point(d, point_beside_tip(tip, on, leg * bat_cos(a), leg * bat_sin(a)),
                   points + (size_t)((2 * i + 1) * d));
-        weights[2 * i + 1] = cos(turn / 2);
+        weights[2 * i + 1] = bat_cos(turn / 2);
     }
     return batten_curve_from_bezier(d, (batten_pieces){2, count, breaks}, points, weights, out);
 }

@@ -123,7 +123,7 @@ static batten_status make_arc(const batten_curve *const curves[2], const batten_
                          .speed = speed,
                          .curvature = 1 / radius};
     const double sine = bat_vec3_dot(z, bat_vec3_cross(slope[0], slope[1]));
-    const double angle = atan2(sine, bat_vec3_dot(slope[0], slope[1]));
+    const double angle = bat_atan2(sine, bat_vec3_dot(slope[0], slope[1]));
     double none, last[3];
     batten_curve *made = NULL;
     status = bat_tip_piece(&tip, (batten_lengthening){BATTEN_EXTEND_ARC, 1}, radius * angle,

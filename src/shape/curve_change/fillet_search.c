@@ -53,7 +53,7 @@ static batten_status contact_at(const search *s, int k, int side, double u, cont
 /* Does the circle lead from A(u) into B(v), turning by pi at most? */
 static bool turns(int side, const double *ta, const double *tb)
 {
-    const double angle = atan2(side * (ta[0] * tb[1] - ta[1] * tb[0]), bat_dot(2, ta, tb));
+    const double angle = bat_atan2(side * (ta[0] * tb[1] - ta[1] * tb[0]), bat_dot(2, ta, tb));
     return angle > BAT_MEANT_SAME;
 }
 
@@ -143,14 +143,14 @@ static batten_status search_lines(search *s, const line *a, const line *b)
 {
     const double q[2] = {b->p[0] - a->p[0], b->p[1] - a->p[1]};
     const double cross = a->t[0] * b->t[1] - a->t[1] * b->t[0];
-    const double turn = atan2(fabs(cross), bat_dot(2, a->t, b->t));
+    const double turn = bat_atan2(fabs(cross), bat_dot(2, a->t, b->t));
     if (!(fabs(cross) > BAT_ROUNDING))
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the straight lines run along each other");
     /* They cross `far` along the first, and `near` along the second; the arc begins and ends
      * `leg` away from there. */
     const double far = (q[0] * b->t[1] - q[1] * b->t[0]) / cross;
     const double near = (q[0] * a->t[1] - q[1] * a->t[0]) / cross;
-    const double leg = s->radius * tan(turn / 2), rounding = BAT_EXACT * s->size;
+    const double leg = s->radius * bat_tan(turn / 2), rounding = BAT_EXACT * s->size;
     double at[2] = {far - leg, near + leg}, u[2];
     if (far > a->length + leg + rounding || near < -leg - rounding)
         return bat_fail(BATTEN_NOT_FOUND,

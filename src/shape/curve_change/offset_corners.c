@@ -17,11 +17,11 @@ static batten_status add_polyline(bat_offset *o, int count, const double *points
 /* The arc about p from q, turning by `turn`. */
 static batten_status add_arc(bat_offset *o, const double *p, double turn, const double *q)
 {
-    const double radius = fabs(o->distance), start = atan2(q[1] - p[1], q[0] - p[0]);
+    const double radius = fabs(o->distance), start = bat_atan2(q[1] - p[1], q[0] - p[0]);
     const int d = o->full->dimension;
     /* A frame seen from below turns clockwise. */
     const batten_frame frame = {
-        bat_vec3_of(d, p), {cos(start), sin(start), 0}, {0, 0, turn < 0 ? -1 : 1}};
+        bat_vec3_of(d, p), {bat_cos(start), bat_sin(start), 0}, {0, 0, turn < 0 ? -1 : 1}};
     batten_curve *arc = NULL, *flat = NULL;
     batten_status status = batten_curve_arc_in(&frame, radius, 0, fabs(turn), &arc);
     if (status == BATTEN_OK)
@@ -35,7 +35,8 @@ static batten_status add_straight(bat_offset *o, const bat_offset_gap *at, doubl
                                   bool mitre)
 {
     const int d = o->full->dimension;
-    const double *t = at->t, *q = at->q, *r = at->r, c = cos(at->turn), s = sin(at->turn);
+    const double *t = at->t, *q = at->q, *r = at->r, c = bat_cos(at->turn),
+                 s = bat_sin(at->turn);
     const double behind[2] = {c * t[0] - s * t[1], s * t[0] + c * t[1]};
     double points[4 * 3] = {0};
     for (int k = 0; k < d; k++) {
@@ -54,9 +55,9 @@ static batten_status add_straight(bat_offset *o, const bat_offset_gap *at, doubl
 batten_status bat_offset_corner(bat_offset *o, const bat_offset_gap *at)
 {
     const double radius = fabs(o->distance), half = fabs(at->turn) / 2;
-    const bool mitre =
-        o->options.corners == BATTEN_OFFSET_MITRE && cos(half) * o->options.mitre_limit >= 1;
+    const bool mitre = o->options.corners == BATTEN_OFFSET_MITRE &&
+                       bat_cos(half) * o->options.mitre_limit >= 1;
     if (o->options.corners == BATTEN_OFFSET_ROUND)
         return add_arc(o, at->p, at->turn, at->q);
-    return add_straight(o, at, radius * (mitre ? tan(half) : tan(half / 2)), mitre);
+    return add_straight(o, at, radius * (mitre ? bat_tan(half) : bat_tan(half / 2)), mitre);
 }

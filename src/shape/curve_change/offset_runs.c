@@ -203,7 +203,7 @@ static batten_status add_corner(bat_offset *o, const bat_run_place *left,
                                 const bat_run_place *right)
 {
     const double cross = left->t[0] * right->t[1] - left->t[1] * right->t[0];
-    double turn = atan2(cross, bat_dot(2, left->t, right->t));
+    double turn = bat_atan2(cross, bat_dot(2, left->t, right->t));
     /* As close as the cross product of unit tangents tells the sign of half a turn. */
     const double half = BAT_PI - 1e-9;
     if (fabs(turn) > half) /* back the same way: around the tip */

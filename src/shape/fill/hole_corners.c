@@ -98,12 +98,12 @@ static double planes_differ(const corner *c)
     if (c->side[0]->slope && c->side[1]->slope) {
         double sine[3];
         bat_fill_cross(c->seen[0].normal, c->seen[1].normal, sine);
-        return atan2(bat_norm(3, sine), bat_dot(3, c->seen[0].normal, c->seen[1].normal));
+        return bat_atan2(bat_norm(3, sine), bat_dot(3, c->seen[0].normal, c->seen[1].normal));
     }
     for (int k = 0; k < 2; k++)
         if (c->side[k]->slope) {
             const double off = fabs(bat_dot(3, c->across[k], c->seen[k].normal));
-            return asin(bat_min(1, off / bat_norm(3, c->across[k])));
+            return bat_asin(bat_min(1, off / bat_norm(3, c->across[k])));
         }
     return 0;
 }

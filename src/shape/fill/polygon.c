@@ -43,7 +43,7 @@ static void central_angles(int n, const double *lengths, double *angles)
         const double diameter = (low + high) / 2;
         double sum = 0;
         for (int i = 0; i < n; i++)
-            sum += 2 * asin(bat_min(1, lengths[i] / diameter));
+            sum += 2 * bat_asin(bat_min(1, lengths[i] / diameter));
         if (sum > 2 * BAT_PI)
             low = diameter;
         else
@@ -51,7 +51,7 @@ static void central_angles(int n, const double *lengths, double *angles)
     }
     double sum = 0;
     for (int i = 0; i < n; i++) {
-        angles[i] = 2 * asin(bat_min(1, lengths[i] / high));
+        angles[i] = 2 * bat_asin(bat_min(1, lengths[i] / high));
         sum += angles[i];
     }
     for (int i = 0; i < n; i++)
@@ -83,8 +83,8 @@ static batten_status polygon(int n, const double *angles, bat_fill_loop *loop,
     double corners[BATTEN_FILL_SIDES][2], middles[BATTEN_FILL_SIDES][2], centre[2] = {0, 0};
     double turned = 0;
     for (int i = 0; i < n; i++) {
-        corners[i][0] = cos(turned);
-        corners[i][1] = sin(turned);
+        corners[i][0] = bat_cos(turned);
+        corners[i][1] = bat_sin(turned);
         turned += angles[i];
         for (int c = 0; c < 2; c++)
             centre[c] += corners[i][c] / n;

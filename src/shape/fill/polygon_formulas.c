@@ -319,16 +319,16 @@ static void set_polygon(blended *b)
     const int n = b->count;
     double corners[BATTEN_FILL_SIDES][2];
     for (int i = 0; i < n; i++) {
-        corners[i][0] = cos(2 * BAT_PI * i / n);
-        corners[i][1] = sin(2 * BAT_PI * i / n);
+        corners[i][0] = bat_cos(2 * BAT_PI * i / n);
+        corners[i][1] = bat_sin(2 * BAT_PI * i / n);
     }
     for (int i = 0; i < n; i++) {
         const double middle = 2 * BAT_PI * (i + 0.5) / n;
-        b->sides[i].normal[0] = -cos(middle);
-        b->sides[i].normal[1] = -sin(middle);
-        b->sides[i].offset = cos(BAT_PI / n);
+        b->sides[i].normal[0] = -bat_cos(middle);
+        b->sides[i].normal[1] = -bat_sin(middle);
+        b->sides[i].offset = bat_cos(BAT_PI / n);
     }
-    b->reach = 2 * sin(BAT_PI / n) * sin(2 * BAT_PI / n);
+    b->reach = 2 * bat_sin(BAT_PI / n) * bat_sin(2 * BAT_PI / n);
     const double *at = corners[b->quad], *next = corners[(b->quad + 1) % n];
     const double *before = corners[(b->quad + n - 1) % n];
     for (int c = 0; c < 2; c++) {

@@ -95,7 +95,7 @@ static void compare(const view *s, const view *r, const double along[3], batten_
     if (!s->regular || !r->regular)
         return;
     const batten_vec3 n = bat_vec3_of(3, s->normal), m = bat_vec3_of(3, r->normal);
-    const double turned = atan2(bat_vec3_norm(bat_vec3_cross(n, m)), bat_vec3_dot(n, m));
+    const double turned = bat_atan2(bat_vec3_norm(bat_vec3_cross(n, m)), bat_vec3_dot(n, m));
     edge->has_slope = true;
     keep_largest(turned, s->point, &edge->angle, edge->angle_at);
     if (!s->bent || !r->bent)

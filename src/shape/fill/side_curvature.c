@@ -254,7 +254,7 @@ batten_status bat_fill_bend(const bat_fill_loop *loop, batten_surface **patches)
 {
     bend halves[BATTEN_FILL_SIDES][2] = {{{NULL, {0}}}};
     const int n = loop->count;
-    const double c = n == 4 ? 0 : cos(2 * BAT_PI / n);
+    const double c = n == 4 ? 0 : bat_cos(2 * BAT_PI / n);
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < n; i++)
         if (loop->sides[i].bend)

@@ -210,8 +210,8 @@ static void add_ray(const bat_fill *fill, double *out, double factor, int i)
 {
     const double angle = 2 * BAT_PI * i / fill->count;
     for (int c = 0; c < 3; c++) {
-        out[3 * (3 + c) + c] += factor * cos(angle);
-        out[3 * (6 + c) + c] += factor * sin(angle);
+        out[3 * (3 + c) + c] += factor * bat_cos(angle);
+        out[3 * (6 + c) + c] += factor * bat_sin(angle);
     }
 }
 
@@ -336,7 +336,7 @@ batten_status bat_fill_make(const bat_fill_loop *loop, batten_surface *const *pl
     batten_status status = BATTEN_OK;
     fill->loop = loop;
     fill->count = loop->count;
-    fill->cosine = loop->count == 4 ? 0 : cos(2 * BAT_PI / loop->count);
+    fill->cosine = loop->count == 4 ? 0 : bat_cos(2 * BAT_PI / loop->count);
     for (int i = 0; status == BATTEN_OK && i < fill->count; i++)
         status = look_at_side(&loop->sides[i], &fill->side[i]);
     if (status == BATTEN_OK) {

@@ -109,7 +109,7 @@ static batten_status fit_end(bat_triangle_side *side, int end, const int numbers
     const double k = (tx - te * ex) / det, h = (ex - te * tx) / det;
     for (int c = 0; c < 3; c++)
         rest[c] = x[c] - k * t[c] - h * e[c];
-    const double angle = asin(bat_min(1, bat_norm(3, rest)));
+    const double angle = bat_asin(bat_min(1, bat_norm(3, rest)));
     if (angle > angle_tolerance)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "curve %d leaves the tangent plane of the ribbon of curve %d at their "

@@ -36,7 +36,7 @@ batten_status bat_edge_angle(const batten_surface *a, const batten_surface *b, b
     const double fixed = high ? across.b : across.a;
     *largest = 0;
     for (int k = 0; k < PLACES; k++) {
-        const double share = 0.5 - 0.5 * cos((k + 0.5) * BAT_PI / PLACES);
+        const double share = 0.5 - 0.5 * bat_cos((k + 0.5) * BAT_PI / PLACES);
         const double t = (1 - share) * between.a + share * between.b;
         const double u = along_u ? t : fixed, v = along_u ? fixed : t;
         batten_vec3 n, m;
@@ -47,8 +47,8 @@ batten_status bat_edge_angle(const batten_surface *a, const batten_surface *b, b
         if (status != BATTEN_OK)
             return status;
         if (regular[0] && regular[1])
-            *largest = bat_max(*largest,
-                               atan2(bat_vec3_norm(bat_vec3_cross(n, m)), bat_vec3_dot(n, m)));
+            *largest = bat_max(
+                *largest, bat_atan2(bat_vec3_norm(bat_vec3_cross(n, m)), bat_vec3_dot(n, m)));
     }
     return BATTEN_OK;
 }

@@ -242,7 +242,7 @@ static bool is_hopeless(const bat_formula_fit *t, const attempt *attempts, int r
     const double fall = attempts[before].error / now->error, wanted = now->error / t->tolerance;
     if (!(wanted > 1) || fall > SLOW)
         return false;
-    const double times = fall > 1 ? pow(GROWTH, log(wanted) / log(fall)) : HUGE_VAL;
+    const double times = fall > 1 ? bat_pow(GROWTH, bat_log(wanted) / bat_log(fall)) : HUGE_VAL;
     return now->points * times > GROWTH * (double)t->most;
 }
 

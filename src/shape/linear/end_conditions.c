@@ -51,8 +51,8 @@ static bool circle(const end_view *e, double *value)
         difference[k] = tangent[k] / size - chord[k];
     }
     const double angle =
-        2 * atan2(bat_distance(d, zero, difference), bat_distance(d, zero, sum));
-    const double arc = angle > 0 ? ab * angle / sin(angle) : ab;
+        2 * bat_atan2(bat_distance(d, zero, difference), bat_distance(d, zero, sum));
+    const double arc = angle > 0 ? ab * angle / bat_sin(angle) : ab;
     for (int k = 0; k < d; k++)
         value[k] = e->sign * tangent[k] / size * arc / e->step;
     return isfinite(arc);

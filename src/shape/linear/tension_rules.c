@@ -291,9 +291,9 @@ static rise rise_of(const bat_tension *t, int i, int k)
 static double extreme_slope(const bat_tension *t, int i, const rise *r)
 {
     const double h = t->u[i + 1] - t->u[i], z = t->sigma[i] * h;
-    const double q = -r->N / r->M, e = exp(-z);
+    const double q = -r->N / r->M, e = bat_exp(-z);
     /* Below this tension the quotient is that of the cubic within the square of z. */
-    const double x = z < 1e-5 ? 1 / (1 + q) : (z + log((1 + q * e) / (q + e))) / (2 * z);
+    const double x = z < 1e-5 ? 1 / (1 + q) : (z + bat_log((1 + q * e) / (q + e))) / (2 * z);
     double up[4], down[4];
     bat_tension_shape(z, x, 1 - x, up);
     bat_tension_shape(z, 1 - x, x, down);

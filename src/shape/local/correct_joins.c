@@ -119,7 +119,7 @@ static double cost_of(const bat_correction *w, int i, const shape *s, const bat_
     if (batten_cubic_look_up(lambda, mu, &place) != BATTEN_OK ||
         bat_correction_is_bad(place.region) || fmin(fabs(lambda), fabs(mu)) < shortest)
         return HUGE_VAL;
-    const double a = log(legs->start / s->legs.start), b = log(legs->end / s->legs.end);
+    const double a = bat_log(legs->start / s->legs.start), b = bat_log(legs->end / s->legs.end);
     return a * a + b * b;
 }
 

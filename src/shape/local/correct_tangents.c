@@ -23,8 +23,8 @@ batten_status batten_tangent_limits(double chord, double alpha, double beta, dou
                         "turning by %g and %g there is no simple arc: both must turn to one "
                         "side, by less than BAT_PI together",
                         alpha, beta);
-    *start = 3 * chord * fabs(sin(beta)) / sin(turn);
-    *end = 3 * chord * fabs(sin(alpha)) / sin(turn);
+    *start = 3 * chord * fabs(bat_sin(beta)) / bat_sin(turn);
+    *end = 3 * chord * fabs(bat_sin(alpha)) / bat_sin(turn);
     return BATTEN_OK;
 }
 

@@ -37,7 +37,7 @@ static bool solves(const pair *e, double x, double y)
 
 static double off(const solutions *s, int i)
 {
-    return hypot(s->at[i].start - 1.0 / 3, s->at[i].end - 1.0 / 3);
+    return bat_hypot(s->at[i].start - 1.0 / 3, s->at[i].end - 1.0 / 3);
 }
 
 /* A new one, kept in the order of their distance from a third. */

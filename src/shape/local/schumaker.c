@@ -14,8 +14,8 @@ static bool in_line(const bat_chords *c, int i)
 static double inner_slope(const bat_chords *c, int i)
 {
     const double a = c->d[i - 1], b = c->d[i];
-    const double la = hypot(c->h[i - 1], c->y[i] - c->y[i - 1]);
-    const double lb = hypot(c->h[i], c->y[i + 1] - c->y[i]);
+    const double la = bat_hypot(c->h[i - 1], c->y[i] - c->y[i - 1]);
+    const double lb = bat_hypot(c->h[i], c->y[i + 1] - c->y[i]);
     return a + lb / (la + lb) * (b - a);
 }
 

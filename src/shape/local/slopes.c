@@ -163,7 +163,7 @@ static double shortening(const bat_chords *c, int i, const double *slopes)
 {
     if (i < 0 || i > c->count - 2 || c->d[i] == 0)
         return 1;
-    const double size = hypot(slopes[i] / c->d[i], slopes[i + 1] / c->d[i]);
+    const double size = bat_hypot(slopes[i] / c->d[i], slopes[i + 1] / c->d[i]);
     return size > 3 ? 3 / size : 1;
 }
 

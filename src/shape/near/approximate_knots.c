@@ -179,7 +179,7 @@ static batten_status find_density(const batten_curve *first, int spans, const do
         density[i] += slope;
     }
     for (int i = 0; i < spans; i++) {
-        density[i] = pow(density[i], 1.0 / (p + 1));
+        density[i] = bat_pow(density[i], 1.0 / (p + 1));
         mean += density[i] * (breaks[i + 1] - breaks[i]) / (breaks[spans] - breaks[0]);
     }
     /* Every fifth knot is spread evenly, so that no part is left without. */

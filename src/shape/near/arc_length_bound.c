@@ -177,7 +177,7 @@ static double largest_on_next_part(sixth *f, int waiting)
         least = bat_min(least, f->next.c[i]);
     if (!(least > 0))
         return INFINITY;
-    const double bound = largest * pow(most_weight, ORDER - 1) / pow(least, 8);
+    const double bound = largest * bat_pow(most_weight, ORDER - 1) / bat_pow(least, 8);
     return isfinite(bound) ? bound : (double)INFINITY;
 }
 

@@ -45,7 +45,7 @@ static double turn_at(const bat_within_fit *t, int i, double far)
         sum += (a[k] / la + b[k] / lb) * (a[k] / la + b[k] / lb);
         difference += (b[k] / lb - a[k] / la) * (b[k] / lb - a[k] / la);
     }
-    return 2 * atan2(sqrt(difference), sqrt(sum));
+    return 2 * bat_atan2(sqrt(difference), sqrt(sum));
 }
 
 /* Where no point nearer than that turns more; of equal ones the first. */

@@ -219,9 +219,9 @@ static batten_status exchange_all(minimax *t)
 static void begin_reference(minimax *t)
 {
     const int m = t->degree + 2, last = t->count - 1;
-    const double pi = 4 * atan(1);
+    const double pi = 4 * bat_atan(1);
     for (int i = 0, at = -1; i < m; i++) {
-        const int wanted = (int)(last * (1 - cos(pi * i / (m - 1))) / 2 + 0.5);
+        const int wanted = (int)(last * (1 - bat_cos(pi * i / (m - 1))) / 2 + 0.5);
         at = bat_max_int(at + 1, bat_min_int(wanted, t->count - m + i));
         t->x[i] = t->t[at];
         t->y[i] = t->f[at];
@@ -350,7 +350,7 @@ batten_status batten_function_minimax(batten_interval domain, int degree,
                  .user = user};
     /* Denser towards the ends, as the extrema are. */
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
-        const double s = sin(2 * atan(1) * i / (count - 1));
+        const double s = bat_sin(2 * bat_atan(1) * i / (count - 1));
         places[i] = i == count - 1 ? domain.b : domain.a + (domain.b - domain.a) * s * s;
         status = ask(&t, places[i], &values[i]);
     }

@@ -80,7 +80,7 @@ static bool residuals(void *context, const double *x, double *r, double *derivat
     const circle_fit *t = context;
     for (int i = 0; i < t->count; i++) {
         const double u = t->points[2 * i] - x[0], v = t->points[2 * i + 1] - x[1],
-                     distance = hypot(u, v);
+                     distance = bat_hypot(u, v);
         r[i] = distance - x[2];
         if (!derivatives)
             continue;
@@ -169,8 +169,8 @@ static double find_circle_frame(const bat_cloud *c, const bat_cloud *flat, const
     const batten_vec3 at =
         bat_vec3_add(bat_vec3_scale(u, in->x * c->size), bat_vec3_scale(v, in->y * c->size));
     out->frame.origin = bat_vec3_add(vec3(c->mean), at);
-    out->frame.x =
-        bat_vec3_add(bat_vec3_scale(u, cos(angles[0])), bat_vec3_scale(v, sin(angles[0])));
+    out->frame.x = bat_vec3_add(bat_vec3_scale(u, bat_cos(angles[0])),
+                                bat_vec3_scale(v, bat_sin(angles[0])));
     out->frame.z = bat_vec3_scale(w, sign);
     out->radius = in->radius * c->size;
     return sign;
@@ -187,8 +187,8 @@ static batten_status report_circle(const bat_cloud *c, const bat_cloud *flat,
         for (size_t i = 0; i < n; i++) {
             const double x = flat->points[2 * i] - in->x, y = flat->points[2 * i + 1] - in->y;
             const double height = c->dimension == 3 ? bat_dot(3, c->points + 3 * i, axes) : 0;
-            angles[i] = atan2(y, x);
-            distances[i] = hypot(hypot(x, y) - in->radius, height);
+            angles[i] = bat_atan2(y, x);
+            distances[i] = bat_hypot(bat_hypot(x, y) - in->radius, height);
         }
         const double sign = find_circle_frame(c, flat, axes, in, angles, out),
                      first = angles[0];

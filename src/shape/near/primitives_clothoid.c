@@ -52,7 +52,7 @@ static bool find_foot(const clothoid_fit *t, const double *x, const double *q, d
         if (!is_near(t, x, *s))
             return false;
         evaluate(x, *s, point, u, v);
-        const double angle = angle_at(x, *s), c = cos(angle), d = sin(angle);
+        const double angle = angle_at(x, *s), c = bat_cos(angle), d = bat_sin(angle);
         const double off[2] = {point[0] - q[0], point[1] - q[1]};
         const double bend = 1 + (x[CURVATURE] + x[RATE] * *s) * (d * -off[0] + c * off[1]);
         const double step = (c * off[0] + d * off[1]) / bat_max(bend, 0.5);
@@ -73,7 +73,7 @@ static bool residuals(void *context, const double *x, double *r, double *derivat
         if (!find_foot(t, x, q, s))
             return false;
         evaluate(x, *s, point, u, v);
-        const double angle = angle_at(x, *s), n[2] = {-sin(angle), cos(angle)};
+        const double angle = angle_at(x, *s), n[2] = {-bat_sin(angle), bat_cos(angle)};
         r[i] = n[0] * (q[0] - point[0]) + n[1] * (q[1] - point[1]);
         if (!derivatives)
             continue;
@@ -128,8 +128,8 @@ static batten_status guess_angles(const groups *g, double *x)
     double a[3 * GROUPS], b[GROUPS], before = 0;
     for (int k = 0; k + 1 < g->count; k++) {
         const double s = (g->lengths[k] + g->lengths[k + 1]) / 2;
-        double angle = atan2(g->points[2 * k + 3] - g->points[2 * k + 1],
-                             g->points[2 * k + 2] - g->points[2 * k]);
+        double angle = bat_atan2(g->points[2 * k + 3] - g->points[2 * k + 1],
+                                 g->points[2 * k + 2] - g->points[2 * k]);
         if (k > 0)
             angle -= (2 * BAT_PI) * round((angle - before) / (2 * BAT_PI));
         before = angle;

@@ -93,7 +93,7 @@ static bool ellipse_of(const double p[3], const double q[3], ellipse *out)
     const double *axis = vectors + (negative ? 2 : 0);
     out->a = sqrt(-rest / values[negative]);
     out->b = sqrt(-rest / values[!negative]);
-    out->turn = atan2(axis[1], axis[0]);
+    out->turn = bat_atan2(axis[1], axis[0]);
     return isfinite(out->a) && out->b > 0;
 }
 
@@ -172,7 +172,7 @@ typedef struct {
 static bool residuals(void *context, const double *x, double *r, double *derivatives)
 {
     const ellipse_fit *t = context;
-    const double a = x[2], b = x[3], c = cos(x[4]), s = sin(x[4]);
+    const double a = x[2], b = x[3], c = bat_cos(x[4]), s = bat_sin(x[4]);
     if (!(a > 0 && b > 0 && isfinite(a) && isfinite(b)))
         return false;
     for (int i = 0; i < t->count; i++) {
@@ -181,7 +181,7 @@ static bool residuals(void *context, const double *x, double *r, double *derivat
         double at[2];
         foot(a, b, q, at);
         double normal[2] = {at[0] / (a * a), at[1] / (b * b)};
-        const double size = hypot(normal[0], normal[1]);
+        const double size = bat_hypot(normal[0], normal[1]);
         normal[0] /= size;
         normal[1] /= size;
         r[i] = normal[0] * (q[0] - at[0]) + normal[1] * (q[1] - at[1]);
@@ -220,7 +220,7 @@ static batten_status refine(const bat_cloud *c, ellipse *e, double *distances, i
     residuals(&t, x, distances, NULL);
     *e = (ellipse){x[0], x[1], x[2], x[3], x[4]};
     if (e->a < e->b)
-        *e = (ellipse){x[0], x[1], x[3], x[2], x[4] + acos(0)};
+        *e = (ellipse){x[0], x[1], x[3], x[2], x[4] + bat_acos(0)};
     return is_open(e) ? bat_fail(BATTEN_SINGULAR_SYSTEM,
                                  "the nearest ellipse has the half axes %g and %g: the points "
                                  "bend as a parabola or a hyperbola does",
@@ -232,11 +232,11 @@ static batten_status refine(const bat_cloud *c, ellipse *e, double *distances, i
 static void report_ellipse(const bat_cloud *c, const ellipse *e, double *angles,
                            batten_fitted_ellipse *out)
 {
-    const double cosine = cos(e->turn), sine = sin(e->turn), pi = 2 * acos(0);
+    const double cosine = bat_cos(e->turn), sine = bat_sin(e->turn), pi = 2 * bat_acos(0);
     double turned = 0;
     for (int i = 0; i < c->count; i++) {
         const double u = c->points[2 * i] - e->x, v = c->points[2 * i + 1] - e->y;
-        angles[i] = atan2((cosine * v - sine * u) / e->b, (cosine * u + sine * v) / e->a);
+        angles[i] = bat_atan2((cosine * v - sine * u) / e->b, (cosine * u + sine * v) / e->a);
         const double step = i > 0 ? angles[i] - angles[i - 1] : 0;
         turned += step - 2 * pi * round(step / (2 * pi));
     }

@@ -48,7 +48,7 @@ static batten_status validation(void *user, double lambda, double *value)
 
 static double lambda_at(const bat_lambda_search *t, double x)
 {
-    return t->scale * pow(10, x);
+    return t->scale * bat_pow(10, x);
 }
 
 /* Where this vanishes rms is the target; rms is near a power of lambda for long stretches. */
@@ -56,13 +56,13 @@ static batten_status above_target(const bat_lambda_search *t, double lambda, dou
 {
     double rms = 1;
     const batten_status status = t->rms(t->user, lambda, &rms);
-    *value = log(rms / t->amount);
+    *value = bat_log(rms / t->amount);
     return status;
 }
 
 double bat_last_decade(int order, int count)
 {
-    return 2 * order * log10(count) + 4;
+    return 2 * order * bat_log10(count) + 4;
 }
 
 enum { FIRST_DECADE = -10 };
@@ -208,7 +208,7 @@ static batten_status search_validation(const bat_lambda_search *t, double *found
 /* Downhill from where the least was before: a few scores instead of one for every decade. */
 static batten_status search_nearby(const bat_lambda_search *t, double *found)
 {
-    double middle = log10(t->near / t->scale), value[3];
+    double middle = bat_log10(t->near / t->scale), value[3];
     batten_status status = BATTEN_OK;
     for (int i = 0; i < 3 && status == BATTEN_OK; i++)
         status = t->score(t->user, lambda_at(t, middle + i - 1), &value[i]);

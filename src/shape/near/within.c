@@ -86,7 +86,7 @@ static batten_status take_away(bat_within *w, bat_trial *t, int count, const int
 static int trials(const bat_within *w, const bat_trial *t)
 {
     const double each = bat_max(4, bat_min(64, 2e5 / w->count));
-    return (int)(each * log2(2.0 + t->count));
+    return (int)(each * bat_log2(2.0 + t->count));
 }
 
 static batten_status shrink(bat_within *w, bat_trial *t)

@@ -76,7 +76,7 @@ static double turn_of_row(const bat_within_fit *t, int i)
     }
     const double cosine =
         bat_dot(d, before, after) / (bat_norm(d, before) * bat_norm(d, after));
-    return acos(bat_max(-1, bat_min(1, cosine)));
+    return bat_acos(bat_max(-1, bat_min(1, cosine)));
 }
 
 /* An arc that turns by an angle bows by an eighth of it and its chord; four times as much, and

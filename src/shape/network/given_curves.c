@@ -40,7 +40,8 @@ static batten_box box_of(int count, const batten_curve *const *curves)
 double batten_network_size(int count, const batten_curve *const *curves)
 {
     const batten_box all = box_of(count, curves);
-    return hypot(hypot(all.high.x - all.low.x, all.high.y - all.low.y), all.high.z - all.low.z);
+    return bat_hypot(bat_hypot(all.high.x - all.low.x, all.high.y - all.low.y),
+                     all.high.z - all.low.z);
 }
 
 batten_status bat_network_scale(int count, const batten_curve *const *curves, double *scale)

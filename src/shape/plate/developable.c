@@ -39,7 +39,7 @@ batten_status batten_ruling_condition(const batten_curve *first, double s,
     }
     double sine, cosine;
     const bool planes = bat_warp_of(&places[0], &places[1], 0, &sine, &cosine);
-    *warp = planes ? atan2(fabs(sine), cosine) : (double)NAN;
+    *warp = planes ? bat_atan2(fabs(sine), cosine) : (double)NAN;
     return BATTEN_OK;
 }
 

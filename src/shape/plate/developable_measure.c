@@ -37,7 +37,7 @@ static batten_status look_at_ruling(const batten_surface *surface, double u, bat
         return BATTEN_OK;
     const batten_vec3 m1 = bat_vec3_scale(m, 1 / p), n1 = bat_vec3_scale(n, 1 / q);
     const double cosine = bat_vec3_dot(m1, n1);
-    const double warp = atan2(bat_vec3_norm(bat_vec3_cross(m1, n1)), cosine);
+    const double warp = bat_atan2(bat_vec3_norm(bat_vec3_cross(m1, n1)), cosine);
     if (warp > out->warp) {
         out->warp = warp;
         out->warp_at = u;

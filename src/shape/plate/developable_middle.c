@@ -30,14 +30,14 @@ void bat_middle_release(bat_middle *m)
 
 static double path_step(const bat_plate *plate, bat_pair a, bat_pair b)
 {
-    return hypot((b.x - a.x) * plate->edge[0].length, (b.y - a.y) * plate->edge[1].length);
+    return bat_hypot((b.x - a.x) * plate->edge[0].length, (b.y - a.y) * plate->edge[1].length);
 }
 
 /* Where the warp is 0 beside the point of the path that is the share f of its step k. */
 static batten_status polish_pair(const bat_plate *plate, int k, double f, bat_pair *out)
 {
     const bat_pair *a = &plate->pairs[k], *b = a + 1;
-    const double reach = 2.0 / BAT_EDGE_STEPS, length = hypot(b->x - a->x, b->y - a->y);
+    const double reach = 2.0 / BAT_EDGE_STEPS, length = bat_hypot(b->x - a->x, b->y - a->y);
     const bat_pair across = {-(b->y - a->y) / length, (b->x - a->x) / length};
     bool found;
     *out = (bat_pair){a->x + f * (b->x - a->x), a->y + f * (b->y - a->y)};
@@ -261,7 +261,7 @@ static batten_status found_warp(const bat_plate *plate, const bat_middle *m, dou
         double sine, cosine;
         status = bat_plate_warp(plate, m->pairs[i], &has, &sine, &cosine);
         if (status == BATTEN_OK && has)
-            *out = bat_max(*out, atan2(fabs(sine), cosine));
+            *out = bat_max(*out, bat_atan2(fabs(sine), cosine));
     }
     return status;
 }

@@ -77,7 +77,7 @@ static void find_warps(node *nodes)
 static double step_cost(const node *nodes, int i, int j, int k)
 {
     const int i1 = i + steps[k].x, j1 = j + steps[k].y;
-    const double length = hypot(steps[k].x, steps[k].y) / N;
+    const double length = bat_hypot(steps[k].x, steps[k].y) / N;
     const bool before = (i == 0 && i1 == 0) || (j == 0 && j1 == 0);
     const bool behind = (i == N && i1 == N) || (j == N && j1 == N);
     const double w = nodes[i * SIDE + j].warp, w1 = nodes[i1 * SIDE + j1].warp;

@@ -88,7 +88,7 @@ static batten_status put_ruling(const bat_plate *plate, bat_pair pair, double u,
         return status;
     *ruling = (batten_ruling){.u = u, .s = a.u, .t = b.u};
     if (bat_warp_of(&a, &b, BAT_MEANT_SAME * plate->size, &sine, &cosine))
-        ruling->warp = atan2(fabs(sine), cosine);
+        ruling->warp = bat_atan2(fabs(sine), cosine);
     return BATTEN_OK;
 }
 

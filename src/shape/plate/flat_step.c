@@ -32,7 +32,7 @@ void bat_flat_step(const bat_flat_rule *rule, const bat_flat_rates *rates, doubl
         double turned = *phi;
         for (int m = 0; m < BAT_FLAT_NODES; m++)
             turned += rule->A[j][m] * rates->turn[m];
-        const double c = cos(turned), s = sin(turned);
+        const double c = bat_cos(turned), s = bat_sin(turned);
         *x += rule->weights[j] * (rates->along[j] * c - rates->across[j] * s);
         *y += rule->weights[j] * (rates->along[j] * s + rates->across[j] * c);
     }

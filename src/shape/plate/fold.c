@@ -28,9 +28,9 @@ static void find_rulings(bat_fold_task *t)
 {
     for (int i = 0; i < t->count; i++) {
         const bat_fold_place *p = &t->at[i];
-        const double across = p->k * sin(p->a);
-        t->b[0][i] = atan2(1, (p->tau + p->a_rate) / across);
-        t->b[1][i] = atan2(1, (p->a_rate - p->tau) / across);
+        const double across = p->k * bat_sin(p->a);
+        t->b[0][i] = bat_atan2(1, (p->tau + p->a_rate) / across);
+        t->b[1][i] = bat_atan2(1, (p->a_rate - p->tau) / across);
     }
 }
 
@@ -51,8 +51,9 @@ static batten_status differentiate(const bat_fold_task *t, const double *values,
 static batten_vec3 ruling(const bat_fold_place *p, double b, double sign)
 {
     const batten_vec3 g =
-        bat_vec3_along(bat_vec3_scale(p->N, cos(p->a)), sign * sin(p->a), p->B);
-    return bat_vec3_scale(bat_vec3_along(bat_vec3_scale(p->T, cos(b)), sin(b), g), sign);
+        bat_vec3_along(bat_vec3_scale(p->N, bat_cos(p->a)), sign * bat_sin(p->a), p->B);
+    return bat_vec3_scale(bat_vec3_along(bat_vec3_scale(p->T, bat_cos(b)), bat_sin(b), g),
+                          sign);
 }
 
 /* How far the edge of regression is, at right angles to the crease: on the side of the material
@@ -62,10 +63,10 @@ static void find_regression(const bat_fold_task *t, int side, batten_fold_sheet 
     const double sign = side ? -1 : 1;
     sheet->regression = HUGE_VAL;
     for (int i = 0; i < t->count; i++) {
-        const double b = t->b[side][i], kg = t->at[i].k * cos(t->at[i].a);
-        const double v = sign * sin(b) / (t->b_rate[side][i] + kg);
-        if (v > 0 && v * sin(b) < sheet->regression) {
-            sheet->regression = v * sin(b);
+        const double b = t->b[side][i], kg = t->at[i].k * bat_cos(t->at[i].a);
+        const double v = sign * bat_sin(b) / (t->b_rate[side][i] + kg);
+        if (v > 0 && v * bat_sin(b) < sheet->regression) {
+            sheet->regression = v * bat_sin(b);
             sheet->regression_at = t->at[i].s;
         }
     }
@@ -100,7 +101,7 @@ static batten_status make_sheet(bat_fold_task *t, int side, double width,
     for (int i = 0; i < t->count; i++) {
         const batten_vec3 r = ruling(&t->at[i], t->b[side][i], sign);
         memcpy(sheet->rulings + 3 * i, (const double[3]){r.x, r.y, r.z}, 3 * sizeof(double));
-        sheet->lengths[i] = width / sin(t->b[side][i]);
+        sheet->lengths[i] = width / bat_sin(t->b[side][i]);
     }
     return check_width(width, sheet, side ? "right" : "left");
 }
@@ -165,10 +166,10 @@ static batten_status measure_sheet(bat_fold_task *t, int side, double width,
             status = batten_surface_evaluate(sheet->surface, at, 1, 0, edge);
         if (status != BATTEN_OK)
             return status;
-        const double across = p.k * sin(p.a);
-        const double b = atan2(1, (side ? p.a_rate - p.tau : p.tau + p.a_rate) / across);
+        const double across = p.k * bat_sin(p.a);
+        const double b = bat_atan2(1, (side ? p.a_rate - p.tau : p.tau + p.a_rate) / across);
         const batten_vec3 r = ruling(&p, b, sign);
-        const batten_vec3 true_edge = bat_vec3_along(p.X, width / sin(b), r);
+        const batten_vec3 true_edge = bat_vec3_along(p.X, width / bat_sin(b), r);
         t->made.error = bat_max(
             t->made.error, bat_vec3_norm(bat_vec3_subtract(true_edge, bat_vec3_of(3, edge))));
         const double *r0 = sheet->rulings + 3 * i, *r1 = r0 + 3;

@@ -67,7 +67,7 @@ static batten_status angle_of_curvature(const bat_fold_task *t, const double fla
                         "below that in space, %g",
                         p->s, flat[0], p->k);
     const double sign = t->options->other_side ? -1 : 1, c = flat[0] / p->k;
-    p->a = sign * acos(c);
+    p->a = sign * bat_acos(c);
     p->a_rate = -sign * (flat[1] - c * k_rate) / p->k / sqrt(1 - c * c);
     return BATTEN_OK;
 }
@@ -157,7 +157,7 @@ static batten_status flat_curvatures(const bat_fold_task *t, double s, double *k
         status = straight(s);
     if (status != BATTEN_OK)
         return status;
-    *k = fabs(local.curvature) / cos(law[0]);
+    *k = fabs(local.curvature) / bat_cos(law[0]);
     *tau = torsion[0];
     return BATTEN_OK;
 }

@@ -21,7 +21,7 @@ static batten_status flat_step(const bat_fold_task *t, const bat_flat_rule *rule
         if (status != BATTEN_OK)
             return status;
         rates.along[j] = bat_norm(3, values + 3) * h;
-        rates.turn[j] = p.k * cos(p.a) * rates.along[j];
+        rates.turn[j] = p.k * bat_cos(p.a) * rates.along[j];
     }
     bat_flat_step(rule, &rates, phi, &at[0], &at[1]);
     return BATTEN_OK;
@@ -29,8 +29,8 @@ static batten_status flat_step(const bat_fold_task *t, const bat_flat_rule *rule
 
 static void flat_ruling(double phi, double b, double sign, double *out)
 {
-    out[0] = sign * cos(phi + b);
-    out[1] = sign * sin(phi + b);
+    out[0] = sign * bat_cos(phi + b);
+    out[1] = sign * bat_sin(phi + b);
 }
 
 batten_status bat_fold_flatten(bat_fold_task *t)

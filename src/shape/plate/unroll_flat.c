@@ -133,13 +133,13 @@ static void put_ends(const bat_strip_ruling *g, double phi, const double at[2], 
 {
     points[0] = at[0];
     points[1] = at[1];
-    points[2] = at[0] + g->length * cos(phi);
-    points[3] = at[1] + g->length * sin(phi);
+    points[2] = at[0] + g->length * bat_cos(phi);
+    points[3] = at[1] + g->length * bat_sin(phi);
 }
 
 static void put_rates(const bat_strip_ruling *g, double phi, double *first, double *second)
 {
-    const double c = cos(phi), s = sin(phi);
+    const double c = bat_cos(phi), s = bat_sin(phi);
     for (int e = 0; e < 2; e++) {
         double *rate = e ? second : first;
         const double along = bat_vec3_dot(g->D[e], g->r), left = bat_vec3_dot(g->D[e], g->m);

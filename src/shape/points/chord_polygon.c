@@ -38,7 +38,7 @@ static void find_turns(bat_chord_polygon *out)
         const double *q = out->vector + 2 * (size_t)j, *r = out->vector + 2 * (size_t)i;
         const double l = out->length[j], m = out->length[i];
         const double u[2] = {q[0] / l, q[1] / l}, v[2] = {r[0] / m, r[1] / m};
-        out->turn[i] = atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
+        out->turn[i] = bat_atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
     }
     for (int j = 0; j < out->spans; j++)
         out->length[j] /= out->unit;
@@ -98,7 +98,7 @@ void bat_chord_polygon_directions(const bat_chord_polygon *c, const double *angl
     double before = 0, turned = 0;
     for (int i = 0; i < c->count; i++) {
         const double *q = c->vector + 2 * (size_t)bat_min_int(i, c->spans - 1);
-        const double phi = atan2(q[1], q[0]);
+        const double phi = bat_atan2(q[1], q[0]);
         /* The chord as the polygon has turned into it. */
         const double unwrapped = i == 0 ? phi : before + turned;
         const double near = phi + 2 * BAT_PI * round((unwrapped - phi) / (2 * BAT_PI));
@@ -110,13 +110,13 @@ void bat_chord_polygon_directions(const bat_chord_polygon *c, const double *angl
 
 double bat_circle_angle(double before, double after, double turn)
 {
-    return atan2(-sin(turn) * after, cos(turn) * after + before);
+    return bat_atan2(-bat_sin(turn) * after, bat_cos(turn) * after + before);
 }
 
 void bat_chord_put(const double *vector, const double *point, batten_span *span)
 {
     const double l = bat_norm(2, vector);
-    const double c = vector[0] / l, s = vector[1] / l, turn = atan2(vector[1], vector[0]);
+    const double c = vector[0] / l, s = vector[1] / l, turn = bat_atan2(vector[1], vector[0]);
     double *const vectors[] = {span->start, span->end, span->bend[0], span->bend[1]};
     for (int k = 0; k < 4; k++) {
         double *v = vectors[k];

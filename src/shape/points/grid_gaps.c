@@ -199,7 +199,7 @@ static double reach(const filling *f, const double way[2], double far[2])
                 memcpy(first, at, sizeof first);
             const double off[2] = {at[0] - first[0], at[1] - first[1]};
             const double size =
-                way ? fabs(way[0] * off[1] - way[1] * off[0]) : hypot(off[0], off[1]);
+                way ? fabs(way[0] * off[1] - way[1] * off[0]) : bat_hypot(off[0], off[1]);
             if (size > most) {
                 most = size;
                 memcpy(far, off, sizeof off);

@@ -164,8 +164,8 @@ static double corner(const metric *m, const double *a, const double *b, const do
         sum[k] = u[k] / size_u + v[k] / size_v;
         difference[k] = u[k] / size_u - v[k] / size_v;
     }
-    const double turn = 2 * atan2(length_of(n, difference), length_of(n, sum));
-    return 1.5 * bat_min(turn, acos(0));
+    const double turn = 2 * bat_atan2(length_of(n, difference), length_of(n, sum));
+    return 1.5 * bat_min(turn, bat_acos(0));
 }
 
 typedef struct {
@@ -269,7 +269,7 @@ batten_status bat_parametrize_power(batten_points points, double alpha, bool clo
     bat_steps(points, kind, closed, parameters + 1);
     if (kind == BATTEN_CHORD && alpha != 1)
         for (int i = 1; i < points.count + closed; i++)
-            parameters[i] = pow(parameters[i], alpha);
+            parameters[i] = bat_pow(parameters[i], alpha);
     return sum_steps(points.count, closed, parameters);
 }
 

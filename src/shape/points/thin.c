@@ -169,7 +169,7 @@ batten_status batten_points_thin(batten_points points, double tolerance, bool cl
                   .count = points.count,
                   .points = points.at,
                   .tolerance = tolerance,
-                  .most = 32.0 * points.count * (1 + log2(points.count))};
+                  .most = 32.0 * points.count * (1 + bat_log2(points.count))};
     t.keep = bat_array((size_t)points.count, sizeof *t.keep);
     if (!t.keep)
         return BATTEN_OUT_OF_MEMORY;

@@ -100,7 +100,7 @@ static bool is_smooth(const batten_curve *a, const batten_curve *b)
         in[c] = A[d + c] - A[c];
         out[c] = B[d + c] - B[c];
     }
-    return bat_dot(d, in, out) > cos(bat_skin_corner) * bat_norm(d, in) * bat_norm(d, out);
+    return bat_dot(d, in, out) > bat_cos(bat_skin_corner) * bat_norm(d, in) * bat_norm(d, out);
 }
 
 static void free_chain(chain *c)
@@ -171,14 +171,14 @@ static bool solve_cure(chain *c, int first)
     double best = 0, least = march(c, first, 1);
     for (double step = 0.5; step > 1e-6; step /= 2)
         for (int turn = 0; turn < 16; turn++) {
-            const double low = march(c, first, exp(best - step)),
-                         high = march(c, first, exp(best + step));
+            const double low = march(c, first, bat_exp(best - step)),
+                         high = march(c, first, bat_exp(best + step));
             if (!(bat_min(low, high) < least))
                 break;
             best += low < high ? -step : step;
             least = bat_min(low, high);
         }
-    return march(c, first, exp(best)) <= most_uneven;
+    return march(c, first, bat_exp(best)) <= most_uneven;
 }
 
 /* A link with its new parameter, weights from `weight` on and the speed `speed` at its start, 0

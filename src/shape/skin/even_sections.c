@@ -18,7 +18,7 @@ static double speed_ratio(const batten_curve *curve, int i)
         after[c] = on[c + d] - on[c];
     }
     const double a = bat_norm(d, before), b = bat_norm(d, after);
-    if (!(a > 0 && b > 0) || bat_dot(d, before, after) < cos(bat_skin_corner) * a * b)
+    if (!(a > 0 && b > 0) || bat_dot(d, before, after) < bat_cos(bat_skin_corner) * a * b)
         return 0;
     const double ratio = (b / (U[i + p] - U[i])) / (a / (U[i] - U[i - 1]));
     return ratio > 1.0 / 64 && ratio < 64 ? ratio

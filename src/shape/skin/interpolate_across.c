@@ -160,8 +160,8 @@ static batten_status measure_arcs(const pole_plane *plane, const batten_curve *s
         if (status != BATTEN_OK)
             break;
         const double wide = bat_vec3_norm(flat_from_pole(plane, point, &height));
-        const double angle = atan2(fabs(height), wide);
-        arcs += wide * hypot(wide, height) * (angle > 0 ? angle / sin(angle) : 1);
+        const double angle = bat_atan2(fabs(height), wide);
+        arcs += wide * bat_hypot(wide, height) * (angle > 0 ? angle / bat_sin(angle) : 1);
         squares += wide * wide;
     }
     bat_release(knots);

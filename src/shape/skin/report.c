@@ -159,7 +159,7 @@ static batten_status jumps(const batten_surface *surface, const seam_line *line,
         speeds[side] = bat_norm(3, out + 3);
     }
     const double sine = bat_vec3_norm(bat_vec3_cross(normals[0], normals[1]));
-    *normal = bat_max(*normal, atan2(sine, bat_vec3_dot(normals[0], normals[1])));
+    *normal = bat_max(*normal, bat_atan2(sine, bat_vec3_dot(normals[0], normals[1])));
     if (speeds[0] != speeds[1])
         *speed = bat_max(*speed, fabs(speeds[0] - speeds[1]) / bat_max(speeds[0], speeds[1]));
     return BATTEN_OK;
@@ -181,8 +181,8 @@ static batten_status section_corner(const bat_skin *t, const seam_line *line, do
         if (status != BATTEN_OK)
             return status;
         const batten_vec3 a = bat_vec3_of(d, left + d), b = bat_vec3_of(d, right + d);
-        *corner =
-            bat_max(*corner, atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b)));
+        *corner = bat_max(*corner,
+                          bat_atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b)));
     }
     return BATTEN_OK;
 }

@@ -231,7 +231,7 @@ static batten_status find_corner(const batten_curve *curve, double *u, bool *goo
 {
     const batten_interval domain = batten_curve_domain(curve);
     const int count = batten_curve_spans(curve, NULL);
-    const double at = *u, smooth = cos(bat_skin_corner);
+    const double at = *u, smooth = bat_cos(bat_skin_corner);
     double least, *knots = bat_array((size_t)count, sizeof *knots);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
@@ -282,7 +282,7 @@ static double spread(const samples *s, double mean[3])
         for (int c = 0; c < s->d; c++)
             mean[c] += s->points[i][c] / SAMPLES;
     for (int i = 0; i < SAMPLES; i++)
-        sum += pow(bat_distance(s->d, s->points[i], mean), 2) / SAMPLES;
+        sum += bat_pow(bat_distance(s->d, s->points[i], mean), 2) / SAMPLES;
     return sum;
 }
 
@@ -305,7 +305,8 @@ static batten_status orient_closed(bat_skin *t, int k, const samples *before, cl
     if (status != BATTEN_OK)
         return status;
     const double A = spread(before, mean), B = spread(&here, here_mean);
-    const double all = A + B + pow(bat_distance(here.d, mean, here_mean), 2), r = sqrt(A * B);
+    const double all = A + B + bat_pow(bat_distance(here.d, mean, here_mean), 2),
+                 r = sqrt(A * B);
     best_start(before, &here, true, false, &along);
     best_start(before, &here, true, true, &against);
     if ((all - against) / 2 > (all - along) / 2 + better * r) {

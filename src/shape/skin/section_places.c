@@ -90,7 +90,7 @@ static batten_status even_places(const batten_curve *spine, int count, double *a
 static batten_affine map_of(const batten_frame *frame, double twist, double scale)
 {
     const batten_vec3 y = bat_vec3_cross(frame->z, frame->x);
-    const double c = cos(twist), s = sin(twist);
+    const double c = bat_cos(twist), s = bat_sin(twist);
     const batten_vec3 a = bat_vec3_along(bat_vec3_scale(frame->x, c), s, y);
     const batten_vec3 b = bat_vec3_along(bat_vec3_scale(y, c), -s, frame->x);
     const batten_vec3 o = frame->origin, z = frame->z;

@@ -60,7 +60,7 @@ static batten_status compare(const bat_blend_contact *t, const batten_surface *m
     }
     const double dot = bat_vec3_dot(n[0], n[1]);
     const double sine = bat_vec3_norm(bat_vec3_cross(n[0], n[1]));
-    r->angle[side] = bat_max(r->angle[side], atan2(sine, fabs(dot)));
+    r->angle[side] = bat_max(r->angle[side], bat_atan2(sine, fabs(dot)));
     r->curvature[side] =
         bat_max(r->curvature[side], fabs(kappa[0] - (dot < 0 ? -kappa[1] : kappa[1])));
     return BATTEN_OK;

@@ -237,13 +237,13 @@ static batten_status measure_extension(const task *t, const batten_surface *made
         if (status != BATTEN_OK)
             return status;
         const double jump = bat_vec3_norm(bat_vec3_subtract(n[0], n[1]));
-        r->angle = bat_max(r->angle, 2 * asin(bat_min(1, jump / 2)));
+        r->angle = bat_max(r->angle, 2 * bat_asin(bat_min(1, jump / 2)));
         r->curvature = bat_max(r->curvature, fabs(kappa[0] - kappa[1]));
         const double ln = bat_norm(3, near + 6), lf = bat_norm(3, far + 6);
         const batten_vec3 a = bat_vec3_scale(bat_vec3_of(3, near + 6), 1 / ln);
         const batten_vec3 b = bat_vec3_scale(bat_vec3_of(3, far + 6), lf > 0 ? 1 / lf : 0);
-        r->turn =
-            bat_max(r->turn, atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b)));
+        r->turn = bat_max(r->turn,
+                          bat_atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b)));
     }
     return status;
 }

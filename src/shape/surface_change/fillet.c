@@ -226,7 +226,7 @@ static batten_status check_balls(filleting *t)
     for (int i = 0; i < t->spine.count; i++) {
         const bat_ball *b = &t->spine.balls[i];
         const double chord = bat_vec3_norm(bat_vec3_subtract(b->contact[0], b->contact[1]));
-        const double angle = 2 * asin(bat_min(1, chord / (2 * r)));
+        const double angle = 2 * bat_asin(bat_min(1, chord / (2 * r)));
         t->out->least = bat_min(t->out->least, angle);
         t->out->most = bat_max(t->out->most, angle);
         for (int k = 0; k < 2; k++) {

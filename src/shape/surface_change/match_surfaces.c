@@ -256,7 +256,7 @@ static batten_status compare_at(const batten_surface *first, batten_edge first_e
     if (status != BATTEN_OK)
         return status;
     const double sine = bat_vec3_norm(bat_vec3_cross(n1, n2)), cosine = bat_vec3_dot(n1, n2);
-    r->angle = bat_max(r->angle, atan2(sine, fabs(cosine)));
+    r->angle = bat_max(r->angle, bat_atan2(sine, fabs(cosine)));
     if (curved != BATTEN_OK || curved_too != BATTEN_OK) {
         r->curvature = NAN;
         return BATTEN_OK;

@@ -104,7 +104,7 @@ static batten_status check_crease(const batten_surface *surface, batten_directio
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "the surface has a crease of %.3g degrees at %c = %.9g, where its "
                             "offset would fall apart: split it there",
-                            2 * asin(bat_min(1, jump / 2)) * 180 / BAT_PI,
+                            2 * bat_asin(bat_min(1, jump / 2)) * 180 / BAT_PI,
                             across == BATTEN_U ? 'u' : 'v', at);
     }
     return BATTEN_OK;

@@ -17,7 +17,7 @@ static void turn_axis(const screw *s, batten_vec3 e, double v, int column, bat_p
     const double height = bat_vec3_dot(e, s->axis);
     const batten_vec3 flat = bat_vec3_along(e, -height, s->axis);
     const batten_vec3 side = bat_vec3_cross(s->axis, flat);
-    const double c = cos(v), n = sin(v);
+    const double c = bat_cos(v), n = bat_sin(v);
     const double cosines[4] = {c, -n, -c, n}, sines[4] = {n, c, -n, -c};
     for (int k = 0; k <= BAT_POSE_ORDER; k++) {
         batten_vec3 at = bat_vec3_along(bat_vec3_scale(flat, cosines[k]), sines[k], side);

@@ -24,7 +24,7 @@ batten_vec3 bat_turn_least(batten_vec3 x, batten_vec3 a, batten_vec3 b)
 
 double bat_angle_about(batten_vec3 t, batten_vec3 x, batten_vec3 y)
 {
-    return atan2(bat_vec3_dot(y, bat_vec3_cross(t, x)), bat_vec3_dot(y, x));
+    return bat_atan2(bat_vec3_dot(y, bat_vec3_cross(t, x)), bat_vec3_dot(y, x));
 }
 
 /* Do the ends meet; and the tangents there. */

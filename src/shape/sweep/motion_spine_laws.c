@@ -89,7 +89,7 @@ batten_status bat_spine_turn(const bat_spine_motion *m, const bat_jet *share, ba
     } else if (m->turn == 0) {
         return BATTEN_OK;
     }
-    const double c = cos(angle.d[0]), s = sin(angle.d[0]);
+    const double c = bat_cos(angle.d[0]), s = bat_sin(angle.d[0]);
     const bat_jet cosine = bat_jet_compose((double[4]){c, -s, -c, s}, angle);
     const bat_jet sine = bat_jet_compose((double[4]){s, c, -s, -c}, angle);
     const bat_jet3 x = f->x;

@@ -11,8 +11,8 @@ static batten_status corner_at(const bat_spine_motion *m, double u, double *angl
     if (status == BATTEN_OK)
         status = bat_spine_tangent(m, u, BATTEN_FROM_RIGHT, &point, &tangent[1]);
     if (status == BATTEN_OK)
-        *angle = atan2(bat_vec3_norm(bat_vec3_cross(tangent[0], tangent[1])),
-                       bat_vec3_dot(tangent[0], tangent[1]));
+        *angle = bat_atan2(bat_vec3_norm(bat_vec3_cross(tangent[0], tangent[1])),
+                           bat_vec3_dot(tangent[0], tangent[1]));
     return status;
 }
 
@@ -96,7 +96,7 @@ static batten_status frame_run(bat_spine_motion *m, const bat_spine_run *r, batt
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
         const batten_vec3 y = bat_vec3_cross(frames[i].z, frames[i].x);
         m->x[r->first + i] =
-            bat_vec3_along(bat_vec3_scale(frames[i].x, cos(angle)), sin(angle), y);
+            bat_vec3_along(bat_vec3_scale(frames[i].x, bat_cos(angle)), bat_sin(angle), y);
     }
     batten_curve_unref(part);
     bat_release(frames);

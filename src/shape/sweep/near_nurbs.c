@@ -102,7 +102,7 @@ static int parts_of(const bat_sweep_fitting *f, int span)
     const double ratio = f->error[span] / f->tolerance;
     if (!(ratio > 1))
         return 1;
-    const double parts = ceil(1.1 * pow(bat_min(ratio, 1e30), 1.0 / (f->degree + 1)));
+    const double parts = ceil(1.1 * bat_pow(bat_min(ratio, 1e30), 1.0 / (f->degree + 1)));
     return bat_max_int(2, (int)bat_min(parts, MOST_PARTS));
 }
 

@@ -61,7 +61,7 @@ static batten_span part_of(int d, const batten_span *from, double a, double b)
     if (a > 0) {
         memcpy(span.start, v[0], sizeof span.start);
         memcpy(span.bend[0], v[2], sizeof span.bend[0]);
-        span.angle = atan2(v[1][1], v[1][0]);
+        span.angle = bat_atan2(v[1][1], v[1][0]);
         shift(&span, from, a, v);
     }
     memcpy(span.end, w[0], sizeof span.end);
@@ -94,7 +94,7 @@ static batten_span reversed(int d, const batten_span *from)
     /* Backwards curvature changes its sign, and so does every second of its derivatives. */
     span.curvature[0] = -span.curvature[0];
     span.curvature[2] = -span.curvature[2];
-    span.angle = atan2(-v[1][1], -v[1][0]);
+    span.angle = bat_atan2(-v[1][1], -v[1][0]);
     if (from->kind == BATTEN_SPAN_GEOMETRIC)
         span.chord = from->chord > 0 ? from->chord - BAT_PI : from->chord + BAT_PI;
     memcpy(span.start, v[0], sizeof span.start);

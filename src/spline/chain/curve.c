@@ -97,7 +97,7 @@ static batten_status add_arc(const batten_chain *chain, pieces *p, double a, dou
         status = batten_chain_evaluate_side(chain, b, BATTEN_FROM_LEFT, 1, end);
     if (status != BATTEN_OK)
         return status;
-    const double w = cos(turn / 2);
+    const double w = bat_cos(turn / 2);
     const double chord = bat_distance(d, start, end), leg = chord / (2 * w);
     const double speed = bat_norm(d, start + d);
     for (int k = 0; k < d; k++) {

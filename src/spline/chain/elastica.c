@@ -31,12 +31,12 @@ static jacobi jacobi_at(double v)
     double gain = 0.4569465810444636254 * v;
     double amplitude = 16 * 0.8472130847939790866 * v;
     for (int n = 3; n >= 0; n--) {
-        const double sine = sin(amplitude);
+        const double sine = bat_sin(amplitude);
         gain += 2 * landen_steps[n] * sine;
-        amplitude = (amplitude + asin(landen_ratios[n] * sine)) / 2;
+        amplitude = (amplitude + bat_asin(landen_ratios[n] * sine)) / 2;
     }
-    const double sn = sin(amplitude);
-    return (jacobi){sn, cos(amplitude), sqrt(1 - sn * sn / 2), gain};
+    const double sn = bat_sin(amplitude);
+    return (jacobi){sn, bat_cos(amplitude), sqrt(1 - sn * sn / 2), gain};
 }
 
 /* The integral of cn^2 from the inflection, where cn v is the lemniscate's sine of (v + K) /
@@ -77,16 +77,16 @@ static double turn_between(const double from[2], const double to[2])
     double turned[2];
     turn_back(from, to[0], to[1], turned);
     if (turned[0] > 0)
-        return atan2(turned[1], turned[0]);
+        return bat_atan2(turned[1], turned[0]);
     /* Both are within a right angle of the first axis, so this never jumps. */
-    return atan2(to[1], to[0]) - atan2(from[1], from[0]);
+    return bat_atan2(to[1], to[0]) - bat_atan2(from[1], from[0]);
 }
 
 /* `curvature` and `slope` are for a unit of length in which s = 1. */
 static void unit_elastica(double curvature, double slope, bat_elastica *out)
 {
     static const double root = 1.41421356237309504880;
-    const double lambda = sqrt(hypot(slope, curvature * curvature / 2));
+    const double lambda = sqrt(bat_hypot(slope, curvature * curvature / 2));
     *out = (bat_elastica){{1, 0}, {1, 0}, 0, curvature, slope, 0, 0};
     if (lambda == 0)
         return;
@@ -135,7 +135,7 @@ void bat_span_elastica(int d, const batten_span *span, double t, int order, doub
     (void)d;
     bat_elastica at;
     bat_elastica_at(span->curvature[0], span->curvature[1], t, &at);
-    const double back[2] = {cos(span->angle), -sin(span->angle)};
+    const double back[2] = {bat_cos(span->angle), -bat_sin(span->angle)};
     double T[2];
     turn_back(back, at.point[0], at.point[1], out);
     turn_back(back, at.tangent[0], at.tangent[1], T);
@@ -155,7 +155,7 @@ batten_status bat_span_elastica_check(const batten_span *span, int index)
 {
     const double k = span->curvature[0] * span->length;
     const double slope = span->curvature[1] * span->length * span->length;
-    const double waves = sqrt(hypot(slope, k * k / 2));
+    const double waves = sqrt(bat_hypot(slope, k * k / 2));
     /* Beyond, rounding the phase costs more than half of the digits. */
     if (waves <= 0x1p26)
         return BATTEN_OK;

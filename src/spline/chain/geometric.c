@@ -50,7 +50,7 @@ static double clearance(const sine_curve *c, double x)
 {
     double nearest = HUGE_VAL;
     for (int i = 0; i < c->count; i++)
-        nearest = bat_min(nearest, hypot(x - c->roots[i][0], c->roots[i][1]));
+        nearest = bat_min(nearest, bat_hypot(x - c->roots[i][0], c->roots[i][1]));
     return nearest;
 }
 
@@ -94,7 +94,7 @@ void bat_span_geometric(int d, const batten_span *span, double t, int order, dou
     assert(d == 2);
     (void)d;
     const double a = span->curvature[0], b = span->curvature[1];
-    const double sine = sin(span->angle - span->chord);
+    const double sine = bat_sin(span->angle - span->chord);
     bat_geometric at;
     /* In units of t. */
     bat_geometric_at(sine, a * t, b * t * t, &at);
@@ -104,7 +104,7 @@ void bat_span_geometric(int d, const batten_span *span, double t, int order, dou
     const double rise[4] = {t * at.rise, u / w, k / (w * w2),
                             (b + 3 * u * k * k / w2) / (w * w2)};
     const double x[4] = {t, 1, 0, 0};
-    const double cosine = cos(span->chord), slant = sin(span->chord);
+    const double cosine = bat_cos(span->chord), slant = bat_sin(span->chord);
     for (int i = 0; i <= order; i++) {
         const double origin[2] = {i == 0 ? span->start[0] : 0, i == 0 ? span->start[1] : 0};
         out[2 * i] = origin[0] + (cosine * x[i] - slant * rise[i]);
@@ -115,10 +115,10 @@ void bat_span_geometric(int d, const batten_span *span, double t, int order, dou
 batten_status bat_span_geometric_check(const batten_span *span, int index)
 {
     const double l = span->length, a = span->curvature[0] * l, b = span->curvature[1] * l * l;
-    const double sine = sin(span->angle - span->chord);
+    const double sine = bat_sin(span->angle - span->chord);
     const double top = b != 0 && -a / b > 0 && -a / b < 1 ? -a / b : 0;
     const double u[3] = {sine, sine + a + b / 2, sine + top * (a + b * top / 2)};
-    if (!(cos(span->angle - span->chord) > 0))
+    if (!(bat_cos(span->angle - span->chord) > 0))
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
             "span %d begins at %g radians to its chord, not less than a right angle", index,

@@ -10,16 +10,20 @@ void bat_arc_at(const batten_span *arc, double t, double out[2])
 {
     /* The chord of the part up to t: its length, and half the turn from the tangent. */
     const double half = arc->curvature[0] * t / 2;
-    const double chord = half == 0 ? t : t * (sin(half) / half);
-    out[0] = arc->start[0] + chord * cos(arc->angle + half);
-    out[1] = arc->start[1] + chord * sin(arc->angle + half);
+    const double chord = half == 0 ? t : t * (bat_sin(half) / half);
+    double cosine, sine;
+    bat_sincos(arc->angle + half, &sine, &cosine);
+    out[0] = arc->start[0] + chord * cosine;
+    out[1] = arc->start[1] + chord * sine;
 }
 
 static void evaluate_arc(int d, const batten_span *span, double t, int order, double *out)
 {
     const double k = span->curvature[0], angle = span->angle + k * t;
-    const double T[2] = {cos(angle), sin(angle)}, N[2] = {-T[1], T[0]};
     assert(d == 2);
+    double T[2];
+    bat_sincos(angle, &T[1], &T[0]);
+    const double N[2] = {-T[1], T[0]};
     bat_arc_at(span, t, out);
     for (int i = 0; i < d; i++) {
         if (order >= 1)

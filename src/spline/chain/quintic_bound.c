@@ -85,7 +85,7 @@ static double sixth_of_elastica(const batten_span *span, double middle, double h
 static double sixth_of_geometric(const batten_span *span, double a, double b)
 {
     const double first = span->curvature[0], second = span->curvature[1], h = b - a;
-    const double sine = sin(span->angle - span->chord);
+    const double sine = bat_sin(span->angle - span->chord);
     const double at_a = sine + a * (first + second * a / 2);
     const double at_b = sine + b * (first + second * b / 2);
     const double w2 = fabs(second) * h * h;

@@ -38,7 +38,7 @@ void bat_span_spiral(int d, const batten_span *span, double t, int order, double
     out[1] = span->start[1] + t * y;
     if (order < 1)
         return;
-    const double T[2] = {cos(angle), sin(angle)}, N[2] = {-T[1], T[0]};
+    const double T[2] = {bat_cos(angle), bat_sin(angle)}, N[2] = {-T[1], T[0]};
     const double curvature = k[0] + t * (k[1] + t * (k[2] / 2 + t * (k[3] / 6)));
     const double rate = k[1] + t * (k[2] + t * (k[3] / 2));
     for (int i = 0; i < d; i++) {

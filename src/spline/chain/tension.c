@@ -50,9 +50,9 @@ void bat_tension_shape(double z, double x, double rest, double out[4])
         return;
     }
     /* All exponents are below 0, so that no tension is too large. */
-    const double e = exp(-z * rest), scale = -expm1(-2 * z);
-    const double sine = e * (-expm1(-2 * z * x) / scale);
-    const double cosine = e * ((1 + exp(-2 * z * x)) / scale);
+    const double e = bat_exp(-z * rest), scale = -bat_expm1(-2 * z);
+    const double sine = e * (-bat_expm1(-2 * z * x) / scale);
+    const double cosine = e * ((1 + bat_exp(-2 * z * x)) / scale);
     out[0] = (sine - x) / z / z;
     out[1] = (cosine - 1 / z) / z;
     out[2] = sine;

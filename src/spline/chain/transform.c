@@ -48,9 +48,9 @@ static void map_vector(const batten_affine *map, int d, double *v, bool is_point
 /* A direction of the plane, radians, after the map. */
 static double map_angle(const batten_affine *map, double angle)
 {
-    double v[3] = {cos(angle), sin(angle), 0};
+    double v[3] = {bat_cos(angle), bat_sin(angle), 0};
     map_vector(map, 2, v, false);
-    return atan2(v[1], v[0]);
+    return bat_atan2(v[1], v[0]);
 }
 
 /* Lengths grow by the scale, curvatures shrink by it; in a mirror they change their sign. */

@@ -151,16 +151,16 @@ batten_status batten_curve_uniform(batten_points points, int degree, const doubl
  * square of its distance from the centre is at most r^2 (1 + x). */
 static double arc_error(double radius, double w)
 {
-    const double s = sin(w / 4), c = cos(w / 4);
+    const double s = bat_sin(w / 4), c = bat_cos(w / 4);
     const double x = 4.0 / 27 * s * s * s * s * s * s / (c * c);
     return radius * x / (1 + sqrt(1 + x));
 }
 
 static void arc_points(double radius, double w, int pieces, double *points)
 {
-    const double leg = 4.0 / 3 * tan(w / 4) * radius;
+    const double leg = 4.0 / 3 * bat_tan(w / 4) * radius;
     for (int i = 0; i <= pieces; i++) {
-        const double c = cos(i * w), s = sin(i * w);
+        const double c = bat_cos(i * w), s = bat_sin(i * w);
         double *at = points + 6 * i;
         at[0] = radius * c;
         at[1] = radius * s;

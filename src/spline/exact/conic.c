@@ -73,8 +73,8 @@ typedef struct {
 static void direction(double angle, double *c, double *s)
 {
     const double quarter = nearbyint(angle / HALF_PI);
-    *c = cos(angle);
-    *s = sin(angle);
+    *c = bat_cos(angle);
+    *s = bat_sin(angle);
     if (quarter == 0 || fabs(angle - quarter * HALF_PI) > 2 * DBL_EPSILON * fabs(angle))
         return;
     const int turn = (int)fmod(quarter, 4) & 3;
@@ -105,7 +105,7 @@ static void fill_arc(const ellipse *shape, double start, double angle, int piece
 {
     const int d = shape->dimension;
     const double step = angle / pieces,
-                 rise = pieces == 4 && angle == TWO_PI ? 1 : 1 + cos(step);
+                 rise = pieces == 4 && angle == TWO_PI ? 1 : 1 + bat_cos(step);
     double c0, s0;
     direction(start, &c0, &s0);
     put_on_ellipse(shape, c0, s0, points);
@@ -116,7 +116,7 @@ static void fill_arc(const ellipse *shape, double start, double angle, int piece
         direction(i == pieces ? start + angle : start + i * step, &c1, &s1);
         put_on_ellipse(shape, (c0 + c1) / rise, (s0 + s1) / rise, points + (2 * i - 1) * d);
         put_on_ellipse(shape, c1, s1, points + 2 * i * d);
-        weights[2 * i - 1] = cos(step / 2);
+        weights[2 * i - 1] = bat_cos(step / 2);
         weights[2 * i] = 1;
         knots[2 * i + 1] = knots[2 * i + 2] = (double)i / pieces;
         c0 = c1;
@@ -207,17 +207,17 @@ static batten_status arc_of(int d, const double *a, const double *b, const doubl
     const batten_vec3 bc = bat_vec3_scale(bat_vec3_subtract(end, middle), 1 / length);
     const batten_vec3 ac = bat_vec3_scale(bat_vec3_subtract(end, start), 1 / length);
     const batten_vec3 normal = bat_vec3_cross(ab, bc);
-    const double sine = bat_vec3_norm(normal), half = atan2(sine, bat_vec3_dot(ab, bc));
+    const double sine = bat_vec3_norm(normal), half = bat_atan2(sine, bat_vec3_dot(ab, bc));
     /* A cross product errs by a few eps of the product of lengths. */
     if (sine <= 8 * DBL_EPSILON * bat_vec3_norm(ab) * bat_vec3_norm(bc))
         return bat_fail(BATTEN_SINGULAR_SYSTEM,
                         "the three points lie on a line, no circle passes through them");
-    const double chord = bat_vec3_norm(ac), radius = length * (chord / 2 / sin(half));
+    const double chord = bat_vec3_norm(ac), radius = length * (chord / 2 / bat_sin(half));
     const batten_vec3 x =
         bat_vec3_scale(bat_vec3_cross(ac, normal), radius / sine / chord); /* towards b */
     const batten_vec3 y = bat_vec3_scale(ac, radius / chord);
     const batten_vec3 centre =
-        bat_vec3_along(bat_vec3_along(start, length / 2, ac), -cos(half), x);
+        bat_vec3_along(bat_vec3_along(start, length / 2, ac), -bat_cos(half), x);
     const ellipse shape = {d, {centre.x, centre.y, centre.z}, {x.x, x.y, x.z}, {y.x, y.y, y.z}};
     double ends[6];
     memcpy(ends, a, (size_t)d * sizeof *ends);

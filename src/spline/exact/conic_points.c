@@ -84,7 +84,7 @@ static void tangent(const pencil *conic, const double *a, double *out)
     const double here = form(conic, a, a);
     out[0] = -(form(conic, a, up) - here);
     out[1] = form(conic, a, right) - here;
-    const double length = hypot(out[0], out[1]);
+    const double length = bat_hypot(out[0], out[1]);
     if (length > 0) {
         out[0] /= length;
         out[1] /= length;

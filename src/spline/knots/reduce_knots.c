@@ -312,7 +312,7 @@ batten_status bat_spline_reduce_knots(const bat_spline *fine, size_t group, doub
                       .best = *coarse,
                       .error = *error,
                       /* Some dozens of knots one by one, however many there are. */
-                      .left = (int)(64 * log2(2.0 + fine->count))};
+                      .left = (int)(64 * bat_log2(2.0 + fine->count))};
     work.order = bat_array(knots, sizeof *work.order);
     work.gone = bat_array(knots, sizeof *work.gone);
     work.weights = bat_array((size_t)fine->count, sizeof *work.weights);

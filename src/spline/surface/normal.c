@@ -75,7 +75,7 @@ static double cross_term(const expansion *e, int m, double a, double b, double s
                 const int i = m + 2 - k - l - j;
                 const int first = BATTEN_SURFACE_DERIVATIVE(k, l);
                 const int second = BATTEN_SURFACE_DERIVATIVE(i, j);
-                const double factor = k * j * pow(a, k - 1 + i) * pow(b, l + j - 1);
+                const double factor = k * j * bat_pow(a, k - 1 + i) * bat_pow(b, l + j - 1);
                 const double n1 = e->noise[first], n2 = e->noise[second];
                 add_cross(factor, e->c[first], e->c[second], sum);
                 noise += fabs(factor) *

@@ -96,7 +96,7 @@ static int look_up(const merging *m, const double *p, double x, double y, int be
         const int v = m->table[at] - 1;
         const double *q = m->vertices + 2 * (size_t)v;
         const double dx = p[0] - q[0], dy = p[1] - q[1];
-        if ((best < 0 || v < best) && hypot(dx, dy) <= m->tolerance)
+        if ((best < 0 || v < best) && bat_hypot(dx, dy) <= m->tolerance)
             best = v;
     }
     return best;

@@ -25,7 +25,7 @@ static batten_status find_plane(const bat_run *run, batten_affine *out)
     const batten_status status = bat_check_direction("normal", normal);
     if (status != BATTEN_OK)
         return status;
-    const double length = hypot(hypot(normal.x, normal.y), normal.z);
+    const double length = bat_hypot(bat_hypot(normal.x, normal.y), normal.z);
     const double d = bat_number(run, "at") / length;
     *out =
         batten_affine_mirror((batten_vec3){d * normal.x, d * normal.y, d * normal.z}, normal);

@@ -82,7 +82,8 @@ static batten_status trim_by_plane(bat_run *run, const batten_object *object)
 {
     const batten_vec3 n = normal_of(run);
     const double sign = bat_word(run, "side") == BACK ? -1 : 1;
-    const double length = hypot(hypot(n.x, n.y), n.z), d = bat_number(run, "at") * length;
+    const double length = bat_hypot(bat_hypot(n.x, n.y), n.z),
+                 d = bat_number(run, "at") * length;
     batten_curves parts = {0, NULL};
     batten_status status = batten_curve_trim_plane(
         object->curve, (batten_vec3){sign * n.x, sign * n.y, sign * n.z}, sign * d,

@@ -46,7 +46,7 @@ static batten_status add_piece(batten_status status, const batten_unrolled *flat
 
 static double distance(const double *a, const double *b)
 {
-    return hypot(a[0] - b[0], a[1] - b[1]);
+    return bat_hypot(a[0] - b[0], a[1] - b[1]);
 }
 
 /* A straight end of the sheet from one point to another; none where both edges

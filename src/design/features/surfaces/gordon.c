@@ -158,7 +158,7 @@ static const char *label(const network *n, bool is_guide, int k, char text[LABEL
 /* The largest number with one digit that is not above x. */
 static double one_digit(double x)
 {
-    const double unit = pow(10, floor(log10(x)));
+    const double unit = bat_pow(10, floor(bat_log10(x)));
     return bat_max(1, floor(x / unit * (1 + 1e-12))) * unit;
 }
 

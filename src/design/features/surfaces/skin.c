@@ -178,7 +178,7 @@ static void report_skin(const bat_run *run, const batten_surface_skin_report *fo
         bat_note(run,
                  "the surface has a crease of %.3g degrees that no section has; "
                  "'creases: cure' or 'within' may cure it",
-                 found->crease * 90 / acos(0));
+                 found->crease * 90 / bat_acos(0));
 }
 
 static batten_status skin(bat_run *run, int count, const batten_curve **sections)

@@ -66,7 +66,8 @@ static batten_status choose_levels(double least, double greatest, double spacing
         return bat_fail(BATTEN_NOT_FOUND, "the field is %g everywhere: it has no levels",
                         least);
     if (!(step > 0)) {
-        const double wide = (greatest - least) / 12, power = pow(10, floor(log10(wide)));
+        const double wide = (greatest - least) / 12,
+                     power = bat_pow(10, floor(bat_log10(wide)));
         step = wide <= power       ? power
                : wide <= 2 * power ? 2 * power
                : wide <= 5 * power ? 5 * power
@@ -157,7 +158,7 @@ static batten_status make_curve(const wanted *w, const batten_polyline *line, do
 
 static double distance(const double *a, const double *b)
 {
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+    return bat_hypot(bat_hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 /* The lengths of the spans, so that derivatives agree where tangents do. */

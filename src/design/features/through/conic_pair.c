@@ -22,7 +22,7 @@ static batten_status make_conic_pair(bat_run *run, const bat_data *data, bat_mad
     if (first != last)
         return bat_fail(BATTEN_BAD_ARGUMENT, "one curvature is given; give both or none");
     const double a = bat_number(run, "start-angle"), b = bat_number(run, "end-angle");
-    const double tangents[] = {cos(a), sin(a), cos(b), sin(b)};
+    const double tangents[] = {bat_cos(a), bat_sin(a), bat_cos(b), bat_sin(b)};
     double curvatures[2] = {0, 0};
     batten_curve_conics_options options = batten_curve_conics_defaults();
     options.kind = first ? BATTEN_CONICS_PAIRS : BATTEN_CONICS_PARABOLAS;

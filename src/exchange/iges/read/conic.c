@@ -19,7 +19,7 @@ typedef struct {
 /* With the x-axis turned by the angle the mixed term is gone. */
 static double principal_angle(const equation *q)
 {
-    return q->b == 0 ? 0 : atan2(q->b, q->a - q->c) / 2;
+    return q->b == 0 ? 0 : bat_atan2(q->b, q->a - q->c) / 2;
 }
 
 /* Ellipse or hyperbola: l1 x^2 + l2 y^2 = r about its centre. */
@@ -30,7 +30,7 @@ static void central(const equation *q, canonical *out)
                  y = (q->b * q->d - 2 * q->a * q->e) / determinant;
     const double r = -(q->f + (q->d * x + q->e * y) / 2);
     double angle = principal_angle(q);
-    const double cosine = cos(angle), sine = sin(angle);
+    const double cosine = bat_cos(angle), sine = bat_sin(angle);
     double l1 = q->a * cosine * cosine + q->b * cosine * sine + q->c * sine * sine;
     double l2 = q->a * sine * sine - q->b * cosine * sine + q->c * cosine * cosine;
     /* The first axis of a hyperbola is the one that meets it. */
@@ -46,7 +46,7 @@ static void central(const equation *q, canonical *out)
     out->a = sqrt(r / l1);
     out->b = sqrt(determinant > 0 ? r / l2 : -r / l2);
     /* The branch on which the start is. */
-    if (determinant < 0 && (q->s[0] - x) * cos(angle) + (q->s[1] - y) * sin(angle) < 0)
+    if (determinant < 0 && (q->s[0] - x) * bat_cos(angle) + (q->s[1] - y) * bat_sin(angle) < 0)
         out->angle += BAT_PI;
 }
 
@@ -54,13 +54,13 @@ static void central(const equation *q, canonical *out)
 static void parabola(const equation *q, canonical *out)
 {
     double angle = principal_angle(q);
-    double cosine = cos(angle), sine = sin(angle);
+    double cosine = bat_cos(angle), sine = bat_sin(angle);
     double l1 = q->a * cosine * cosine + q->b * cosine * sine + q->c * sine * sine;
     double l2 = q->a * sine * sine - q->b * cosine * sine + q->c * cosine * cosine;
     if (fabs(l1) > fabs(l2)) {
         angle += BAT_PI / 2;
-        cosine = cos(angle);
-        sine = sin(angle);
+        cosine = bat_cos(angle);
+        sine = bat_sin(angle);
         l2 = l1;
     }
     const double d = q->d * cosine + q->e * sine, e = q->e * cosine - q->d * sine;
@@ -112,7 +112,7 @@ static double off(const bat_conic *conic, const double p[3])
 {
     double foot[3];
     bat_conic_point(conic, bat_conic_parameter(conic, p), foot);
-    return hypot(p[0] - foot[0], p[1] - foot[1]);
+    return bat_hypot(p[0] - foot[0], p[1] - foot[1]);
 }
 
 batten_status bat_iges_read_conic(bat_iges_item *item)
@@ -137,7 +137,7 @@ batten_status bat_iges_read_conic(bat_iges_item *item)
                       names[said]);
     const bat_conic conic = {form.kind,
                              {{form.origin[0], form.origin[1], q.z},
-                              {cos(form.angle), sin(form.angle), 0},
+                              {bat_cos(form.angle), bat_sin(form.angle), 0},
                               {0, 0, 1}},
                              form.a,
                              form.b};
@@ -145,7 +145,7 @@ batten_status bat_iges_read_conic(bat_iges_item *item)
     /* An ellipse runs counter-clockwise; of the others the two points say the direction. */
     const bool forward = form.kind == BAT_ELLIPSE ||
                          bat_conic_parameter(&conic, start) < bat_conic_parameter(&conic, end);
-    const double size = bat_max(form.a, hypot(q.s[0] - q.t[0], q.s[1] - q.t[1])),
+    const double size = bat_max(form.a, bat_hypot(q.s[0] - q.t[0], q.s[1] - q.t[1])),
                  tolerance = bat_iges_tolerance(item->reading, size);
     const double miss = bat_max(off(&conic, start), off(&conic, end));
     if (miss > tolerance)

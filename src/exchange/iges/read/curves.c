@@ -140,9 +140,9 @@ batten_status bat_iges_read_arc(bat_iges_item *item)
         return status;
     item->own = 8;
     const double sx = v[3] - v[1], sy = v[4] - v[2], ex = v[5] - v[1], ey = v[6] - v[2];
-    const double radius = hypot(sx, sy), other = hypot(ex, ey);
-    double start = atan2(sy, sx);
-    double angle = atan2(ey, ex) - start;
+    const double radius = bat_hypot(sx, sy), other = bat_hypot(ex, ey);
+    double start = bat_atan2(sy, sx);
+    double angle = bat_atan2(ey, ex) - start;
     if (!(radius > 0 && isfinite(radius)))
         return bat_fail(BATTEN_COINCIDENT, "an arc of radius %g", radius);
     if (fabs(radius - other) > bat_iges_tolerance(item->reading, radius))

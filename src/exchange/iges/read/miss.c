@@ -23,11 +23,11 @@ static double elementary_miss(const bat_elementary *e, const double p[3])
     case BAT_CYLINDER:
         return fabs(r - e->a);
     case BAT_CONE:
-        return fabs((r - e->a) * cos(e->b) - z * sin(e->b));
+        return fabs((r - e->a) * bat_cos(e->b) - z * bat_sin(e->b));
     case BAT_SPHERE:
-        return fabs(hypot(r, z) - e->a);
+        return fabs(bat_hypot(r, z) - e->a);
     default: /* a torus: IGES has no other */
-        return fabs(hypot(r - e->a, z) - e->b);
+        return fabs(bat_hypot(r - e->a, z) - e->b);
     }
 }
 

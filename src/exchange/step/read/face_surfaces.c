@@ -85,7 +85,7 @@ static void check_apex(const bat_step_topology *t, const bat_step_instance *inst
                        const bat_elementary *cone)
 {
     const batten_vec3 apex =
-        bat_vec3_along(cone->frame.origin, -cone->a / tan(cone->b), cone->frame.z);
+        bat_vec3_along(cone->frame.origin, -cone->a / bat_tan(cone->b), cone->frame.z);
     const double *at = &t->builder.parts.vertices[3 * (size_t)t->vertex_loop];
     const double gap = bat_vec3_norm(bat_vec3_subtract(bat_vec3_of(3, at), apex));
     if (gap > t->scale.tolerance)

@@ -170,7 +170,7 @@ static batten_status turned_line(const bat_step_reading *reading,
                              "its line and its axis are skew: a hyperboloid is not read");
     if (fabs(rise) > round) {
         elementary->kind = BAT_CONE;
-        elementary->b = atan(outward / rise);
+        elementary->b = bat_atan(outward / rise);
         return BATTEN_OK;
     }
     elementary->kind = BAT_PLANE;
@@ -216,7 +216,7 @@ static bool moved(bat_elementary *e, double distance)
         e->a += distance;
         return true;
     case BAT_CONE:
-        e->a += distance / cos(e->b);
+        e->a += distance / bat_cos(e->b);
         return true;
     case BAT_TORUS:
         e->b += distance;

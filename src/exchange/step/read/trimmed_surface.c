@@ -92,7 +92,7 @@ static batten_status profile(const bat_elementary *e, const range *v, batten_cur
     const batten_frame *f = &e->frame;
     bat_conic conic = {.kind = BAT_LINE, .frame = *f};
     if (e->kind == BAT_CYLINDER || e->kind == BAT_CONE) {
-        const double slope = e->kind == BAT_CONE ? tan(e->b) : 0;
+        const double slope = e->kind == BAT_CONE ? bat_tan(e->b) : 0;
         conic.frame.origin = bat_vec3_along(f->origin, e->a, f->x);
         conic.frame.x = bat_vec3_along(f->z, slope, f->x);
         conic.frame.z = bat_vec3_cross(f->z, f->x);

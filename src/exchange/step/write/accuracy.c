@@ -21,7 +21,7 @@ static double size_of(const batten_box *box)
 {
     const double x = box->high.x - box->low.x, y = box->high.y - box->low.y,
                  z = box->high.z - box->low.z;
-    return hypot(hypot(x, y), z);
+    return bat_hypot(bat_hypot(x, y), z);
 }
 
 /* INFINITY for what is not a body or surface, or is one point. */
