@@ -47,6 +47,9 @@ typedef struct batten_fairness_options {
                            larger are jumps; above 0; 1e-6 */
     double within;    /**< inflections are required by the points wherever they lie within this
                            of their places, model units; not below 0; 0 */
+    double error;     /**< of a curve that stands for another: it is within this of that, and
+                           inflections and extrema that such moves of its control points may
+                           make are not counted, model units; not below 0; of chains ignored; 0 */
 } batten_fairness_options;
 /** The defaults: those beside the fields of batten_fairness_options. */
 BATTEN_API batten_fairness_options batten_fairness_defaults(void);

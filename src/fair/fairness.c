@@ -284,7 +284,7 @@ batten_status batten_curve_fairness(const batten_curve *curve, batten_points poi
     if (points.dimension != batten_curve_dimension(curve))
         return bat_wrong_dimension(points, batten_curve_dimension(curve));
     const int d = batten_curve_dimension(curve);
-    allowance allowed = {0};
+    allowance allowed = {.uncertainty = chosen.error};
     if (points.at)
         status = check_points(curve, points.count, points.at);
     if (status == BATTEN_OK && points.at && d < 3) {

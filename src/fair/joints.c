@@ -104,5 +104,8 @@ batten_status bat_fairness_take_options(const batten_fairness_options *options,
     if (!(chosen->within >= 0 && isfinite(chosen->within)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "points within %g: the bound is below 0",
                         chosen->within);
+    if (!(chosen->error >= 0 && isfinite(chosen->error)))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a curve known within %g: the error is below 0",
+                        chosen->error);
     return BATTEN_OK;
 }

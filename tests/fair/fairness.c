@@ -1,5 +1,6 @@
 #include "fair/fairness.h"
 #include "support/test.h"
+#include <batten/interpolate.h>
 #include <batten/standard.h>
 
 #define PI 3.14159265358979323846
@@ -266,4 +267,31 @@ TEST(functions_are_judged_by_their_first_and_second_derivative)
         CHECK(!isfinite(found.variation));
         batten_curve_unref(curve);
     }
+}
+
+TEST(waves_within_the_error_of_a_curve_are_not_counted)
+{
+    /* a cubic spline through points of a line, moved by 1e-7 in turn */
+    enum { N = 41 };
+    double points[2 * N];
+    batten_fairness_options options = batten_fairness_defaults();
+    batten_fairness found[2];
+    batten_curve *curve = NULL;
+    for (int i = 0; i < N; i++) {
+        points[2 * i] = i / 4.0;
+        points[2 * i + 1] = 1e-7 * (i % 2);
+    }
+    CHECK_OK(batten_curve_interpolate((batten_points){2, N, points}, NULL, NULL, &curve));
+    for (int k = 0; k < 2; k++) {
+        options.error = k ? 1e-6 : 0;
+        CHECK_OK(
+            batten_curve_fairness(curve, (batten_points){2, 0, NULL}, &options, &found[k]));
+    }
+    CHECK(found[0].inflections > 10);
+    CHECK_INT(found[1].inflections, 0);
+    CHECK_NEAR(found[1].energy, found[0].energy, 0);
+    options.error = -1;
+    CHECK_STATUS(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, &options, &found[0]),
+                 BATTEN_BAD_ARGUMENT);
+    batten_curve_unref(curve);
 }

@@ -1,5 +1,6 @@
 /* The output 'compare': curves through the same points, side by side. */
 #include "design/shared/rows.h"
+#include "design/shared/through.h"
 #include "design/text/document.h"
 
 #include <batten/measure.h>
@@ -63,12 +64,14 @@ static batten_status add_chain(const batten_object *object, column *c)
     return status;
 }
 
-static batten_status add_curve(const batten_object *object, column *c)
+static batten_status add_curve(const bat_run *run, const batten_object *object, column *c)
 {
     batten_curve *plane = NULL;
+    batten_fairness_options options = batten_fairness_defaults();
     batten_fairness fairness;
     double length = 0;
     batten_frame frame;
+    options.error = bat_chain_error(run, object);
     if (object->chain && (batten_chain_dimension(object->chain) < 3 ||
                           batten_chain_frame(object->chain, &frame)))
         return add_chain(object, c);
@@ -77,8 +80,9 @@ static batten_status add_curve(const batten_object *object, column *c)
     const int axis = flat ? -1 : bat_flat_axis(n, batten_curve_points(object->curve));
     batten_status status = bat_curve_in_plane(object->curve, flat ? 2 : axis, &plane);
     if (status == BATTEN_OK)
-        status = batten_curve_fairness(
-            plane, (batten_points){batten_curve_dimension(plane), 0, NULL}, NULL, &fairness);
+        status = batten_curve_fairness(plane,
+                                       (batten_points){batten_curve_dimension(plane), 0, NULL},
+                                       &options, &fairness);
     if (status == BATTEN_OK)
         status =
             /* For a table of four digits; the bound grows with the number of spans. */
@@ -150,7 +154,7 @@ static batten_status measure_compare(const bat_run *run, column *columns)
         columns[i].feature = &result->shown;
         for (int k = 0; k < batten_model_count(result->value) && status == BATTEN_OK; k++)
             if (batten_model_object(result->value, k)->kind == BATTEN_OBJECT_CURVE)
-                status = add_curve(batten_model_object(result->value, k), &columns[i]);
+                status = add_curve(run, batten_model_object(result->value, k), &columns[i]);
         if (status == BATTEN_OK && columns[i].curves == 0)
             status = bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has no curves to compare",
                               inputs->items[i].text);

@@ -1,6 +1,7 @@
 /* What a check finds: distances from the data, fairness of sections, edges off the centre plane. */
 #include "design/outputs/fairness.h"
 #include "design/shared/rows.h"
+#include "design/shared/through.h"
 
 #include <batten/continuity.h>
 #include <string.h>
@@ -148,6 +149,7 @@ static batten_status judge_curve(bat_check *check, bat_checked *checked)
                                                object->points, axis, &data, &options.within);
     options.angle = check->curve_bounds.angle;
     options.curvature = check->curve_bounds.curvature;
+    options.error = bat_chain_error(check->run, object);
     if (status == BATTEN_OK)
         status = bat_curve_in_plane(object->curve, axis, &curve);
     if (status == BATTEN_OK)

@@ -155,6 +155,11 @@ static batten_status place_curve(const task *t, batten_curve **curve)
     return status;
 }
 
+double bat_chain_error(const bat_run *run, const batten_object *object)
+{
+    return object->chain ? bat_tolerance(run) / 1000 : 0;
+}
+
 /* The curve of a chain is far nearer to it than anybody asks of the design. */
 static batten_status place_made(task *t)
 {

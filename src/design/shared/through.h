@@ -98,5 +98,7 @@ batten_status bat_indices(const bat_run *run, const char *parameter, int *count,
  * BAT_AS when there are several ways. A chain is also converted to a curve, within a thousandth
  * of the design's tolerance; messages get the name of the row. */
 batten_status bat_through(bat_run *run, const bat_method *method);
+/* How far the curve of an object may be from its chain: that thousandth; 0 without a chain. */
+double bat_chain_error(const bat_run *run, const batten_object *object);
 
 #endif

@@ -41,6 +41,26 @@ static double value_of(const char *json, const char *key)
     return atof(at + strlen(key));
 }
 
+/* The curve of a chain winds around it where that is all but straight. */
+TEST(inflections_of_a_curve_in_tension_are_those_of_its_chain)
+{
+    static const char *const amounts[] = {"3", "40", "400"};
+    for (int i = 0; i < COUNT(amounts); i++) {
+        char text[300], *json = NULL;
+        snprintf(
+            text, sizeof text,
+            "batten: 1\nfeatures:\n  a: {points: [[0, 0], [1, 1], [2, 0], [3, 2], [4, 0], "
+            "[5, 3], [6, 1]]}\n  t: {tension: a, amount: %s}\noutputs:\n  r.json: {check: t}\n",
+            amounts[i]);
+        const batten_status status = report(text, &json);
+        if (test_memory_failed(status, BATTEN_OK))
+            continue;
+        CHECK_OK(status);
+        CHECK(value_of(json, "\"inflections\": ") <= 4);
+        batten_release(json);
+    }
+}
+
 #define CYLINDER                                                           \
     "batten: 1\nfeatures:\n"                                               \
     "  a: {arc: 1 m, angle: 180 deg, axis: x, from: y}\n"                  \
