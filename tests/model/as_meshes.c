@@ -222,9 +222,11 @@ TEST(S5_a_shape_that_needs_too_many_triangles_is_left_out_alone)
     CHECK_OK(batten_model_meshed(model, &options, NULL, notes, &meshed));
     CHECK_INT(batten_model_count(meshed), 1);
     CHECK_INT(batten_mesh_view(batten_model_object(meshed, 0)->mesh)->triangle_count, 12);
-    CHECK_TEXT(batten_notes_at(notes, 0)->entity, "ball");
-    CHECK_CONTAINS(batten_notes_at(notes, 0)->text,
-                   "left out, as this surface cannot be meshed");
+    if (batten_notes_dropped(notes) == 0) { /* else memory failed for the note alone */
+        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "ball");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text,
+                       "left out, as this surface cannot be meshed");
+    }
     batten_notes_free(notes);
     batten_model_unref(meshed);
     batten_model_unref(model);
