@@ -7,7 +7,8 @@
 #include <float.h>
 #include <string.h>
 
-double bat_polynomial_value(int degree, const double *c, double t, double *error)
+/* The value at `t` by Horner; *error, where wanted, bounds its rounding. */
+static double value_at(int degree, const double *c, double t, double *error)
 {
     double value = c[degree], size = fabs(value);
     for (int i = degree - 1; i >= 0; i--) {
@@ -51,7 +52,7 @@ static double refine(int degree, const double *c, double a, double b, double a_v
             t = 0.5 * a + 0.5 * b;
         if (t <= a || t >= b)
             break;
-        const double value = bat_polynomial_value(degree, c, t, NULL);
+        const double value = value_at(degree, c, t, NULL);
         if (value == 0)
             return t;
         if ((value > 0) == (a_value > 0)) {
@@ -71,7 +72,7 @@ static double refine(int degree, const double *c, double a, double b, double a_v
 static double clear_value(int degree, const double *c, double t)
 {
     double error;
-    const double value = bat_polynomial_value(degree, c, t, &error);
+    const double value = value_at(degree, c, t, &error);
     return fabs(value) <= error && isfinite(error) ? 0 : value;
 }
 

@@ -7,9 +7,6 @@
 
 #define BAT_POLYNOMIAL_DEGREE 32
 
-/* The value at `t` by Horner; *error, where wanted, bounds its rounding. */
-double bat_polynomial_value(int degree, const double *c, double t, double *error);
-
 /*
  * The real roots in [a, b], rising, each once; -INFINITY and INFINITY ask for all. degree <=
  * BAT_POLYNOMIAL_DEGREE. Between the roots of the derivative a polynomial is monotone, so each

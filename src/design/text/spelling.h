@@ -3,10 +3,6 @@
 #define BAT_DESIGN_SPELLING_H
 #include <stdbool.h>
 
-/* How many letters must be changed, added, dropped or swapped to make one word the other;
- * `limit` when it is not less. */
-int bat_edit_distance(const char *a, const char *b, int limit);
-
 /* Is `a` near enough to be what the writer of `word` meant, and nearer than `*best`? */
 bool bat_is_nearer(const char *word, const char *a, int *best);
 

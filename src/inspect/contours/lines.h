@@ -39,15 +39,19 @@ void bat_lines_free(bat_lines *lines);
 batten_status bat_line_add(bat_line *line, const double *point, const double *parameters);
 void bat_line_free(bat_line *line);
 
-/* Add to the line what lies on the contour between two points of one triangle, without them.
- */
-batten_status bat_line_refine(const bat_net *net, const bat_triangle *triangle, int level,
-                              const double from[2], const double to[2], bat_lines *lines,
-                              bat_line *line);
+/* The part of a contour that lies in one triangle. */
+typedef struct {
+    const bat_net *net;
+    const bat_triangle *triangle;
+    int level;
+    double from[2], to[2]; /* where it enters and leaves */
+} bat_line_part;
+
+/* Add to the line what lies on the contour between both ends of the part, without them. */
+batten_status bat_line_refine(const bat_line_part *part, bat_lines *lines, bat_line *line);
 /* How many chords that would give, about: their distance falls with the square of their length.
  */
-batten_status bat_line_predict(const bat_net *net, const bat_triangle *triangle, int level,
-                               const double from[2], const double to[2], const bat_lines *lines,
+batten_status bat_line_predict(const bat_line_part *part, const bat_lines *lines,
                                double *chords);
 /* Set the control point before (0) or after (1) the last point. */
 void bat_line_set_arm(bat_line *line, int side, const double *arm);

@@ -101,14 +101,20 @@ static bool is_in_piece(const bat_net *net, int piece, const double uv[2])
     return true;
 }
 
-/* On the contour, at a share of the way between two spots. */
-static batten_status find_between(const bat_net *net, const bat_triangle *t, int level,
-                                  const spot *a, const spot *b, double share, spot *out,
-                                  bool *found)
+/* Between two spots of a part. */
+typedef struct {
+    const bat_line_part *on;
+    const spot *a, *b;
+} part_chord;
+
+/* On the contour, at a share of the way. */
+static batten_status find_between(const part_chord *c, double share, spot *out, bool *found)
 {
-    *out = (spot){.uv = {(1 - share) * a->uv[0] + share * b->uv[0],
-                         (1 - share) * a->uv[1] + share * b->uv[1]}};
-    const batten_status status = project(net, t, net->levels[level], out, found);
+    const bat_net *net = c->on->net;
+    const bat_triangle *t = c->on->triangle;
+    *out = (spot){.uv = {(1 - share) * c->a->uv[0] + share * c->b->uv[0],
+                         (1 - share) * c->a->uv[1] + share * c->b->uv[1]}};
+    const batten_status status = project(net, t, net->levels[c->on->level], out, found);
     *found = *found && is_in_piece(net, t->piece, out->uv);
     return status;
 }
@@ -154,50 +160,58 @@ static double distance_from(double b[4][3], const double *point, double s)
 
 /* ---- between two spots ---- */
 
-/* How far the chord or the cubic between two spots is from the contour; the spot in its middle.
- * The cubic of a circular arc is exact in its middle, and farthest off near the quarters. */
-static batten_status measure_chord(const bat_net *net, const bat_triangle *t, int level,
-                                   const spot *a, const spot *b, bool smooth, double arms[2][3],
-                                   spot *middle, bool *found, double *off)
+/* How far a chord, or the cubic in its place, is from the contour. */
+typedef struct {
+    spot middle; /* of the contour */
+    bool found;
+    double off;
+    double arms[2][3]; /* the inner control points of the cubic */
+} measured;
+
+/* The cubic of a circular arc is exact in its middle, and farthest off near the quarters. */
+static batten_status measure_cubic(const part_chord *c, measured *m)
 {
-    batten_status status = find_between(net, t, level, a, b, 0.5, middle, found);
-    if (status != BATTEN_OK || !*found)
-        return status;
-    if (!smooth) {
-        *off = bat_segment_distance(3, a->point, b->point, middle->point);
-        return BATTEN_OK;
-    }
     double bezier[4][3];
-    find_arm(a, b, arms[0]);
-    find_arm(b, a, arms[1]);
-    memcpy(bezier[0], a->point, sizeof bezier[0]);
-    memcpy(bezier[1], arms[0], sizeof bezier[1]);
-    memcpy(bezier[2], arms[1], sizeof bezier[2]);
-    memcpy(bezier[3], b->point, sizeof bezier[3]);
-    *off = distance_from(bezier, middle->point, 0.5);
+    find_arm(c->a, c->b, m->arms[0]);
+    find_arm(c->b, c->a, m->arms[1]);
+    memcpy(bezier[0], c->a->point, sizeof bezier[0]);
+    memcpy(bezier[1], m->arms, sizeof m->arms);
+    memcpy(bezier[3], c->b->point, sizeof bezier[3]);
+    m->off = distance_from(bezier, m->middle.point, 0.5);
+    batten_status status = BATTEN_OK;
     for (int i = 1; i < 4 && status == BATTEN_OK; i += 2) {
         spot quarter;
         bool near;
-        status = find_between(net, t, level, a, b, 0.25 * i, &quarter, &near);
+        status = find_between(c, 0.25 * i, &quarter, &near);
         if (status == BATTEN_OK && near)
-            *off = bat_max(*off, distance_from(bezier, quarter.point, 0.25 * i));
+            m->off = bat_max(m->off, distance_from(bezier, quarter.point, 0.25 * i));
     }
     return status;
 }
 
-batten_status bat_line_predict(const bat_net *net, const bat_triangle *t, int level,
-                               const double from[2], const double to[2], const bat_lines *lines,
+static batten_status measure_chord(const part_chord *c, bool smooth, measured *m)
+{
+    m->off = 0;
+    const batten_status status = find_between(c, 0.5, &m->middle, &m->found);
+    if (status != BATTEN_OK || !m->found)
+        return status;
+    if (smooth)
+        return measure_cubic(c, m);
+    m->off = bat_segment_distance(3, c->a->point, c->b->point, m->middle.point);
+    return BATTEN_OK;
+}
+
+batten_status bat_line_predict(const bat_line_part *part, const bat_lines *lines,
                                double *chords)
 {
-    spot a, b, middle;
-    bool found = false;
-    double off = 0;
-    batten_status status = spot_at(net, t->piece, from, false, &a);
+    spot a, b;
+    measured m = {.found = false};
+    batten_status status = spot_at(part->net, part->triangle->piece, part->from, false, &a);
     if (status == BATTEN_OK)
-        status = spot_at(net, t->piece, to, false, &b);
+        status = spot_at(part->net, part->triangle->piece, part->to, false, &b);
     if (status == BATTEN_OK)
-        status = measure_chord(net, t, level, &a, &b, false, NULL, &middle, &found, &off);
-    *chords = 1 + (found ? sqrt(off / (0.7 * lines->tolerance)) : 0);
+        status = measure_chord(&(part_chord){part, &a, &b}, false, &m);
+    *chords = 1 + (m.found ? sqrt(m.off / (0.7 * lines->tolerance)) : 0);
     return status;
 }
 
@@ -233,38 +247,46 @@ static bool is_between(const spot *a, const spot *middle, const spot *b)
            bat_max(first, second) < bat_distance(3, a->point, b->point);
 }
 
-batten_status bat_line_refine(const bat_net *net, const bat_triangle *t, int level,
-                              const double from[2], const double to[2], bat_lines *lines,
-                              bat_line *line)
+/* Shall the chord be halved? */
+static bool is_to_be_halved(const bat_lines *lines, const part_chord *c, const measured *m)
 {
+    return m->found && m->off > 0.7 * lines->tolerance && m->middle.halvings <= DEPTH &&
+           (m->middle.halvings <= EASY_DEPTH || is_between(c->a, &m->middle, c->b));
+}
+
+/* The chord stays. */
+static void keep_chord(bat_lines *lines, bat_line *line, measured *m)
+{
+    if (m->found)
+        lines->error = bat_max(lines->error, m->off);
+    lines->has_arm = false;
+    if (lines->smooth && m->found)
+        put_arms(lines, line, m->arms);
+}
+
+batten_status bat_line_refine(const bat_line_part *part, bat_lines *lines, bat_line *line)
+{
+    const int piece = part->triangle->piece;
     spot stack[DEPTH + 1], here;
     int depth = 0;
-    batten_status status = spot_at(net, t->piece, from, lines->smooth, &here);
+    batten_status status = spot_at(part->net, piece, part->from, lines->smooth, &here);
     if (status == BATTEN_OK)
-        status = spot_at(net, t->piece, to, lines->smooth, &stack[0]);
+        status = spot_at(part->net, piece, part->to, lines->smooth, &stack[0]);
     while (status == BATTEN_OK && depth >= 0) {
-        const spot *next = &stack[depth];
-        spot middle;
-        bool found = false;
-        double off = 0, arms[2][3];
-        status = measure_chord(net, t, level, &here, next, lines->smooth, arms, &middle, &found,
-                               &off);
+        const part_chord next = {part, &here, &stack[depth]};
+        measured m = {.found = false};
+        status = measure_chord(&next, lines->smooth, &m);
         if (status == BATTEN_OK)
             status = count_point(lines);
         if (status != BATTEN_OK)
             break;
-        middle.halvings = 1 + bat_max_int(here.halvings, next->halvings);
-        if (found && off > 0.7 * lines->tolerance && middle.halvings <= DEPTH &&
-            (middle.halvings <= EASY_DEPTH || is_between(&here, &middle, next))) {
-            stack[++depth] = middle;
+        m.middle.halvings = 1 + bat_max_int(here.halvings, next.b->halvings);
+        if (is_to_be_halved(lines, &next, &m)) {
+            stack[++depth] = m.middle;
             continue;
         }
-        if (found)
-            lines->error = bat_max(lines->error, off);
-        lines->has_arm = false;
-        if (lines->smooth && found)
-            put_arms(lines, line, arms);
-        here = *next;
+        keep_chord(lines, line, &m);
+        here = *next.b;
         if (depth-- == 0)
             break;
         status = bat_line_add(line, here.point, here.uv);

@@ -37,6 +37,16 @@ static void place_crossing(const bat_triangle *t, const crossing *c, double uv[2
         uv[k] = c->at >= 1 ? b[k] : a[k] + c->at * (b[k] - a[k]);
 }
 
+static bat_line_part part_between(const tracer *tr, int triangle, const crossing *a,
+                                  const crossing *b)
+{
+    bat_line_part part = {
+        .net = tr->net, .triangle = &tr->net->triangles[triangle], .level = a->level};
+    place_crossing(part.triangle, a, part.from);
+    place_crossing(part.triangle, b, part.to);
+    return part;
+}
+
 /* The Illinois form of false position: the ends keep their signs, so that a jump of the field
  * is found too. */
 static batten_status locate(const bat_net *net, const bat_triangle *t, crossing *c)
@@ -205,14 +215,11 @@ static batten_status follow(tracer *tr, int begin, int way, bat_lines *lines, ba
         if (next < 0)
             break;
         crossing *d = &tr->crossings[next];
-        const bat_triangle *t = &tr->net->triangles[triangle];
-        double from[2], to[2];
-        place_crossing(t, c, from);
-        place_crossing(t, d, to);
+        const bat_line_part part = part_between(tr, triangle, c, d);
         if (line->count == 0)
             status = add_point(tr, c, triangle, lines, line);
         if (status == BATTEN_OK)
-            status = bat_line_refine(tr->net, t, c->level, from, to, lines, line);
+            status = bat_line_refine(&part, lines, line);
         if (status == BATTEN_OK)
             status = add_point(tr, d, triangle, lines, line);
         if (status == BATTEN_OK && is_cut(tr, d))
@@ -268,13 +275,12 @@ static batten_status check_count(tracer *tr, const bat_lines *lines)
         batten_status status =
             i % 1024 == 0 ? bat_work_step(&tr->net->work, 1024, 0.4, "contours") : BATTEN_OK;
         for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
-            double from[2], to[2], chords = 0;
+            double chords = 0;
             if (c->link[k] <= i)
                 continue;
-            const bat_triangle *t = &tr->net->triangles[c->triangle[k]];
-            place_crossing(t, c, from);
-            place_crossing(t, &tr->crossings[c->link[k]], to);
-            status = bat_line_predict(tr->net, t, c->level, from, to, lines, &chords);
+            const bat_line_part part =
+                part_between(tr, c->triangle[k], c, &tr->crossings[c->link[k]]);
+            status = bat_line_predict(&part, lines, &chords);
             total += chords;
         }
         if (status != BATTEN_OK)

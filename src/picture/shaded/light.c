@@ -70,7 +70,7 @@ static double gloss(const bat_scene *scene, const double n[3])
     return 0.14 * shine + 0.08 * away * away * away * away;
 }
 
-bat_light bat_light_plain(const bat_scene *scene, bat_light albedo, const double normal[3])
+static bat_light plain_light(const bat_scene *scene, bat_light albedo, const double normal[3])
 {
     double n[3];
     face(scene, normal, n);
@@ -79,7 +79,7 @@ bat_light bat_light_plain(const bat_scene *scene, bat_light albedo, const double
     return (bat_light){light.red + shine, light.green + shine, light.blue + shine};
 }
 
-bat_light bat_light_zebra(const bat_scene *scene, const double normal[3])
+static bat_light zebra_light(const bat_scene *scene, const double normal[3])
 {
     double n[3], mirrored[3];
     face(scene, normal, n);
@@ -95,7 +95,7 @@ bat_light bat_light_zebra(const bat_scene *scene, const double normal[3])
     return times(stripe, 0.55 + 0.45 * diffuse(scene, n));
 }
 
-bat_light bat_light_isophotes(const bat_scene *scene, const double normal[3])
+static bat_light isophote_light(const bat_scene *scene, const double normal[3])
 {
     double n[3];
     face(scene, normal, n);
@@ -119,7 +119,8 @@ bat_colour bat_colour_diverging(double t)
                         a.blue + part * (b.blue - a.blue)};
 }
 
-bat_light bat_light_curvature(const bat_scene *scene, double curvature, const double normal[3])
+static bat_light curvature_light(const bat_scene *scene, double curvature,
+                                 const double normal[3])
 {
     double n[3];
     face(scene, normal, n);
@@ -133,13 +134,13 @@ bat_light bat_light_of_sample(const bat_scene *scene, bat_light albedo, double c
 {
     switch (scene->shading) {
     case BATTEN_SHADING_ZEBRA:
-        return bat_light_zebra(scene, n);
+        return zebra_light(scene, n);
     case BATTEN_SHADING_ISOPHOTES:
-        return bat_light_isophotes(scene, n);
+        return isophote_light(scene, n);
     case BATTEN_SHADING_GAUSSIAN:
     case BATTEN_SHADING_MEAN:
-        return bat_light_curvature(scene, curvature, n);
+        return curvature_light(scene, curvature, n);
     default:
-        return bat_light_plain(scene, albedo, n);
+        return plain_light(scene, albedo, n);
     }
 }

@@ -27,20 +27,15 @@ bat_scene bat_scene_make(batten_shading shading, const bat_view *view, int axis,
 /* The light of colour sRGB. */
 bat_light bat_light_of(bat_colour colour);
 
-/* A surface of the material `albedo` with the unit normal n, which may point to either side. */
-bat_light bat_light_plain(const bat_scene *scene, bat_light albedo, const double n[3]);
-/* Stripes: the mirror image of a half turn of parallel tubes. A cylinder along the tubes shows
- * `stripes` dark ones from edge to edge. */
-bat_light bat_light_zebra(const bat_scene *scene, const double n[3]);
-/* Stripes of equal angle between the normal, on whichever side, and the key light. */
-bat_light bat_light_isophotes(const bat_scene *scene, const double n[3]);
-/* The colour of a curvature; of the Gaussian: red for bowls and domes, blue for saddles; grey
- * for NaN. */
-bat_light bat_light_curvature(const bat_scene *scene, double curvature, const double n[3]);
-/* The same without light, sRGB, for t in -1 .. 1. */
+/* The colour of a curvature without light, sRGB, for t in -1 .. 1: of the Gaussian red for bowls
+ * and domes, blue for saddles. */
 bat_colour bat_colour_diverging(double t);
 
-/* What the shading of the scene makes of a sample: one of these. */
+/* What the shading of the scene makes of a sample with the unit normal n, which may point to
+ * either side. Plain: of the material `albedo`. Zebra: the mirror image of a half turn of
+ * parallel tubes; a cylinder along the tubes shows `stripes` dark ones from edge to edge.
+ * Isophotes: stripes of equal angle between the normal and the key light. Else the colour of
+ * the curvature, grey for NaN. */
 bat_light bat_light_of_sample(const bat_scene *scene, bat_light albedo, double curvature,
                               const double n[3]);
 

@@ -347,7 +347,8 @@ static bool is_free(const bat_canvas *canvas, bat_rectangle place)
     return true;
 }
 
-void bat_canvas_take(bat_canvas *canvas, bat_rectangle place)
+/* Keep labels away from here. */
+static void take_place(bat_canvas *canvas, bat_rectangle place)
 {
     if (canvas->taken_count == canvas->taken_capacity) {
         const size_t capacity = 2 * canvas->taken_capacity + 64;
@@ -372,7 +373,7 @@ bool bat_canvas_label(bat_canvas *canvas, bat_colour colour, double size, bat_an
                                  width + 2 * margin, size};
     if (!is_free(canvas, place))
         return false;
-    bat_canvas_take(canvas, place);
+    take_place(canvas, place);
     bat_canvas_box(canvas, (bat_colour){1, 1, 1}, place);
     bat_canvas_text(canvas, colour, size, anchor, x, y, text);
     return true;

@@ -81,7 +81,5 @@ void bat_canvas_text_up(bat_canvas *canvas, bat_colour colour, double size, doub
  * one is nothing. */
 bool bat_canvas_label(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
                       double x, double y, const char *text);
-/* Keep labels away from here. */
-void bat_canvas_take(bat_canvas *canvas, bat_rectangle place);
 
 #endif

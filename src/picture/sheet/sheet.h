@@ -1,21 +1,12 @@
-/* What stands around a drawing: round numbers, grid, legend, scale bar. */
+/* What stands around a drawing: grid, legend, scale bar. */
 #ifndef BAT_SHEET_H
 #define BAT_SHEET_H
 #include "picture/sheet/canvas.h"
+#include "picture/sheet/numbers.h"
 #include <batten/text.h>
 
 /* The colours of everything that is not the drawing itself. */
 extern const bat_colour bat_ink, bat_grey;
-
-/* The smallest of 1, 2, 5, 10 ... times a power of ten that divides `range` into at most
- * `count` parts. */
-double bat_round_step(double range, double count);
-/* How many decimals a multiple of a round step has; negative for 20, 500 ... */
-int bat_decimals_of_step(double step);
-/* `value` rounded to so many decimals, as text. */
-void bat_number_text(double value, int decimals, char text[static BATTEN_NUMBER_SIZE]);
-/* The same, to so many significant digits. */
-void bat_digits_text(double value, int digits, char text[static BATTEN_NUMBER_SIZE]);
 
 /* ---- a plot: a rectangle of the sheet that shows a piece of the plane ---- */
 

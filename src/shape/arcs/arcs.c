@@ -1,5 +1,6 @@
 /* How far arcs are from a curve, single arcs fitted to it, and the list of them. */
 #include "shape/arcs/arcs.h"
+#include "base/list.h"
 #include "numeric/vector.h"
 
 #include <string.h>
@@ -114,19 +115,24 @@ double bat_arcs_slope(const bat_arcs_probe *probe, const double row[4])
     return row[2] * (k * p[0] - N[0]) + row[3] * (k * p[1] - N[1]);
 }
 
+void bat_beside_widen(bat_beside *beside, double u, double d)
+{
+    if (d < beside->low) {
+        beside->low = d;
+        beside->low_at = u;
+    }
+    if (d > beside->high) {
+        beside->high = d;
+        beside->high_at = u;
+    }
+}
+
 bat_beside bat_arcs_beside_samples(const bat_arcs_probe *probe, const bat_samples *samples)
 {
     bat_beside beside = {HUGE_VAL, -HUGE_VAL, 0, 0};
     for (int i = 0; i < samples->count; i++) {
         const double d = bat_arcs_beside(probe, samples->rows[i]);
-        if (d < beside.low) {
-            beside.low = d;
-            beside.low_at = samples->u[i];
-        }
-        if (d > beside.high) {
-            beside.high = d;
-            beside.high_at = samples->u[i];
-        }
+        bat_beside_widen(&beside, samples->u[i], d);
     }
     return beside;
 }
@@ -283,16 +289,7 @@ bool bat_arcs_single(const bat_arcs_stretch *on, batten_biarc *out)
 
 batten_status bat_arcs_list_add(bat_arcs_list *list, const bat_arcs_part *part)
 {
-    if (list->count == list->capacity) {
-        const int capacity = bat_max_int(16, 2 * list->capacity);
-        bat_arcs_part *parts = bat_resize(list->parts, (size_t)capacity, sizeof *parts);
-        if (!parts)
-            return BATTEN_OUT_OF_MEMORY;
-        list->parts = parts;
-        list->capacity = capacity;
-    }
-    list->parts[list->count++] = *part;
-    return BATTEN_OK;
+    return BAT_LIST_ADD(list->parts, list->count, list->capacity, *part);
 }
 
 void bat_arcs_list_end(bat_arcs_list *list)

@@ -34,6 +34,9 @@ typedef struct {
     double low, high, low_at, high_at;
 } bat_beside;
 
+/* At u it is d. */
+void bat_beside_widen(bat_beside *beside, double u, double d);
+
 /* A biarc, or one arc, ready for many points. */
 typedef struct {
     int count;

@@ -127,20 +127,23 @@ static double jump(const batten_span *a, const batten_span *b)
     return fabs(b->curvature[0] - a->curvature[0]);
 }
 
-static void note_biarc(biarc_fit *w, const batten_biarc *made)
+static void add_arc(biarc_fit *w, const batten_span *arc, double turn)
 {
     batten_chain_biarcs_report *r = &w->report;
-    for (int i = 0; i < made->count; i++) {
-        const double k = fabs(made->arcs[i].curvature[0]);
-        r->arcs += k > 0;
-        r->lines += k == 0;
-        r->long_arcs += fabs(made->turn[i]) > BAT_PI;
-        r->least_radius = bat_min(r->least_radius, k > 0 ? 1 / k : HUGE_VAL);
-        if (w->span_count > 0)
-            r->largest_jump =
-                bat_max(r->largest_jump, jump(&w->spans[w->span_count - 1], &made->arcs[i]));
-        w->spans[w->span_count++] = made->arcs[i];
-    }
+    const double k = fabs(arc->curvature[0]);
+    r->arcs += k > 0;
+    r->lines += k == 0;
+    r->long_arcs += fabs(turn) > BAT_PI;
+    r->least_radius = bat_min(r->least_radius, k > 0 ? 1 / k : HUGE_VAL);
+    if (w->span_count > 0)
+        r->largest_jump = bat_max(r->largest_jump, jump(&w->spans[w->span_count - 1], arc));
+    w->spans[w->span_count++] = *arc;
+}
+
+static void add_arcs(biarc_fit *w, const batten_biarc *made)
+{
+    for (int i = 0; i < made->count; i++)
+        add_arc(w, &made->arcs[i], made->turn[i]);
 }
 
 static batten_status add_span(biarc_fit *w, int i, double *length)
@@ -156,7 +159,7 @@ static batten_status add_span(biarc_fit *w, int i, double *length)
     double end[2];
     bat_arc_at(&made.arcs[made.count - 1], made.arcs[made.count - 1].length, end);
     w->report.error = bat_max(w->report.error, bat_distance(2, end, b));
-    note_biarc(w, &made);
+    add_arcs(w, &made);
     for (int k = 0; k < made.count; k++)
         *length += made.arcs[k].length;
     return BATTEN_OK;

@@ -19,23 +19,30 @@ static double end_angle(const batten_span *arc)
     return arc->angle + arc->curvature[0] * arc->length;
 }
 
-static void report_arcs(const batten_chain *chain, batten_arcs_report *report)
+/* From one arc to the next. */
+static double largest_turn(const batten_chain *chain)
 {
     const int n = batten_chain_span_count(chain);
+    double largest = 0;
+    for (int i = 0; i + !batten_chain_is_closed(chain) < n; i++) {
+        const double before = end_angle(batten_chain_span(chain, i));
+        const double turn = batten_chain_span(chain, (i + 1) % n)->angle - before;
+        largest = bat_max(largest, fabs(remainder(turn, 2 * BAT_PI)));
+    }
+    return largest;
+}
+
+static void report_arcs(const batten_chain *chain, batten_arcs_report *report)
+{
     report->arcs = report->lines = 0;
     report->least_radius = HUGE_VAL;
-    report->largest_turn = 0;
-    for (int i = 0; i < n; i++) {
-        const batten_span *arc = batten_chain_span(chain, i);
-        const double k = fabs(arc->curvature[0]);
+    for (int i = 0; i < batten_chain_span_count(chain); i++) {
+        const double k = fabs(batten_chain_span(chain, i)->curvature[0]);
         report->arcs += k > 0;
         report->lines += k == 0;
         report->least_radius = bat_min(report->least_radius, k > 0 ? 1 / k : HUGE_VAL);
-        if (i + 1 == n && !batten_chain_is_closed(chain))
-            break;
-        const double turn = batten_chain_span(chain, (i + 1) % n)->angle - end_angle(arc);
-        report->largest_turn = bat_max(report->largest_turn, fabs(remainder(turn, 2 * BAT_PI)));
     }
+    report->largest_turn = largest_turn(chain);
 }
 
 static batten_status check_number(const batten_arcs_options *options,
@@ -49,19 +56,25 @@ static batten_status check_number(const batten_arcs_options *options,
     return BATTEN_OK;
 }
 
-static batten_status chain_all(const bat_arcs_list *list, const bat_arcs_chain_task *task,
-                               batten_chain **out)
+static int list_spans(const bat_arcs_list *list, double rounding, batten_span *spans)
 {
-    const double rounding = 4 * DBL_EPSILON * task->scale;
-    batten_span *spans = bat_array3((size_t)list->count, 2, sizeof *spans);
     int count = 0;
-    if (!spans)
-        return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < list->count; i++)
         for (int k = 0; k < list->parts[i].biarc.count; k++) {
             spans[count] = list->parts[i].biarc.arcs[k];
             straighten(&spans[count++], rounding);
         }
+    return count;
+}
+
+static batten_status chain_all(const bat_arcs_list *list, const bat_arcs_chain_task *task,
+                               batten_chain **out)
+{
+    const double rounding = 4 * DBL_EPSILON * task->scale;
+    batten_span *spans = bat_array3((size_t)list->count, 2, sizeof *spans);
+    if (!spans)
+        return BATTEN_OUT_OF_MEMORY;
+    const int count = list_spans(list, rounding, spans);
     const batten_status status = batten_chain_create(
         &(batten_chain_parts){2, count, spans, NULL, task->closed}, 32 * rounding, out);
     bat_release(spans);

@@ -52,6 +52,14 @@ static batten_status make_span(bat_conic_fit *t, int i)
     return BATTEN_OK;
 }
 
+/* Of the curvature, from a span to the next. */
+static double jump_after(const bat_conic_fit *t, int span)
+{
+    const int next = t->first[span + 1];
+    const double before = bat_conic_curvature(&t->pieces[next - 1], true);
+    return fabs(bat_conic_curvature(&t->pieces[next % t->piece_count], false) - before);
+}
+
 static void measure_conics(bat_conic_fit *t, int spans)
 {
     batten_curve_conics_report *r = &t->report;
@@ -60,13 +68,8 @@ static void measure_conics(bat_conic_fit *t, int spans)
         r->least_weight = bat_min(r->least_weight, t->pieces[i].w);
         r->largest_weight = bat_max(r->largest_weight, t->pieces[i].w);
     }
-    for (int i = 0; i < spans; i++) {
-        const int last = t->first[i + 1] - 1, next = t->first[i + 1] % t->piece_count;
-        const double before = bat_conic_curvature(&t->pieces[last], true);
-        const double after = bat_conic_curvature(&t->pieces[next], false);
-        if (i + 1 < spans || t->options->closed)
-            r->jump = bat_max(r->jump, fabs(after - before));
-    }
+    for (int i = 0; i + !t->options->closed < spans; i++)
+        r->jump = bat_max(r->jump, jump_after(t, i));
 }
 
 /* ---- the curve ---- */

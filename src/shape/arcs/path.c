@@ -255,18 +255,6 @@ typedef struct {
     double u, slope; /* the place and how the distance changes there */
 } sloped;
 
-static void widen_beside(double u, double d, bat_beside *beside)
-{
-    if (d < beside->low) {
-        beside->low = d;
-        beside->low_at = u;
-    }
-    if (d > beside->high) {
-        beside->high = d;
-        beside->high_at = u;
-    }
-}
-
 /* The extreme between two samples where the slope changes its sign: by false position, the end
  * that stays counting half. */
 static batten_status refine(const bat_arcs_path *p, const bat_arcs_probe *probe, sloped a,
@@ -281,7 +269,7 @@ static batten_status refine(const bat_arcs_path *p, const bat_arcs_probe *probe,
         if (status != BATTEN_OK)
             return status;
         const sloped middle = {u, bat_arcs_slope(probe, row)};
-        widen_beside(u, bat_arcs_beside(probe, row), beside);
+        bat_beside_widen(beside, u, bat_arcs_beside(probe, row));
         if (middle.slope == 0 || b.u - a.u < 1e-9 * (fabs(a.u) + fabs(b.u)))
             break;
         if ((middle.slope > 0) == (a.slope > 0)) {

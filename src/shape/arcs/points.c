@@ -213,20 +213,25 @@ static batten_status prepare(point_fit *t, int count, const double *points)
     return status;
 }
 
-static batten_status find_side(point_fit *t)
+static double twice_area(const point_fit *t)
 {
     double area = 0;
+    for (int i = 0; i + 1 < t->count; i++) {
+        const double *o = t->points, *a = t->points + 2 * i;
+        area += (a[0] - o[0]) * (a[3] - o[1]) - (a[1] - o[1]) * (a[2] - o[0]);
+    }
+    return area;
+}
+
+static batten_status find_side(point_fit *t)
+{
     t->side = t->options.side;
     if (t->side != BATTEN_ARCS_INSIDE && t->side != BATTEN_ARCS_OUTSIDE)
         return BATTEN_OK;
     if (!t->options.closed)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a row that is not closed has no inside");
-    for (int i = 0; i + 1 < t->count; i++) {
-        const double *o = t->points, *a = t->points + 2 * i;
-        area += (a[0] - o[0]) * (a[3] - o[1]) - (a[1] - o[1]) * (a[2] - o[0]);
-    }
-    t->side =
-        (area > 0) == (t->side == BATTEN_ARCS_INSIDE) ? BATTEN_ARCS_LEFT : BATTEN_ARCS_RIGHT;
+    t->side = (twice_area(t) > 0) == (t->side == BATTEN_ARCS_INSIDE) ? BATTEN_ARCS_LEFT
+                                                                     : BATTEN_ARCS_RIGHT;
     return BATTEN_OK;
 }
 

@@ -1,5 +1,6 @@
 /* Single arcs of a row of tangent ones: how the curve bends, where an arc may end, whether it is in the band. */
 #include "shape/arcs/smooth_step.h"
+#include "base/list.h"
 #include "numeric/vector.h"
 
 /* ---- the curve ---- */
@@ -86,17 +87,10 @@ bool bat_smooth_may_bend(const bat_arc_search *s, double curvature)
 
 batten_status bat_smooth_add(bat_arc_search *s, const bat_arc_state *from, int *index)
 {
-    if (s->state_count == s->capacity) {
-        const int capacity = bat_max_int(1024, 2 * s->capacity);
-        bat_arc_state *states = bat_resize(s->states, (size_t)capacity, sizeof *states);
-        if (!states)
-            return BATTEN_OUT_OF_MEMORY;
-        s->states = states;
-        s->capacity = capacity;
-    }
-    *index = s->state_count++;
-    s->states[*index] = *from;
-    return BATTEN_OK;
+    const batten_status status = BAT_LIST_ADD(s->states, s->state_count, s->capacity, *from);
+    if (status == BATTEN_OK)
+        *index = s->state_count - 1;
+    return status;
 }
 
 /* The range of a lean; -1 beyond the last. */

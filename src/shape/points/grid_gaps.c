@@ -221,19 +221,24 @@ static bool is_determined(const filling *f)
     return length > 0 && reach(f, way, across) > 1e-9 * length * length;
 }
 
-static batten_status solve(filling *f)
+static void put_points(const filling *f)
 {
     const bat_gaps *g = f->gaps;
     const size_t d = (size_t)g->dimension;
-    if (!is_determined(f) ||
-        bat_symmetric_factor(f->unknowns, f->lower, f->matrix) != BATTEN_OK)
-        return bat_fail(BATTEN_SINGULAR_SYSTEM,
-                        "the points that are there do not determine the %d gaps", f->unknowns);
-    bat_symmetric_solve(f->unknowns, f->lower, f->matrix, d, f->right);
     for (size_t at = 0; at < (size_t)g->count[0] * (size_t)g->count[1]; at++)
         if (f->number[at] >= 0)
             memcpy(g->points + at * d, f->right + (size_t)f->number[at] * d,
                    d * sizeof *g->points);
+}
+
+static batten_status solve(filling *f)
+{
+    if (!is_determined(f) ||
+        bat_symmetric_factor(f->unknowns, f->lower, f->matrix) != BATTEN_OK)
+        return bat_fail(BATTEN_SINGULAR_SYSTEM,
+                        "the points that are there do not determine the %d gaps", f->unknowns);
+    bat_symmetric_solve(f->unknowns, f->lower, f->matrix, (size_t)f->gaps->dimension, f->right);
+    put_points(f);
     return BATTEN_OK;
 }
 

@@ -10,6 +10,17 @@ static int step_count(const bat_family *g)
     return g->periodic ? g->count : g->count - 1;
 }
 
+/* By their sum; false when that is 0. */
+static bool make_shares(int count, double *steps)
+{
+    double total = 0;
+    for (int i = 0; i < count; i++)
+        total += steps[i];
+    for (int i = 0; i < count && total != 0; i++)
+        steps[i] /= total;
+    return total != 0;
+}
+
 /* The steps of one line as shares of its length; false when it has none. */
 static bool line_shares(const bat_family *g, int line, batten_parametrization kind,
                         double *points, double *shares)
@@ -19,12 +30,7 @@ static bool line_shares(const bat_family *g, int line, batten_parametrization ki
     for (size_t i = 0; i < (size_t)g->count; i++)
         memcpy(points + i * d, from + i * g->point_step, d * sizeof *points);
     bat_steps((batten_points){g->dimension, g->count, points}, kind, g->periodic, shares);
-    double total = 0;
-    for (int i = 0; i < step_count(g); i++)
-        total += shares[i];
-    for (int i = 0; i < step_count(g) && total != 0; i++)
-        shares[i] /= total;
-    return total != 0; /* an overflow is found by accumulate */
+    return make_shares(step_count(g), shares); /* an overflow is found by accumulate */
 }
 
 /* From average shares to parameters 0 .. 1. */

@@ -31,6 +31,14 @@ typedef struct {
     batten_vec3 *feet, *radii;
 } profile_view;
 
+/* A point within roundoff of the axis is a pole. */
+static void set_poles(profile_view *view)
+{
+    for (int i = 0; i < view->count; i++)
+        if (bat_vec3_norm(view->radii[i]) <= 16 * 0x1p-52 * view->size)
+            view->radii[i] = (batten_vec3){0, 0, 0};
+}
+
 static void view_profile(const batten_curve *profile, batten_vec3 origin, profile_view *view)
 {
     const double *P = batten_curve_points(profile);
@@ -42,10 +50,7 @@ static void view_profile(const batten_curve *profile, batten_vec3 origin, profil
         view->radii[i] = bat_vec3_subtract(point, view->feet[i]);
         view->size = bat_max(view->size, bat_vec3_norm(way) + bat_vec3_norm(point));
     }
-    /* A point within roundoff of the axis is a pole. */
-    for (int i = 0; i < view->count; i++)
-        if (bat_vec3_norm(view->radii[i]) <= 16 * 0x1p-52 * view->size)
-            view->radii[i] = (batten_vec3){0, 0, 0};
+    set_poles(view);
 }
 
 /* The direction from the axis of the control point that is farthest from it. */

@@ -60,6 +60,16 @@ static void fill_guide(bat_axis *axis)
     axis->guide[axis->slice_count] = axis->span_count - 1;
 }
 
+static bool allocate_spans(bat_axis *axis)
+{
+    const size_t spans = (size_t)axis->span_count, p = (size_t)axis->degree;
+    axis->breaks = bat_array(spans + 1, sizeof *axis->breaks);
+    axis->first = bat_array(spans, sizeof *axis->first);
+    axis->inverses = bat_array3(spans, p * (p + 1) / 2, sizeof *axis->inverses);
+    axis->guide = bat_array((size_t)axis->slice_count + 1, sizeof *axis->guide);
+    return axis->breaks && axis->first && axis->inverses && axis->guide;
+}
+
 batten_status bat_axis_finish(bat_axis *axis)
 {
     const int p = axis->degree;
@@ -67,12 +77,7 @@ batten_status bat_axis_finish(bat_axis *axis)
     for (int k = p; k < axis->count; k++)
         axis->span_count += axis->knots[k] < axis->knots[k + 1];
     axis->slice_count = SLICES_PER_SPAN * axis->span_count;
-    const size_t spans = (size_t)axis->span_count, triangle = (size_t)(p * (p + 1) / 2);
-    axis->breaks = bat_array(spans + 1, sizeof *axis->breaks);
-    axis->first = bat_array(spans, sizeof *axis->first);
-    axis->inverses = bat_array3(spans, triangle, sizeof *axis->inverses);
-    axis->guide = bat_array((size_t)axis->slice_count + 1, sizeof *axis->guide);
-    if (!axis->breaks || !axis->first || !axis->inverses || !axis->guide)
+    if (!allocate_spans(axis))
         return BATTEN_OUT_OF_MEMORY;
     fill_spans(axis);
     fill_guide(axis);

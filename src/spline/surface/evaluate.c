@@ -290,6 +290,20 @@ static bool is_inside(const bat_axis *axis, double u)
     return u >= axis->breaks[0] && u < axis->breaks[axis->span_count];
 }
 
+/* Can the parameters of point i be brought into the domain? */
+static batten_status try_place(const bat_axis axes[2], size_t i, const double uv[2])
+{
+    for (int k = 0; k < 2; k++) {
+        double u = uv[k];
+        const batten_status status = bat_axis_place(&axes[k], BATTEN_FROM_RIGHT, &u);
+        if (status != BATTEN_OK)
+            return bat_fail(status, "point %zu: %c = %.17g is not in the domain [%g, %g]", i,
+                            k ? 'v' : 'u', u, axes[k].breaks[0],
+                            axes[k].breaks[axes[k].span_count]);
+    }
+    return BATTEN_OK;
+}
+
 /* Before anything is written: are all parameters in the domain? */
 static batten_status check_parameters(const bat_nurbs *nurbs, size_t count, const double *uv)
 {
@@ -297,14 +311,9 @@ static batten_status check_parameters(const bat_nurbs *nurbs, size_t count, cons
     for (size_t i = 0; i < count; i++, uv += 2) {
         if (is_inside(&axes[0], uv[0]) && is_inside(&axes[1], uv[1]))
             continue;
-        for (int k = 0; k < 2; k++) {
-            double u = uv[k];
-            const batten_status status = bat_axis_place(&axes[k], BATTEN_FROM_RIGHT, &u);
-            if (status != BATTEN_OK)
-                return bat_fail(status, "point %zu: %c = %.17g is not in the domain [%g, %g]",
-                                i, k ? 'v' : 'u', u, axes[k].breaks[0],
-                                axes[k].breaks[axes[k].span_count]);
-        }
+        const batten_status status = try_place(axes, i, uv);
+        if (status != BATTEN_OK)
+            return status;
     }
     return BATTEN_OK;
 }
@@ -321,6 +330,15 @@ static inline void place_checked(const bat_axis *axes, const double *uv, placed 
     }
 }
 
+/* Names the first point from i on that has overflowed; there is one. */
+static batten_status overflow_from(const batch *work, size_t i)
+{
+    const size_t size = value_count(work->nurbs, work->order);
+    while (bat_all_finite(work->out + i * size, size))
+        i++;
+    return overflow(work->uv[2 * i], work->uv[2 * i + 1]);
+}
+
 static batten_status evaluate_points(const batch *work, const workspace *room, size_t begin,
                                      size_t end)
 {
@@ -332,10 +350,7 @@ static batten_status evaluate_points(const batch *work, const workspace *room, s
     }
     if (bat_all_finite(work->out + begin * size, (end - begin) * size))
         return BATTEN_OK;
-    size_t i = begin;
-    while (bat_all_finite(work->out + i * size, size))
-        i++;
-    return overflow(work->uv[2 * i], work->uv[2 * i + 1]);
+    return overflow_from(work, begin);
 }
 
 static batten_status evaluate_chunk(void *context, size_t begin, size_t end)

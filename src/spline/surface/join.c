@@ -128,10 +128,21 @@ static batten_status check_gap(const joint *work)
     return BATTEN_OK;
 }
 
+/* Those of the second go on where those of the first end. */
+static void fill_knots(const bat_spline *first, const bat_spline *second, bat_spline *made)
+{
+    const int p = first->degree, n = first->count, m = second->count;
+    const double end = first->knots[n], start = second->knots[p];
+    memcpy(made->knots, first->knots, (size_t)(n + p) * sizeof *made->knots);
+    for (int i = p + 1; i <= m + p; i++)
+        made->knots[n - 1 + i] =
+            end == start ? second->knots[i] : end + (second->knots[i] - start);
+}
+
 static void fill_joined(const joint *work, bat_spline *made)
 {
     const bat_spline *first = work->first, *second = work->second;
-    const int p = first->degree, n = first->count, m = second->count;
+    const int n = first->count, m = second->count;
     const size_t width = first->width, before = (size_t)(n - 1) * width;
     memcpy(made->values, first->values, (size_t)n * width * sizeof *made->values);
     for (size_t i = 0; i < (size_t)m * width; i++) {
@@ -139,11 +150,7 @@ static void fill_joined(const joint *work, bat_spline *made)
         const double other = second->values[i] * work->factor;
         *value = i < width ? *value + (other - *value) / 2 : other;
     }
-    memcpy(made->knots, first->knots, (size_t)(n + p) * sizeof *made->knots);
-    const double end = first->knots[n], start = second->knots[p];
-    for (int i = p + 1; i <= m + p; i++)
-        made->knots[n - 1 + i] =
-            end == start ? second->knots[i] : end + (second->knots[i] - start);
+    fill_knots(first, second, made);
 }
 
 static batten_status join_splines(joint *work, bat_spline *out)

@@ -154,24 +154,30 @@ batten_status batten_triangles_split(const batten_triangles *triangles, int tria
     return bat_triangles_finish(made, out);
 }
 
+/* Sides that are one edge have one middle; how many there are. */
+static int number_middles(const batten_triangles *triangles, const bat_triangle_edge *edges,
+                          int *middles)
+{
+    int found = 0;
+    for (int i = 0; i < 3 * triangles->count; i++) {
+        if (i > 0 && (edges[i].low != edges[i - 1].low || edges[i].high != edges[i - 1].high))
+            found++;
+        middles[3 * edges[i].triangle + edges[i].edge] = triangles->vertex_count + found;
+    }
+    return found + 1;
+}
+
 /* The middle of each edge as a vertex: middles [count][3], one for edges that are shared; how
  * many there are is returned. */
 static batten_status find_middles(const batten_triangles *triangles, int *middles, int *count)
 {
-    const int edge_count = 3 * triangles->count;
     bat_triangle_edge *edges = NULL;
     const batten_status status =
         bat_triangle_edges(triangles->count, triangles->corners, &edges);
     if (status != BATTEN_OK)
         return status;
-    int found = 0;
-    for (int i = 0; i < edge_count; i++) {
-        if (i > 0 && (edges[i].low != edges[i - 1].low || edges[i].high != edges[i - 1].high))
-            found++;
-        middles[3 * edges[i].triangle + edges[i].edge] = triangles->vertex_count + found;
-    }
+    *count = number_middles(triangles, edges, middles);
     bat_release(edges);
-    *count = found + 1;
     return BATTEN_OK;
 }
 

@@ -104,19 +104,24 @@ static batten_status evaluate_chunk(void *context, size_t begin, size_t end)
     return status;
 }
 
+static batten_status check_places(const batten_triangles *triangles,
+                                  const batten_triangle_places *places)
+{
+    batten_status status = BATTEN_OK;
+    for (size_t i = 0; i < places->count && status == BATTEN_OK; i++)
+        status = check_place(triangles, places->triangle[i], places->at + 3 * i);
+    return status;
+}
+
 batten_status batten_triangles_evaluate_many(const batten_triangles *triangles,
                                              batten_triangle_places places, int order,
                                              const batten_job *job, double *out)
 {
     assert(triangles && order >= 0 && ((places.triangle && places.at && out) || !places.count));
-    for (size_t i = 0; i < places.count; i++) {
-        const batten_status status =
-            check_place(triangles, places.triangle[i], places.at + 3 * i);
-        if (status != BATTEN_OK)
-            return status;
-    }
     batch all = {triangles, places.triangle, places.at, order, out};
-    return bat_parallel(job, places.count, 256, evaluate_chunk, &all);
+    const batten_status status = check_places(triangles, &places);
+    return status == BATTEN_OK ? bat_parallel(job, places.count, 256, evaluate_chunk, &all)
+                               : status;
 }
 
 /* ---- normals ---- */

@@ -1,5 +1,5 @@
 #include "design/text/value.h"
-#include "design/text/spelling.h"
+#include "design/text/edit_distance.h"
 
 #include "support/test.h"
 

@@ -5,6 +5,12 @@
 #include <stdlib.h>
 
 static const double pi = 3.14159265358979323846;
+static const bat_light white = {1, 1, 1};
+
+static bat_light light_at(const bat_scene *scene, const double n[3])
+{
+    return bat_light_of_sample(scene, white, 0, n);
+}
 
 TEST(a_cylinder_shows_as_many_dark_stripes_as_asked)
 {
@@ -17,7 +23,7 @@ TEST(a_cylinder_shows_as_many_dark_stripes_as_asked)
         for (int k = 0; k <= 100000; k++) {
             /* The normal turns from the lower to the upper edge; the eye is at -y. */
             const double a = pi * ((k + 0.5) / 100001 - 0.5);
-            const bat_light light = bat_light_zebra(&scene, (double[]){0, -cos(a), sin(a)});
+            const bat_light light = light_at(&scene, (double[]){0, -cos(a), sin(a)});
             const double bright = light.red > 0.1;
             changes += before >= 0 && bright != before;
             before = bright;
@@ -32,10 +38,10 @@ TEST(a_plane_shows_no_change_of_stripe_or_light)
     const bat_view view = bat_view_make(BATTEN_VIEW_AXONOMETRIC, 1, 0.5);
     const bat_scene scene = bat_scene_make(BATTEN_SHADING_ZEBRA, &view, 0, 24);
     const double n[] = {0.6, 0, 0.8}, turned[] = {-0.6, 0, -0.8};
-    const bat_light a = bat_light_zebra(&scene, n), b = bat_light_zebra(&scene, turned);
+    const bat_light a = light_at(&scene, n), b = light_at(&scene, turned);
     CHECK_BITS(a.red, b.red); /* both sides look alike */
-    const bat_light c = bat_light_plain(&scene, (bat_light){1, 1, 1}, n);
-    const bat_light d = bat_light_plain(&scene, (bat_light){1, 1, 1}, turned);
+    const bat_scene plain = bat_scene_make(BATTEN_SHADING_PLAIN, &view, 0, 24);
+    const bat_light c = light_at(&plain, n), d = light_at(&plain, turned);
     CHECK_BITS(c.green, d.green);
 }
 
@@ -46,8 +52,8 @@ TEST(light_comes_from_the_upper_left_and_is_never_negative)
     const bat_light albedo = bat_light_of((bat_colour){0.5, 0.5, 0.5});
     CHECK_NEAR(albedo.red, 0.25, 1e-15);
     const double tilt = sqrt(0.5);
-    const bat_light lit = bat_light_plain(&scene, albedo, (double[]){-0.5, 0.5, tilt});
-    const bat_light away = bat_light_plain(&scene, albedo, (double[]){0.5, -0.5, tilt});
+    const bat_light lit = bat_light_of_sample(&scene, albedo, 0, (double[]){-0.5, 0.5, tilt});
+    const bat_light away = bat_light_of_sample(&scene, albedo, 0, (double[]){0.5, -0.5, tilt});
     CHECK(lit.red > away.red);
     CHECK(away.red > 0);
 }
@@ -69,7 +75,7 @@ TEST(a_point_without_curvature_is_grey)
 {
     const bat_view view = bat_view_make(BATTEN_VIEW_TOP, 0, 0);
     const bat_scene scene = bat_scene_make(BATTEN_SHADING_GAUSSIAN, &view, 0, 24);
-    const bat_light light = bat_light_curvature(&scene, NAN, (double[]){0, 0, 1});
+    const bat_light light = bat_light_of_sample(&scene, white, NAN, (double[]){0, 0, 1});
     CHECK_BITS(light.red, light.blue);
     CHECK(isfinite(light.red));
 }
@@ -90,8 +96,8 @@ TEST(isophotes_are_stripes_of_equal_angle_to_the_light)
             n[k] = cos(i * 1e-4) * scene.key[k] + sin(i * 1e-4) * towards;
             back[k] = -n[k];
         }
-        const bat_light light = bat_light_isophotes(&scene, n);
-        CHECK_BITS(light.red, bat_light_isophotes(&scene, back).red);
+        const bat_light light = light_at(&scene, n);
+        CHECK_BITS(light.red, light_at(&scene, back).red);
         const double bright = light.red > 0.3;
         changes += before >= 0 && bright != before;
         before = bright;

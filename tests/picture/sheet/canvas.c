@@ -112,12 +112,13 @@ TEST(labels_never_cover_each_other_or_leave_the_sheet)
     const bool first = bat_canvas_label(&canvas, ink, 10, BAT_LEFT, 50, 50, "station");
     CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_LEFT, 50 + 0.9 * width, 50, "station") ||
           canvas.status != BATTEN_OK);
-    bat_canvas_take(&canvas, (bat_rectangle){50, 80, 20, 10});
     if (canvas.status == BATTEN_OK) {
         CHECK(first);
         CHECK(bat_canvas_label(&canvas, ink, 10, BAT_LEFT, 50 + 1.2 * width, 50, "keel"));
         CHECK(bat_canvas_label(&canvas, ink, 10, BAT_LEFT, 50, 62, "station"));
-        CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 60, 88, "taken"));
+        CHECK(bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 60, 85, "taken"));
+        CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 60, 88, "taken") ||
+              canvas.status != BATTEN_OK);
         CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_RIGHT, 10, 20, "left of the sheet"));
         CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_LEFT, 190, 20, "right of the sheet"));
         CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_LEFT, 100, 98, "below"));
@@ -148,8 +149,8 @@ TEST(many_labels_find_memory_or_say_so)
 {
     bat_canvas canvas;
     CHECK_OK(bat_canvas_begin(BATTEN_PICTURE_SVG, 200, 100, 10, "", &canvas));
-    for (int i = 0; i < 1000; i++)
-        bat_canvas_take(&canvas, (bat_rectangle){i, 0, 1, 1});
+    for (int i = 0; i < 400; i++)
+        bat_canvas_label(&canvas, ink, 1, BAT_LEFT, 2 + 4 * (i % 40), 2 + 4 * (i / 40), "1");
     char *data = NULL;
     size_t size = 0;
     const batten_status status = bat_canvas_finish(&canvas, &data, &size);
