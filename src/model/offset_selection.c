@@ -108,15 +108,21 @@ static void select_stations(const batten_offset_table *offsets, selected *work)
     }
 }
 
-/* Number the lines that still have a point. */
-static void select_lines(const batten_offset_table *offsets, selected *work)
+/* The lines with a point that is kept get the number 0, the others -1. */
+static void mark_lines(int line_count, selected *work)
 {
-    for (int i = 0; i < offsets->line_count; i++)
+    for (int i = 0; i < line_count; i++)
         work->line_numbers[i] = -1;
     for (int i = 0; i < work->station_count; i++)
         for (int j = 0; j < work->stations[i].point_count; j++)
             if (work->stations[i].points[j].line >= 0)
                 work->line_numbers[work->stations[i].points[j].line] = 0;
+}
+
+/* Number the lines that still have a point. */
+static void select_lines(const batten_offset_table *offsets, selected *work)
+{
+    mark_lines(offsets->line_count, work);
     for (int i = 0; i < offsets->line_count; i++)
         if (work->line_numbers[i] == 0) {
             work->lines[work->line_count] = offsets->lines[i];

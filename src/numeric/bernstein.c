@@ -105,17 +105,20 @@ static double single_root(int degree, const double *c, double width)
     return 0.5 * (low + high);
 }
 
+/* What touches the place before belongs to it. */
+static bool belongs_to(place *last, place found)
+{
+    if (!(found.a < found.b && last->b == found.a && last->a < last->b))
+        return false;
+    last->b = found.b;
+    last->t = 0.5 * (last->a + last->b);
+    return true;
+}
+
 static batten_status keep_root(search *s, place found)
 {
-    /* What touches the place before belongs to it. */
-    if (s->count > 0 && found.a < found.b) {
-        place *last = &s->places[s->count - 1];
-        if (last->b == found.a && last->a < last->b) {
-            last->b = found.b;
-            last->t = 0.5 * (last->a + last->b);
-            return BATTEN_OK;
-        }
-    }
+    if (s->count > 0 && belongs_to(&s->places[s->count - 1], found))
+        return BATTEN_OK;
     if (s->count == s->degree)
         return bat_fail(
             BATTEN_INCOMPLETE,

@@ -43,16 +43,22 @@ static void release_solver(solver *s)
     bat_release(s->trial);
 }
 
+/* The length of a column of derivatives. */
+static double influence_of(const solver *s, int k)
+{
+    double sum = 0;
+    for (int i = 0; i < s->rows; i++) {
+        const double d = s->derivatives[(size_t)i * (size_t)s->unknowns + (size_t)k];
+        sum += d * d;
+    }
+    return sqrt(sum);
+}
+
 static void find_scales(solver *s)
 {
     double largest = 0;
     for (int k = 0; k < s->unknowns; k++) {
-        double sum = 0;
-        for (int i = 0; i < s->rows; i++) {
-            const double d = s->derivatives[(size_t)i * (size_t)s->unknowns + (size_t)k];
-            sum += d * d;
-        }
-        s->scales[k] = sqrt(sum);
+        s->scales[k] = influence_of(s, k);
         largest = bat_max(largest, s->scales[k]);
     }
     for (int k = 0; k < s->unknowns; k++) /* an unknown without influence stays */

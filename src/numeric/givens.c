@@ -250,26 +250,39 @@ void bat_givens_solve(const bat_givens *qr, double *x)
 
 /* ---- the band of the inverse ---- */
 
-/* The inverse of the corner's R^T R by solving for the unit vectors. */
-static void invert_corner(const bat_givens *qr, double *out)
+/* Column c of R^-T. */
+static void invert_transposed(const bat_givens *qr, int c, double *out)
 {
     const int n = qr->border;
     const size_t stride = (size_t)n + qr->rights;
-    const double *r = qr->corner;
-    for (int c = 0; c < n; c++)
-        for (int i = c; i < n; i++) { /* R^-T, column c */
-            double sum = i == c;
-            for (int k = c; k < i; k++)
-                sum -= r[(size_t)k * stride + (size_t)i] * out[k * n + c];
-            out[i * n + c] = sum / r[(size_t)i * stride + (size_t)i];
-        }
-    for (int c = 0; c < n; c++)
-        for (int i = n - 1; i >= 0; i--) {
-            double sum = out[i * n + c];
-            for (int k = i + 1; k < n; k++)
-                sum -= r[(size_t)i * stride + (size_t)k] * out[k * n + c];
-            out[i * n + c] = sum / r[(size_t)i * stride + (size_t)i];
-        }
+    for (int i = c; i < n; i++) {
+        double sum = i == c;
+        for (int k = c; k < i; k++)
+            sum -= qr->corner[(size_t)k * stride + (size_t)i] * out[k * n + c];
+        out[i * n + c] = sum / qr->corner[(size_t)i * stride + (size_t)i];
+    }
+}
+
+/* Column c by R^-1, in place. */
+static void solve_corner(const bat_givens *qr, int c, double *out)
+{
+    const int n = qr->border;
+    for (int i = n - 1; i >= 0; i--) {
+        const double *r = qr->corner + (size_t)i * ((size_t)n + qr->rights);
+        double sum = i < c ? 0 : out[i * n + c];
+        for (int k = i + 1; k < n; k++)
+            sum -= r[k] * out[k * n + c];
+        out[i * n + c] = sum / r[i];
+    }
+}
+
+/* The inverse of the corner's R^T R by solving for the unit vectors. */
+static void invert_corner(const bat_givens *qr, double *out)
+{
+    for (int c = 0; c < qr->border; c++) {
+        invert_transposed(qr, c, out);
+        solve_corner(qr, c, out);
+    }
 }
 
 /* Element (i, j) of the inverse; both in the band no farther apart than its width, and those of

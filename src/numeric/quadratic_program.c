@@ -128,19 +128,24 @@ static batten_status add_equation(program *p, int i)
 
 /* ---- the quadratic form on what is free ---- */
 
+static void turn_column(program *p, size_t j)
+{
+    const size_t n = (size_t)p->n;
+    for (size_t i = 0; i < n; i++)
+        p->row[i] = p->h[i * n + j];
+    reflect_forward(p, p->row);
+    for (size_t i = 0; i < n; i++)
+        p->h[i * n + j] = p->row[i];
+}
+
 static void turn_form(program *p)
 {
     const size_t n = (size_t)p->n;
     memcpy(p->h, p->of->hessian, n * n * sizeof *p->h);
     for (size_t i = 0; i < n; i++)
         reflect_forward(p, p->h + i * n);
-    for (size_t j = 0; j < n; j++) {
-        for (size_t i = 0; i < n; i++)
-            p->row[i] = p->h[i * n + j];
-        reflect_forward(p, p->row);
-        for (size_t i = 0; i < n; i++)
-            p->h[i * n + j] = p->row[i];
-    }
+    for (size_t j = 0; j < n; j++)
+        turn_column(p, j);
     if (p->of->linear)
         memcpy(p->g, p->of->linear, n * sizeof *p->g);
     reflect_forward(p, p->g);
@@ -194,6 +199,15 @@ static void solve_upper(const program *p, double *v)
 
 /* ---- inequalities: the shortest z ---- */
 
+/* The equations determine the inequality, and are seen through their rounding. */
+static void settle_by_equations(program *p, int i, double whole)
+{
+    const double size = fabs(p->of->least_values[i]) + whole * bat_norm(p->rank, p->y);
+    memset(p->row + p->rank, 0, (size_t)p->free * sizeof *p->row);
+    if (fabs(p->f[i]) <= 1e-9 * size)
+        p->f[i] = 0;
+}
+
 /* Row i of E and f: row.x = row'.y with y = minimum + L^-t z. */
 static void prepare_inequality(program *p, int i)
 {
@@ -203,11 +217,7 @@ static void prepare_inequality(program *p, int i)
     p->f[i] = p->of->least_values[i] - bat_dot(n, p->row, p->y);
     const double whole = bat_norm(n, p->row);
     if (p->free > 0 && bat_norm(p->free, p->row + p->rank) <= 32 * n * DBL_EPSILON * whole) {
-        /* The equations determine it, and are seen through their rounding. */
-        memset(p->row + p->rank, 0, (size_t)p->free * sizeof *p->row);
-        if (fabs(p->f[i]) <=
-            1e-9 * (fabs(p->of->least_values[i]) + whole * bat_norm(p->rank, p->y)))
-            p->f[i] = 0;
+        settle_by_equations(p, i, whole);
     }
     solve_lower(p, p->row);
     memcpy(p->e + (size_t)i * (size_t)p->free, p->row + p->rank,
@@ -236,19 +246,25 @@ static int most_violated(const program *p)
     return worst;
 }
 
+/* r: w by the triangle of the active constraints. */
+static void solve_active(program *p)
+{
+    const size_t n = (size_t)p->n;
+    for (int j = p->active_count - 1; j >= 0; j--) {
+        p->r[j] = p->w[j];
+        for (int l = j + 1; l < p->active_count; l++)
+            p->r[j] -= p->upper[(size_t)l * n + (size_t)j] * p->r[l];
+        p->r[j] /= p->upper[(size_t)j * n + (size_t)j];
+    }
+}
+
 /* What inequality `i` pulls in beyond those that are held: e = sum of r times theirs + d. */
 static void split(program *p, int i)
 {
     const int m = p->free, k = p->active_count;
-    const size_t n = (size_t)p->n;
     for (int a = 0; a < m; a++)
         p->w[a] = bat_dot(m, p->q + (size_t)a * (size_t)m, row_of(p, i));
-    for (int j = k - 1; j >= 0; j--) {
-        p->r[j] = p->w[j];
-        for (int l = j + 1; l < k; l++)
-            p->r[j] -= p->upper[(size_t)l * n + (size_t)j] * p->r[l];
-        p->r[j] /= p->upper[(size_t)j * n + (size_t)j];
-    }
+    solve_active(p);
     memset(p->d, 0, (size_t)m * sizeof *p->d);
     for (int a = k; a < m; a++)
         for (int c = 0; c < m; c++)

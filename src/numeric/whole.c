@@ -50,21 +50,27 @@ static bat_whole_block *new_block(bat_wholes *pool, size_t bytes)
     return block;
 }
 
+static bool go_to_next_block(bat_wholes *pool, size_t bytes)
+{
+    bat_whole_block *next = pool->last ? pool->last->next : pool->first;
+    if (!next || next->size < bytes)
+        next = new_block(pool, bytes);
+    if (!next)
+        return false;
+    pool->last = next;
+    pool->used = 0;
+    return true;
+}
+
 void *bat_wholes_take(bat_wholes *pool, size_t count, size_t size)
 {
     if (pool->effort->status != BATTEN_OK)
         return NULL;
     assert(count < SIZE_MAX / 4 / size);
     const size_t bytes = (count * size + ALIGN - 1) / ALIGN * ALIGN;
-    if (!pool->last || pool->used + bytes > pool->last->size) {
-        bat_whole_block *next = pool->last ? pool->last->next : pool->first;
-        if (!next || next->size < bytes)
-            next = new_block(pool, bytes);
-        if (!next)
-            return NULL;
-        pool->last = next;
-        pool->used = 0;
-    }
+    const bool fits = pool->last && pool->used + bytes <= pool->last->size;
+    if (!fits && !go_to_next_block(pool, bytes))
+        return NULL;
     void *taken = (char *)pool->last->bytes + pool->used;
     pool->used += bytes;
     return memset(taken, 0, bytes);

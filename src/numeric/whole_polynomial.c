@@ -224,20 +224,23 @@ static bat_whole_poly by_subresultants(bat_wholes *pool, bat_whole_poly p, bat_w
     return q.degree == 0 ? bat_poly_constant(pool, 1) : p;
 }
 
+static bat_whole_poly primitive_gcd(bat_wholes *pool, bat_whole_poly p, bat_whole_poly q)
+{
+    const bat_whole_poly a = bat_poly_primitive(pool, p.degree < q.degree ? q : p);
+    const bat_whole_poly b = bat_poly_primitive(pool, p.degree < q.degree ? p : q);
+    return bat_poly_primitive(pool, by_subresultants(pool, a, b));
+}
+
 bat_whole_poly bat_poly_gcd(bat_wholes *pool, bat_whole_poly p, bat_whole_poly q)
 {
     if (p.degree < 0 || q.degree < 0)
         return bat_poly_primitive(pool, p.degree < 0 ? q : p);
     bat_wholes scratch = {pool->effort, NULL, NULL, 0};
     bat_whole_poly common;
-    if (p.degree == 0 || q.degree == 0 || are_coprime(&scratch, p, q)) {
+    if (p.degree == 0 || q.degree == 0 || are_coprime(&scratch, p, q))
         common = bat_poly_constant(pool, 1);
-    } else {
-        const bat_whole_poly a = bat_poly_primitive(&scratch, p.degree < q.degree ? q : p);
-        const bat_whole_poly b = bat_poly_primitive(&scratch, p.degree < q.degree ? p : q);
-        common = by_subresultants(&scratch, a, b);
-        common = bat_poly_copy(pool, bat_poly_primitive(&scratch, common));
-    }
+    else
+        common = bat_poly_copy(pool, primitive_gcd(&scratch, p, q));
     bat_wholes_release(&scratch);
     return common;
 }

@@ -25,6 +25,17 @@ static size_t bin_of(const bat_scatter *s, const bins *b, size_t t)
     return (size_t)at[0] * (size_t)b->counts[1] + (size_t)at[1];
 }
 
+static void fill_bins(const bat_scatter *s, size_t all, bins *b)
+{
+    /* Counted two places on, so that filling leaves every beginning in its place. */
+    for (size_t t = 0; t < s->count; t++)
+        b->first[bin_of(s, b, t) + 2]++;
+    for (size_t i = 2; i < all + 2; i++)
+        b->first[i] += b->first[i - 1];
+    for (size_t t = 0; t < s->count; t++)
+        b->order[b->first[bin_of(s, b, t) + 1]++] = t;
+}
+
 static batten_status sort_into_bins(const bat_scatter *s, bins *b)
 {
     for (int k = 0; k < 2; k++) {
@@ -34,16 +45,28 @@ static batten_status sort_into_bins(const bat_scatter *s, bins *b)
     const size_t all = (size_t)b->counts[0] * (size_t)b->counts[1];
     b->first = bat_array(all + 2, sizeof *b->first);
     b->order = bat_array(s->count, sizeof *b->order);
-    if (!b->first || !b->order)
-        return BATTEN_OUT_OF_MEMORY;
-    /* Counted two places on, so that filling leaves every beginning in its place. */
-    for (size_t t = 0; t < s->count; t++)
-        b->first[bin_of(s, b, t) + 2]++;
-    for (size_t i = 2; i < all + 2; i++)
-        b->first[i] += b->first[i - 1];
-    for (size_t t = 0; t < s->count; t++)
-        b->order[b->first[bin_of(s, b, t) + 1]++] = t;
-    return BATTEN_OK;
+    if (b->first && b->order)
+        fill_bins(s, all, b);
+    return b->first && b->order ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+/* How far it is away, by the parameters and in space. */
+typedef struct {
+    double nearest, distance;
+} neighbour;
+
+static void look_into_bin(const bat_scatter *s, const bins *b, size_t bin, size_t t,
+                          neighbour *found)
+{
+    enum { MOST_IN_BIN = 32 };
+    const size_t in = b->first[bin + 1] - b->first[bin];
+    for (size_t n = 0; n < in && n < MOST_IN_BIN; n++) {
+        const size_t other = b->order[b->first[bin] + n];
+        const double off = bat_distance(2, s->uv + 2 * t, s->uv + 2 * other);
+        if (other == t || off >= found->nearest)
+            continue;
+        *found = (neighbour){off, bat_distance(3, s->centred + 3 * t, s->centred + 3 * other)};
+    }
 }
 
 /* How far in space the datum is that is nearest in parameters, among those of a bin and of the
@@ -51,24 +74,14 @@ static batten_status sort_into_bins(const bat_scatter *s, bins *b)
  * stays linear. */
 static double apart_from_neighbours(const bat_scatter *s, const bins *b, size_t t)
 {
-    enum { MOST_IN_BIN = 32 };
     const size_t here = bin_of(s, b, t);
     const int i = (int)(here / (size_t)b->counts[1]), j = (int)(here % (size_t)b->counts[1]);
-    double nearest = HUGE_VAL, distance = 0;
+    neighbour found = {HUGE_VAL, 0};
     for (int a = bat_max_int(0, i - 1); a <= bat_min_int(b->counts[0] - 1, i + 1); a++)
         for (int c = bat_max_int(0, j - 1); c <= bat_min_int(b->counts[1] - 1, j + 1); c++) {
-            const size_t bin = (size_t)a * (size_t)b->counts[1] + (size_t)c;
-            const size_t in = b->first[bin + 1] - b->first[bin];
-            for (size_t n = 0; n < in && n < MOST_IN_BIN; n++) {
-                const size_t other = b->order[b->first[bin] + n];
-                const double off = bat_distance(2, s->uv + 2 * t, s->uv + 2 * other);
-                if (other == t || off >= nearest)
-                    continue;
-                nearest = off;
-                distance = bat_distance(3, s->centred + 3 * t, s->centred + 3 * other);
-            }
+            look_into_bin(s, b, (size_t)a * (size_t)b->counts[1] + (size_t)c, t, &found);
         }
-    return distance;
+    return found.distance;
 }
 
 /* How wide the points are along each axis; the least of it. */

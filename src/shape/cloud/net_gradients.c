@@ -78,19 +78,26 @@ static batten_status descend_conjugate(bat_scatter *s, double lambda, const grad
     return BATTEN_OK;
 }
 
+static batten_status find_diagonal(const bat_scatter *s, double lambda, double *diagonal)
+{
+    const bat_net_system *y = &s->system;
+    for (size_t i = 0; i < y->unknowns; i++) {
+        diagonal[i] = bat_net_entry(y, i * y->stencil + (size_t)s->axis[1].degree, lambda);
+        if (!(diagonal[i] > 0))
+            return bat_fail(BATTEN_SINGULAR_SYSTEM, "control point %zu has no datum", i);
+    }
+    return BATTEN_OK;
+}
+
 batten_status bat_scatter_solve_gradients(bat_scatter *s, double lambda)
 {
     bat_net_system *y = &s->system;
-    const size_t n = y->unknowns, middle = (size_t)s->axis[1].degree;
+    const size_t n = y->unknowns;
     double *memory = bat_array3(n, 4, sizeof *memory);
-    batten_status status = memory ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (!memory)
+        return BATTEN_OUT_OF_MEMORY;
     const gradients g = {memory, memory + n, memory + 2 * n, memory + 3 * n};
-    for (size_t i = 0; status == BATTEN_OK && i < n; i++) {
-        const size_t at = i * y->stencil + middle;
-        g.diagonal[i] = bat_net_entry(y, at, lambda);
-        if (!(g.diagonal[i] > 0))
-            status = bat_fail(BATTEN_SINGULAR_SYSTEM, "control point %zu has no datum", i);
-    }
+    batten_status status = find_diagonal(s, lambda, g.diagonal);
     for (int k = 0; k < y->rights && status == BATTEN_OK; k++)
         status = descend_conjugate(s, lambda, &g, y->right + (size_t)k * n,
                                    y->solved + (size_t)k * n);

@@ -38,7 +38,7 @@ static batten_status check_options(const batten_surface_scattered_options *o)
     return BATTEN_OK;
 }
 
-static batten_status check_data(const bat_scatter *s, const double *uv)
+static batten_status check_counts(const bat_scatter *s)
 {
     if (s->dimension < 1 || s->dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d, not 1 to 3", s->dimension);
@@ -48,6 +48,11 @@ static batten_status check_data(const bat_scatter *s, const double *uv)
     if (s->count > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "there are %zu data; the limit is %d", s->count,
                         (int)BAT_MAX_POINTS);
+    return BATTEN_OK;
+}
+
+static batten_status check_numbers(const bat_scatter *s, const double *uv)
+{
     size_t bad = bat_first_not_finite(uv, 2 * s->count);
     if (bad < 2 * s->count)
         return bat_fail(BATTEN_NOT_FINITE, "parameter %c of datum %zu is %g",
@@ -57,7 +62,15 @@ static batten_status check_data(const bat_scatter *s, const double *uv)
     if (bad < d * s->count)
         return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of datum %zu is %g", bad % d,
                         bad / d, s->values[bad]);
-    return bat_weights_check((int)s->count, s->given);
+    return BATTEN_OK;
+}
+
+static batten_status check_data(const bat_scatter *s, const double *uv)
+{
+    batten_status status = check_counts(s);
+    if (status == BATTEN_OK)
+        status = check_numbers(s, uv);
+    return status == BATTEN_OK ? bat_weights_check((int)s->count, s->given) : status;
 }
 
 /* ---- the domain ---- */

@@ -13,12 +13,10 @@ static double greville_abscissa(int degree, const double *knots, int i)
     return sum;
 }
 
-static batten_status graph_of(const bat_nurbs *f, batten_surface **out)
+/* The values of the function above its Greville abscissae. */
+static void list_graph_points(const bat_nurbs *f, double *points)
 {
     const int nu = f->axes[0].count, nv = f->axes[1].count;
-    double *points = bat_array3((size_t)nu, (size_t)nv, 3 * sizeof *points);
-    if (!points)
-        return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < nu; i++)
         for (int j = 0; j < nv; j++) {
             double *p = points + 3 * ((size_t)i * (size_t)nv + (size_t)j);
@@ -26,6 +24,15 @@ static batten_status graph_of(const bat_nurbs *f, batten_surface **out)
             p[1] = greville_abscissa(f->axes[1].degree, f->axes[1].knots, j);
             p[2] = f->points[(size_t)i * (size_t)nv + (size_t)j];
         }
+}
+
+static batten_status graph_of(const bat_nurbs *f, batten_surface **out)
+{
+    const int nu = f->axes[0].count, nv = f->axes[1].count;
+    double *points = bat_array3((size_t)nu, (size_t)nv, 3 * sizeof *points);
+    if (!points)
+        return BATTEN_OUT_OF_MEMORY;
+    list_graph_points(f, points);
     const batten_axis u = {f->axes[0].degree, nu, f->axes[0].knots, false};
     const batten_axis v = {f->axes[1].degree, nv, f->axes[1].knots, false};
     const batten_status status = batten_surface_create(3, &u, &v, points, NULL, out);

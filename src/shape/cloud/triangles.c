@@ -37,6 +37,19 @@ static batten_status report_progress(const pipeline *p, double fraction, const c
     return BATTEN_OK;
 }
 
+/* To the mean of its vertex, as the difference from the first value there. */
+static void add_value(pipeline *p, int i, int *points)
+{
+    const int v = p->triangles.vertex_of[i];
+    const double apart = p->values[i] - p->values[p->triangles.first[v]];
+    p->f[v] += apart;
+    points[v]++;
+    if (fabs(apart) > p->report.conflict) {
+        p->report.conflict = fabs(apart);
+        p->report.conflicting = i;
+    }
+}
+
 /* The mean of the values at each vertex: the first one, and the mean of what differs from it.
  */
 static void average(pipeline *p, int *points)
@@ -45,16 +58,8 @@ static void average(pipeline *p, int *points)
     memset(points, 0, (size_t)t->vertex_count * sizeof *points);
     memset(p->f, 0, (size_t)t->vertex_count * sizeof *p->f);
     p->report.conflicting = -1;
-    for (int i = 0; i < p->count; i++) {
-        const int v = t->vertex_of[i];
-        const double apart = p->values[i] - p->values[t->first[v]];
-        p->f[v] += apart;
-        points[v]++;
-        if (fabs(apart) > p->report.conflict) {
-            p->report.conflict = fabs(apart);
-            p->report.conflicting = i;
-        }
-    }
+    for (int i = 0; i < p->count; i++)
+        add_value(p, i, points);
     for (int v = 0; v < t->vertex_count; v++)
         p->f[v] = p->values[t->first[v]] + p->f[v] / points[v];
 }
@@ -103,26 +108,26 @@ static batten_status find_gradients(pipeline *p)
     return status;
 }
 
-static batten_status make_elements(pipeline *p, batten_triangles **out)
+static batten_status make_elements_of_kind(pipeline *p, batten_triangles **out)
 {
     const batten_plane_triangles *t = &p->triangles;
     const batten_triangulation domain = {t->vertex_count, t->vertices, t->corners};
+    if (p->options->element == BATTEN_ELEMENT_LINEAR)
+        return batten_triangles_linear(&domain, t->count, p->f, out);
+    if (p->options->element == BATTEN_ELEMENT_POWELL_SABIN)
+        return batten_triangles_powell_sabin(&domain, t->count, p->f, p->g, &p->report.thinnest,
+                                             out);
+    return batten_triangles_clough_tocher(&domain, t->count, p->f, p->g, NULL, out);
+}
+
+static batten_status make_elements(pipeline *p, batten_triangles **out)
+{
     batten_status status = BATTEN_OK;
     if (p->options->element != BATTEN_ELEMENT_LINEAR)
         status = find_gradients(p);
     if (status == BATTEN_OK)
         status = report_progress(p, 0.7, "elements");
-    if (status != BATTEN_OK)
-        return status;
-    switch (p->options->element) {
-    case BATTEN_ELEMENT_LINEAR:
-        return batten_triangles_linear(&domain, t->count, p->f, out);
-    case BATTEN_ELEMENT_POWELL_SABIN:
-        return batten_triangles_powell_sabin(&domain, t->count, p->f, p->g, &p->report.thinnest,
-                                             out);
-    default:
-        return batten_triangles_clough_tocher(&domain, t->count, p->f, p->g, NULL, out);
-    }
+    return status == BATTEN_OK ? make_elements_of_kind(p, out) : status;
 }
 
 /* Compare every value with the corner of a piece that is its vertex. */

@@ -163,22 +163,29 @@ static int count_splits(const bat_scatter *s, const remains *r, int k, double to
     return count;
 }
 
-static batten_status split_axis(bat_scatter *s, const remains *r, int k, double tolerance)
+/* The knots, and one more in each span that is split. */
+static void list_split_knots(const bat_scatter *s, const remains *r, int k, double tolerance,
+                             double *U)
 {
-    bat_net_axis *axis = &s->axis[k];
-    const int added = count_splits(s, r, k, tolerance), p = axis->degree;
-    double *U = bat_array((size_t)(axis->count + added + p + 1), sizeof *U);
-    if (!U)
-        return BATTEN_OUT_OF_MEMORY;
-    int n = 0;
-    for (int i = 0; i < axis->count + p + 1; i++) {
-        U[n++] = axis->knots[i];
-        if (i < p || i >= axis->count || !(axis->knots[i] < axis->knots[i + 1]))
+    const bat_net_axis *axis = &s->axis[k];
+    for (int i = 0; i <= axis->count + axis->degree; i++) {
+        *U++ = axis->knots[i];
+        if (i < axis->degree || i >= axis->count || !(axis->knots[i] < axis->knots[i + 1]))
             continue;
         const int span = r->number[k][i];
         if (r->worst[k][span] > tolerance && can_split(s, r, k, span))
-            U[n++] = middle_of(r, k, span);
+            *U++ = middle_of(r, k, span);
     }
+}
+
+static batten_status split_axis(bat_scatter *s, const remains *r, int k, double tolerance)
+{
+    bat_net_axis *axis = &s->axis[k];
+    const int added = count_splits(s, r, k, tolerance);
+    double *U = bat_array((size_t)(axis->count + added + axis->degree + 1), sizeof *U);
+    if (!U)
+        return BATTEN_OUT_OF_MEMORY;
+    list_split_knots(s, r, k, tolerance, U);
     bat_release(axis->knots);
     axis->knots = U;
     axis->count += added;

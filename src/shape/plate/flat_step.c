@@ -3,25 +3,32 @@
 
 #include "numeric/quadrature.h"
 
+/* From 0 to node i, of the polynomial that is 1 at node j and 0 at the others. */
+static double integral_of_basis(const bat_flat_rule *rule, int i, int j)
+{
+    const double *c = rule->c;
+    double sum = 0;
+    for (int q = 0; q < BAT_FLAT_NODES; q++) {
+        double basis = 1;
+        for (int m = 0; m < BAT_FLAT_NODES; m++)
+            basis *= m == j ? 1 : (c[i] * c[q] - c[m]) / (c[j] - c[m]);
+        sum += c[i] * rule->weights[q] * basis;
+    }
+    return sum;
+}
+
 void bat_flat_rule_make(bat_flat_rule *rule)
 {
     enum { N = BAT_FLAT_NODES };
     double nodes[N], plain[N];
-    double *c = rule->c;
     bat_gauss(N, nodes, plain);
     for (int i = 0; i < N; i++) {
-        c[i] = 0.5 + 0.5 * nodes[i];
+        rule->c[i] = 0.5 + 0.5 * nodes[i];
         rule->weights[i] = plain[i] / 2;
     }
     for (int i = 0; i < N; i++)
         for (int j = 0; j < N; j++) {
-            rule->A[i][j] = 0;
-            for (int q = 0; q < N; q++) {
-                double basis = 1;
-                for (int m = 0; m < N; m++)
-                    basis *= m == j ? 1 : (c[i] * c[q] - c[m]) / (c[j] - c[m]);
-                rule->A[i][j] += c[i] * rule->weights[q] * basis;
-            }
+            rule->A[i][j] = integral_of_basis(rule, i, j);
         }
 }
 
