@@ -1,0 +1,152 @@
+/*
+ * Damaged inputs: in the example of each feature of the manual an item of a list is missing, is
+ * there twice, or is of another kind, or the list is reversed or turned. Each is used, refused or
+ * remarked upon. BATTEN_CASES=200 tries that many of each feature.
+ */
+#include "design/expect.h"
+#include "design/outcome.h"
+
+#include <ctype.h>
+#include <string.h>
+
+enum { MOST = 8000, MOST_LISTS = 60, MOST_ITEMS = 60 };
+
+/* A list of the text: from its bracket to behind the other, and its items. */
+typedef struct {
+    const char *start, *end;
+    int count;
+    struct {
+        const char *at;
+        int length;
+    } items[MOST_ITEMS];
+} list;
+
+/* Does the item begin as a name, a list or a map does? */
+static bool is_thing(const char *item)
+{
+    item += strspn(item, " \n");
+    return isalpha((unsigned char)*item) || strchr("[{\"", *item);
+}
+
+/* The list at a bracket. Coordinates and other numbers are no things: a list of them is left
+ * alone. */
+static bool read_list(const char *bracket, list *out)
+{
+    int depth = 0;
+    bool has_things = false;
+    const char *item = bracket + 1;
+    *out = (list){.start = bracket};
+    for (const char *c = bracket; *c; c++) {
+        depth += (*c == '[' || *c == '{') - (*c == ']' || *c == '}');
+        if ((depth == 1 && *c == ',') || depth == 0) {
+            if (out->count == MOST_ITEMS)
+                return false;
+            has_things |= is_thing(item);
+            out->items[out->count].at = item;
+            out->items[out->count++].length = (int)(c - item);
+            item = c + 1;
+        }
+        if (depth == 0) {
+            out->end = c + 1;
+            return has_things && out->count > 1;
+        }
+    }
+    return false;
+}
+
+/* All lists of names, points and rows. */
+static int find_lists(const char *text, list *lists)
+{
+    int count = 0;
+    for (const char *c = text; *c && count < MOST_LISTS; c++)
+        if (*c == '[' && read_list(c, &lists[count]))
+            count++;
+    return count;
+}
+
+typedef enum { MISSING, TWICE, OTHER_KIND, REVERSED, TURNED, DAMAGES } damage;
+
+static const char *const odd[] = {
+    "{sphere: 37 cm, at: [0.2, 0.1, 9]}",
+    "{box: [0.3, 0.2, 0.1], at: [0.1, 0.2, 9]}",
+    "{line: [[0.1, 0.2, 9], [0.7, 0.3, 9.5]]}",
+};
+
+/* The example with a list damaged at an item, to text. */
+static void write_damaged(const char *example, const list *l, damage kind, int item,
+                          const char *extra, char text[MOST])
+{
+    const char *features = strstr(example, "features:\n") + strlen("features:\n");
+    int length =
+        snprintf(text, MOST, "batten: 1\n%.*s  odd: %s\n%.*s[", (int)(features - example),
+                 example, extra, (int)(l->start - features), features);
+    const char *comma = "";
+    for (int i = 0; i < l->count; i++) {
+        const int k = kind == REVERSED ? l->count - 1 - i
+                      : kind == TURNED ? (i + item) % l->count
+                                       : i;
+        const bool here = i == item;
+        if (here && kind == MISSING)
+            continue;
+        const char *at = here && kind == OTHER_KIND ? "odd" : l->items[k].at;
+        const int size = here && kind == OTHER_KIND ? 3 : l->items[k].length;
+        for (int n = here && kind == TWICE ? 2 : 1; n > 0; n--, comma = ", ")
+            length +=
+                snprintf(text + length, (size_t)(MOST - length), "%s%.*s", comma, size, at);
+    }
+    snprintf(text + length, (size_t)(MOST - length), "]%s", l->end);
+}
+
+/* Equal inputs in another order, and one given twice, may rightly come to the same. */
+static bool may_be_same(damage kind)
+{
+    return kind == TWICE || kind == REVERSED || kind == TURNED;
+}
+
+static bool try_damage(test_random *random, const batten_feature *feature, const list *lists,
+                       int count, const outcome *plain)
+{
+    const list *l = &lists[test_random_int(random, 0, count - 1)];
+    const damage kind = (damage)test_random_int(random, 0, DAMAGES - 1);
+    const int item = test_random_int(random, 1, l->count - 1);
+    char text[MOST];
+    write_damaged(feature->example, l, kind, item,
+                  odd[test_random_int(random, 0, COUNT(odd) - 1)], text);
+    outcome with = outcome_of(text);
+    const bool same =
+        strcmp(plain->made, with.made) == 0 && strcmp(plain->said, with.said) == 0;
+    const bool lost = same && !may_be_same(kind);
+    const bool wild = strstr(with.made, "nan") || strstr(with.made, "inf");
+    if (lost || wild)
+        printf("%s: %s\n%s\n", feature->name, lost ? "in silence" : "not finite", text);
+    outcome_release(&with);
+    return !lost && !wild;
+}
+
+static int try_feature(test_random *random, const batten_feature *feature, int cases)
+{
+    static list lists[MOST_LISTS];
+    char plain[MOST];
+    int bad = 0;
+    const char *features = strstr(feature->example, "features:\n");
+    const int count = features ? find_lists(features, lists) : 0;
+    if (count == 0)
+        return 0;
+    snprintf(plain, sizeof plain, "batten: 1\n%s", feature->example);
+    outcome without = outcome_of(plain);
+    for (int n = 0; n < cases; n++)
+        bad += !try_damage(random, feature, lists, count, &without);
+    outcome_release(&without);
+    return bad;
+}
+
+TEST(G0_damaged_inputs_of_each_feature_are_used_refused_or_remarked_upon)
+{
+    test_random random = test_random_begin("damaged");
+    const int cases = test_cases(3), most = test_cases(1000);
+    int bad = 0;
+    outcome_write_inputs();
+    for (int i = 0; i < batten_feature_count() && i < most; i++)
+        bad += try_feature(&random, batten_feature_at(i), cases);
+    CHECK_INT(bad, 0);
+}
