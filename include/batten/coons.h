@@ -98,7 +98,7 @@ typedef struct batten_edge_join {
  * @param edge  of a surface in space
  * @param beside  in space; one of its edges, or a part of one, runs along the edge
  * @param tolerance  model units, above 0: how far both edges may be apart
- * @param[out] out  the largest of 17 places of every span; places where one of both has no normal do not count
+ * @param[out] out  the largest of 17 places of every span, and of 257 at least; places where one of both has no normal do not count
  * @return BATTEN_OK; BAD_ARGUMENT for surfaces that are not in space, NOT_FOUND with the distance of the nearest edge,
  * OUT_OF_MEMORY
  *

@@ -4,8 +4,9 @@
 #include "shape/boundary/edge_fit.h"
 #include <batten/nearest.h>
 
-/* In every span of the edge; Newton's steps along the other edge, which square the error each time. */
-enum { PLACES = 16, STEPS = 8 };
+/* In every span of the edge, and at least on all of it; Newton's steps along the other edge, which square the error
+ * each time. */
+enum { IN_SPAN = 16, AT_LEAST = 256, STEPS = 8 };
 /* Directions at less than this have no plane: next to a corner of which both sides go on smoothly a normal is noise. */
 static const double parallel = 1e-4;
 
@@ -131,10 +132,11 @@ static batten_status measure_spans(pair *p, batten_edge_join *found)
         return BATTEN_OUT_OF_MEMORY;
     batten_surface_spans(p->surface, p->here.along, knots);
     batten_status status = BATTEN_OK;
-    for (int k = 0; k <= (count - 1) * PLACES && status == BATTEN_OK; k++) {
+    const int places = bat_max_int(IN_SPAN, AT_LEAST / (count - 1));
+    for (int k = 0; k <= (count - 1) * places && status == BATTEN_OK; k++) {
         /* Denser to the ends of each span, where splines that follow a twist are farthest off. */
-        const int span = bat_min_int(k / PLACES, count - 2);
-        const double s = 0.5 - 0.5 * bat_cos((k - span * PLACES) * BAT_PI / PLACES);
+        const int span = bat_min_int(k / places, count - 2);
+        const double s = 0.5 - 0.5 * bat_cos((k - span * places) * BAT_PI / places);
         status = measure_at(p, (1 - s) * knots[span] + s * knots[span + 1], found);
     }
     bat_release(knots);

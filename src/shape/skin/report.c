@@ -165,26 +165,44 @@ static batten_status jumps(const batten_surface *surface, const seam_line *line,
     return BATTEN_OK;
 }
 
+/* The corner of a curve between two parameters, which differ at the seam; the largest is kept. */
+static batten_status curve_corner(const batten_curve *curve, const seam_line *line,
+                                  double *corner)
+{
+    const int d = batten_curve_dimension(curve);
+    double left[6], right[6];
+    batten_status status =
+        batten_curve_evaluate_side(curve, line->sides[0], BATTEN_FROM_LEFT, 1, left);
+    if (status == BATTEN_OK)
+        status = batten_curve_evaluate_side(curve, line->sides[1], BATTEN_FROM_RIGHT, 1, right);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_vec3 a = bat_vec3_of(d, left + d), b = bat_vec3_of(d, right + d);
+    *corner =
+        bat_max(*corner, bat_atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b)));
+    return BATTEN_OK;
+}
+
 /* The largest corner of the sections with common knots at one of them; points have none. */
 static batten_status section_corner(const bat_skin *t, const seam_line *line, double *corner)
 {
-    const int d = t->dimension;
-    for (int k = 0; k < t->count; k++) {
-        double left[6], right[6];
-        if (t->point[k])
-            continue;
-        batten_status status = batten_curve_evaluate_side(t->unified[k], line->sides[0],
-                                                          BATTEN_FROM_LEFT, 1, left);
-        if (status == BATTEN_OK)
-            status = batten_curve_evaluate_side(t->unified[k], line->sides[1],
-                                                BATTEN_FROM_RIGHT, 1, right);
-        if (status != BATTEN_OK)
-            return status;
-        const batten_vec3 a = bat_vec3_of(d, left + d), b = bat_vec3_of(d, right + d);
-        *corner = bat_max(*corner,
-                          bat_atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b)));
+    batten_status status = BATTEN_OK;
+    for (int k = 0; k < t->count && status == BATTEN_OK; k++)
+        if (!t->point[k])
+            status = curve_corner(t->unified[k], line, corner);
+    return status;
+}
+
+batten_status bat_skin_find_seam(bat_skin *t)
+{
+    batten_status status = BATTEN_OK;
+    for (int k = 0; k < t->count && status == BATTEN_OK && t->closed; k++) {
+        const batten_interval domain = batten_curve_domain(t->placed[k]);
+        const seam_line seam = {{domain.b, domain.a}};
+        if (!t->point[k])
+            status = curve_corner(t->placed[k], &seam, &t->seam_corner);
     }
-    return BATTEN_OK;
+    return status;
 }
 
 /* Where jumps are looked for: at 33 places of the whole, and on the way from a pole to the section next to it, whose
@@ -216,14 +234,20 @@ typedef struct {
 static batten_status find_line_jumps(const bat_skin *t, const batten_surface *surface,
                                      const seam_line *line, line_jumps *found)
 {
-    double corner = 0, places[EVEN_PLACES + 2 * POLE_PLACES];
+    const bool is_seam = line->sides[0] != line->sides[1];
+    double corner = t->seam_corner, places[EVEN_PLACES + 2 * POLE_PLACES];
     const int count = list_places(t, places);
-    batten_status status = section_corner(t, line, &corner);
+    batten_status status = BATTEN_OK;
     *found = (line_jumps){0};
+    /* At the seam the sections as given count: those within a tolerance may have a corner of their own there. */
+    if (!is_seam) {
+        corner = 0;
+        status = section_corner(t, line, &corner);
+    }
     for (int j = 0; status == BATTEN_OK && j < count; j++)
         status = jumps(surface, line, places[j], &found->normal, &found->speed);
     if (corner < bat_skin_corner)
-        found->crease = found->normal - corner;
+        found->crease = bat_max(0, found->normal - corner);
     return status;
 }
 

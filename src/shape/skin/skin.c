@@ -103,6 +103,8 @@ static batten_status place_sections(bat_skin *t)
         status = bat_skin_align(t);
     if (status == BATTEN_OK)
         status = bat_skin_match(t);
+    if (status == BATTEN_OK)
+        status = bat_skin_find_seam(t);
     return status == BATTEN_OK ? shape_tips(t) : status;
 }
 

@@ -175,10 +175,10 @@ static void report_skin(const bat_run *run, const batten_surface_skin_report *fo
         bat_remark(run, "%s", cures[found->cure]);
     /* Less than a ten-thousandth of a radian is not seen, and comes from rounding in files. */
     if (found->crease > 1e-4)
-        bat_note(run,
-                 "the surface has a crease of %.3g degrees that no section has; "
-                 "'creases: cure' or 'within' may cure it",
-                 found->crease * 90 / bat_acos(0));
+        bat_note(run, "the surface has a crease of %.3g degrees that no section has; %s",
+                 found->crease * 90 / bat_acos(0),
+                 bat_has(run, "within") ? "a smaller 'within' makes it less"
+                                        : "'creases: cure' or 'within' may cure it");
 }
 
 static batten_status skin(bat_run *run, int count, const batten_curve **sections)

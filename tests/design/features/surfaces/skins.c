@@ -187,3 +187,17 @@ TEST(G10_knots_that_nearly_coincide_are_noted_also_when_all_do)
     };
     EXPECT(near_knots, rows);
 }
+
+TEST(a_seam_that_a_tolerance_bends_is_noted)
+{
+    /* A circle and a free ring, both smooth at their seams; within 5 cm of them knots are few and the seam has a corner. */
+    static const char rings[] =
+        "  s0: {circle: 0.9466, axis: x, at: [1, -0.0574, 0.0518]}\n"
+        "  p: {points: [[2, 0.747, 0], [2, 0.447, 0.74], [2, -0.187, 0.957], [2, -0.86, 0.284],\n"
+        "      [2, -0.739, -0.278], [2, -0.136, -0.613], [2, 0.59, -0.716]]}\n"
+        "  s1: {interpolate: p, periodic: yes}\n";
+    static const expect_row rows[] = {
+        {"{skin: [s0, s1], within: 1 mm}", BATTEN_OK, "notes a smaller 'within' makes it less"},
+    };
+    EXPECT(rings, rows);
+}
