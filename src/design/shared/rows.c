@@ -1,6 +1,8 @@
 /* Rows of points out of tables of offsets, lists of points and curves that have points. */
 #include "design/shared/rows.h"
+#include "numeric/vector.h"
 
+#include <float.h>
 #include <string.h>
 
 static batten_status begin_rows(int count, bat_rows *rows)
@@ -213,4 +215,40 @@ batten_status bat_points_check_size(int count, const double *points)
                     "the largest coordinate is %g; from %g to %g can be worked with: choose "
                     "another unit",
                     size, least, most);
+}
+
+/* ---- what rounding makes of them ---- */
+
+/* Neighbours a millionth as far from each other as others: parameters from distances have no six digits left. */
+static const double most_uneven = 1e6;
+/* What a method loses to rounding, as a share of the largest coordinate: some ten operations on each. */
+static const double lost = 64 * DBL_EPSILON;
+
+void bat_note_spacing(const bat_run *run, const char *name, int count, const double *points)
+{
+    double least = HUGE_VAL, most = 0, size = 0;
+    int at = 0;
+    for (int i = 0; i < 3 * count; i++)
+        size = bat_max(size, fabs(points[i]));
+    for (int i = 1; i < count; i++) {
+        const double chord = bat_distance(3, points + 3 * (i - 1), points + 3 * i);
+        most = bat_max(most, chord);
+        if (chord > 0 && chord < least) {
+            least = chord;
+            at = i;
+        }
+    }
+    if (most > most_uneven * least)
+        bat_note(
+            run,
+            "'%s': points %d and %d are %.3g apart, others up to %.3g; curves through such "
+            "points may turn sharply between them: 'thin-points' merges what is meant to be "
+            "one",
+            name, at, at + 1, least, most);
+    if (lost * size > bat_tolerance(run))
+        bat_note(
+            run,
+            "'%s': coordinates of up to %.3g lose %.2g to rounding, more than the tolerance "
+            "%.2g; move the points towards the origin, or ask for less",
+            name, size, lost * size, bat_tolerance(run));
 }

@@ -25,6 +25,10 @@ batten_status bat_gather_points(const bat_run *run, const char *parameter, int *
  * is not from 1e-90 to 1e90 (or 0) are refused, with a word about units. */
 batten_status bat_points_check_size(int count, const double *points);
 
+/* Note points of a row so near each other, for the distances of the others, or so far from the origin, for the
+ * tolerance of the design, that curves through them are at the mercy of rounding. */
+void bat_note_spacing(const bat_run *run, const char *name, int count, const double *points);
+
 /* The axis along which all points have the same coordinate bit for bit (the last of several),
  * or -1. */
 int bat_flat_axis(int count, const double *points);

@@ -201,8 +201,10 @@ static batten_status make_row(bat_run *run, const bat_method *method, const bat_
 {
     task t = {.run = run, .method = method, .row = row, .plane = {.axis = -1}};
     batten_status status = bat_points_check_size(row->count, row->points);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
+        bat_note_spacing(run, row->name, row->count, row->points);
         status = prepare(&t);
+    }
     if (status == BATTEN_OK)
         status = method->make(run, &t.data, &t.made);
     if (status == BATTEN_OK)

@@ -114,6 +114,7 @@ static batten_status fit_row(bat_run *run, const bat_row *row, const batten_obje
     double *parameters_of = bat_array((size_t)row->count, sizeof *parameters_of);
     if (!parameters_of)
         return BATTEN_OUT_OF_MEMORY;
+    bat_note_spacing(run, row->name, row->count, row->points);
     const batten_status status = batten_curve_interpolate(
         (batten_points){3, row->count, row->points}, &run->result->fit, parameters_of, &curve);
     const batten_status looked = status == BATTEN_OK ? look_beyond(row, curve, e) : BATTEN_OK;

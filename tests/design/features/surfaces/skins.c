@@ -190,14 +190,16 @@ TEST(G10_knots_that_nearly_coincide_are_noted_also_when_all_do)
 
 TEST(a_seam_that_a_tolerance_bends_is_noted)
 {
-    /* A circle and a free ring, both smooth at their seams; within 5 cm of them knots are few and the seam has a corner. */
+    /* An ellipse and a free ring, both smooth at their seams; what is within 1 mm of them has a corner there. */
     static const char rings[] =
-        "  s0: {circle: 0.9466, axis: x, at: [1, -0.0574, 0.0518]}\n"
-        "  p: {points: [[2, 0.747, 0], [2, 0.447, 0.74], [2, -0.187, 0.957], [2, -0.86, 0.284],\n"
-        "      [2, -0.739, -0.278], [2, -0.136, -0.613], [2, 0.59, -0.716]]}\n"
-        "  s1: {interpolate: p, periodic: yes}\n";
+        "  s0: {ellipse: 0.5878, b: 0.7411, axis: x, at: [1, -0.0982, -0.0169]}\n"
+        "  p: {points: [[2, 0.605, 0], [2, 0.336, 0.808], [2, -0.32, 0.842], [2, -0.707, 0],\n"
+        "      [2, -0.403, -0.632], [2, 0.493, -0.66]]}\n"
+        "  s1: {interpolate: p, periodic: yes}\n"
+        "  q0: {points: [[0.488, -0.173, 0.132]]}\n  q1: {points: [[2.987, -0.156, 0.099]]}\n";
     static const expect_row rows[] = {
-        {"{skin: [s0, s1], within: 1 mm}", BATTEN_OK, "notes a smaller 'within' makes it less"},
+        {"{skin: [q0, s0, s1, q1], poles: smooth, within: 1 mm}", BATTEN_OK,
+         "notes degrees that no section has"},
     };
     EXPECT(rings, rows);
 }

@@ -1,3 +1,4 @@
+#include "design/expect.h"
 #include "support/test.h"
 
 #include <batten/design.h>
@@ -125,4 +126,22 @@ TEST(splines_as_operations_say_what_they_cannot_do)
         CHECK(status != BATTEN_OK);
         CHECK_MESSAGE(rows[i].says);
     }
+}
+
+static const char spaced[] = "  near: {points: [[0, 0], [1, 1], [1.0000004, 1], [2, 0]]}\n"
+                             "  even: {points: [[0, 0], [1, 1], [1.00004, 1], [2, 0]]}\n"
+                             "  far: {points: [[1e11, 0], [1e11, 100], [100000000100, 200]]}\n"
+                             "  away: {points: [[1e6, 0], [1e6, 100], [1000100, 200]]}\n";
+
+TEST(N2_points_at_the_mercy_of_rounding_are_noted)
+{
+    static const expect_row rows[] = {
+        {"{interpolate: near}", BATTEN_OK,
+         "notes points 2 and 3 are 4e-07 apart, others up to 1.41"},
+        {"{interpolate: even}", BATTEN_OK, "silent"},
+        {"{interpolate: far}", BATTEN_OK,
+         "notes lose 0.0014 to rounding, more than the tolerance 0.001"},
+        {"{interpolate: away}", BATTEN_OK, "silent"},
+    };
+    EXPECT(spaced, rows);
 }
