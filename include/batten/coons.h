@@ -124,8 +124,8 @@ typedef struct batten_loop_place {
  * @param curves [count], 2 or more, open, of one dimension
  * @param tolerance  model units, 0 or more
  * @param[out] places  [count], which curve comes next, whether reversed, and the gap after it
- * @return BATTEN_OK; NOT_COMPATIBLE naming the corner, both curves and the gap ("corner 2,
- * between curves 4 and 1, is open by 0.12"); COINCIDENT for a curve without length or two that
+ * @return BATTEN_OK; NOT_COMPATIBLE naming the corner (k: where the k-th of the loop begins), both
+ * curves and the gap ("corner 2, between curves 1 and 4, is open by 0.12"); COINCIDENT for a curve without length or two that
  * are the same; NOT_FINITE ...
  *
  * Cost: count^2 distances of ends.
@@ -200,9 +200,10 @@ typedef struct batten_surface_coons_options {
     double tolerance; /**< of all gaps, model units (the parameters run over 0..1); rounding is
                            let pass beyond it */
     batten_twist_policy twist;
-    bool repair;          /**< a slope or curvature that does not fit the boundary curve at a
+    bool repair; /**< a slope or curvature that does not fit the boundary curve at a
                                corner is corrected (F times the gap is added), not refused */
-    const double *twists; /**< [2][2][d], corners (0,0), (0,1), (1,0), (1,1); where no slope
+    const double
+        *twists; /**< [4][d], corners around it: (0,0), (1,0), (1,1), (0,1); where no slope
                              says what the twist is; NULL: that of the bilinear patch */
 } batten_surface_coons_options;
 

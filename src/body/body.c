@@ -90,7 +90,7 @@ static batten_status check_counts(const batten_body_parts *p)
     const size_t bad = bat_first_not_finite(p->vertices, 3 * (size_t)p->vertex_count);
     if (bad < 3 * (size_t)p->vertex_count)
         return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of vertex %zu is not finite",
-                        bad % 3, bad / 3);
+                        bad % 3 + 1, bad / 3 + 1);
     return BATTEN_OK;
 }
 
@@ -100,17 +100,17 @@ static batten_status check_edges(const batten_body_parts *p)
         const batten_body_edge *edge = &p->edges[i];
         for (int k = 0; k < 2; k++)
             if (edge->vertices[k] < 0 || edge->vertices[k] >= p->vertex_count)
-                return bat_fail(BATTEN_BAD_ARGUMENT, "edge %d has vertex %d, of %d", i,
-                                edge->vertices[k], p->vertex_count);
+                return bat_fail(BATTEN_BAD_ARGUMENT, "edge %d has vertex %d, of %d", i + 1,
+                                edge->vertices[k] + 1, p->vertex_count);
         if (edge->curve && batten_curve_dimension(edge->curve) != 3)
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "the curve of edge %d has %d dimension%s, not 3", i,
+                            "the curve of edge %d has %d dimension%s, not 3", i + 1,
                             batten_curve_dimension(edge->curve),
                             bat_plural(batten_curve_dimension(edge->curve)));
         if (!edge->curve && edge->vertices[0] != edge->vertices[1])
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "edge %d has no curve, but goes from vertex %d to vertex %d", i,
-                            edge->vertices[0], edge->vertices[1]);
+                            "edge %d has no curve, but goes from vertex %d to vertex %d", i + 1,
+                            edge->vertices[0] + 1, edge->vertices[1] + 1);
     }
     return BATTEN_OK;
 }
@@ -126,16 +126,16 @@ static batten_status check_uses(const batten_body_parts *p)
     for (int i = 0; i < p->use_count; i++) {
         const batten_body_use *use = &p->uses[i];
         if (use->edge < 0 || use->edge >= p->edge_count)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "use %d is of edge %d, of %d", i, use->edge,
-                            p->edge_count);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "use %d is of edge %d, of %d", i + 1,
+                            use->edge + 1, p->edge_count);
         if (use->parameters && batten_curve_dimension(use->parameters) != 2)
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "the parameter curve of use %d has %d dimension%s, not 2", i,
+                            "the parameter curve of use %d has %d dimension%s, not 2", i + 1,
                             batten_curve_dimension(use->parameters),
                             bat_plural(batten_curve_dimension(use->parameters)));
         if (p->is_traced && !use->parameters)
             return bat_fail(BATTEN_BAD_ARGUMENT, "use %d of a traced body has no parameters",
-                            i);
+                            i + 1);
     }
     return BATTEN_OK;
 }
@@ -148,7 +148,7 @@ static batten_status check_range(int first, int count, int least, int *next, int
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "%s %d has the parts %d .. %d, of %d; it should "
                         "begin with %d",
-                        what, index, first, first + count - 1, all, *next);
+                        what, index + 1, first + 1, first + count, all, *next + 1);
     *next = first + count;
     return BATTEN_OK;
 }
@@ -168,7 +168,8 @@ static batten_status check_loops(const batten_body_parts *p)
                     BATTEN_BAD_ARGUMENT,
                     "loop %d is broken: edge %d ends in vertex %d, edge %d begins in "
                     "vertex %d",
-                    i, use->edge, end_of(p, use, 1), then->edge, end_of(p, then, 0));
+                    i + 1, use->edge + 1, end_of(p, use, 1) + 1, then->edge + 1,
+                    end_of(p, then, 0) + 1);
         }
     }
     if (status == BATTEN_OK && next != p->use_count)
@@ -184,11 +185,11 @@ static batten_status check_faces(const batten_body_parts *p)
     for (int i = 0; status == BATTEN_OK && i < p->face_count; i++) {
         const batten_body_face *face = &p->faces[i];
         if (!face->surface || batten_surface_dimension(face->surface) != 3)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "face %d has no surface in space", i);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "face %d has no surface in space", i + 1);
         for (int k = 0; face->has_colour && k < 3; k++)
             if (!(face->colour[k] >= 0 && face->colour[k] <= 1))
                 return bat_fail(BATTEN_BAD_ARGUMENT,
-                                "colour part %d of face %d is %g, not in 0..1", k, i,
+                                "colour part %d of face %d is %g, not in 0..1", k + 1, i + 1,
                                 face->colour[k]);
         status = check_range(face->first, face->count, 0, &loops, p->loop_count, "face", i);
     }

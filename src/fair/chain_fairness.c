@@ -200,7 +200,7 @@ static batten_status required_by(const batten_chain *chain, int n, const double 
     const size_t bad = bat_first_not_finite(points, numbers);
     if (bad < numbers)
         return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite",
-                        bad / (size_t)batten_chain_dimension(chain));
+                        bad / (size_t)batten_chain_dimension(chain) + 1);
     if (d == 1 && n != chain->count + 1)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "%d value%s, but the function has %d breaks", n,
                         bat_plural(n), chain->count + 1);

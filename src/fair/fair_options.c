@@ -17,7 +17,7 @@ static batten_status check_bounds(int count, const batten_fair_options *options)
     for (int i = 0; options->within_each && i < count; i++)
         if (!(options->within_each[i] >= 0 && isfinite(options->within_each[i])))
             return bat_fail(BATTEN_BAD_ARGUMENT, "the bound of point %d is %g, not 0 or more",
-                            i, options->within_each[i]);
+                            i + 1, options->within_each[i]);
     if (!options->within_each && !(options->within > 0 && isfinite(options->within)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the bound is %g, not above 0", options->within);
     return BATTEN_OK;
@@ -28,8 +28,8 @@ batten_status bat_fair_check_options(int count, const batten_fair_options *optio
     for (int k = 0; k < options->corner_count; k++)
         if (options->corners[k] < 0 || options->corners[k] >= count)
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "corner %d is point %d, but there %s %d point%s", k,
-                            options->corners[k], bat_one_or_many(count, "is", "are"), count,
+                            "corner %d is point %d, but there %s %d point%s", k + 1,
+                            options->corners[k] + 1, bat_one_or_many(count, "is", "are"), count,
                             bat_plural(count));
     if (!(options->relaxation > 0 && options->relaxation <= 1))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the relaxation is %g, not above 0 and at most 1",

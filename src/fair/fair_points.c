@@ -36,15 +36,16 @@ static batten_status check_points(int dimension, int count, const double *points
                         bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     const size_t bad = bat_first_not_finite(points, (size_t)count * (size_t)dimension);
     if (bad < (size_t)count * (size_t)dimension)
-        return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite", bad / (size_t)dimension);
+        return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite",
+                        bad / (size_t)dimension + 1);
     if (dimension == 1 && !parameters)
         return bat_fail(BATTEN_BAD_ARGUMENT, "points of one coordinate need parameters");
     for (int i = 0; parameters && i < count; i++) {
         if (!isfinite(parameters[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "parameter %d is %g", i, parameters[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "parameter %d is %g", i + 1, parameters[i]);
         if (i > 0 && !(parameters[i] > parameters[i - 1]))
             return bat_fail(BATTEN_NOT_INCREASING, "parameter %d is %g, not above %g before it",
-                            i, parameters[i], parameters[i - 1]);
+                            i + 1, parameters[i], parameters[i - 1]);
     }
     return bat_fair_check_options(count, options);
 }

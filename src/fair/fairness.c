@@ -265,7 +265,7 @@ static batten_status check_points(const batten_curve *curve, int count, const do
                         bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     if (bat_first_not_finite(points, values) < values)
         return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite",
-                        bat_first_not_finite(points, values) / (size_t)d);
+                        bat_first_not_finite(points, values) / (size_t)d + 1);
     if (d == 1 && count != spans)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "%d value%s, but the function has %d distinct knots", count,

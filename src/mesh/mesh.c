@@ -57,9 +57,9 @@ const batten_mesh_parts *batten_mesh_view(const batten_mesh *mesh)
 static batten_status check_numbers(const double *values, size_t count, const char *what)
 {
     const size_t bad = values ? bat_first_not_finite(values, count) : count;
-    return bad == count
-               ? BATTEN_OK
-               : bat_fail(BATTEN_NOT_FINITE, "number %zu of the %s is not finite", bad, what);
+    return bad == count ? BATTEN_OK
+                        : bat_fail(BATTEN_NOT_FINITE, "number %zu of the %s is not finite",
+                                   bad + 1, what);
 }
 
 static batten_status check_parts(const batten_mesh_parts *p)
@@ -71,8 +71,8 @@ static batten_status check_parts(const batten_mesh_parts *p)
     const size_t vertices = (size_t)p->vertex_count, triangles = (size_t)p->triangle_count;
     for (size_t i = 0; i < 3 * triangles; i++)
         if (p->corners[i] < 0 || p->corners[i] >= p->vertex_count)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "triangle %zu has vertex %d, of %d", i / 3,
-                            p->corners[i], p->vertex_count);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "triangle %zu has vertex %d, of %d", i / 3 + 1,
+                            p->corners[i] + 1, p->vertex_count);
     batten_status status = check_numbers(p->points, 3 * vertices, "points");
     if (status == BATTEN_OK)
         status = check_numbers(p->colours, 3 * vertices, "colours");

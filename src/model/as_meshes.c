@@ -1,6 +1,7 @@
 /* Surfaces, Bezier triangles and bodies as meshes, for formats that hold nothing else. */
 #include "model/as_meshes.h"
 #include "base/list.h"
+#include "base/plural.h"
 #include "model/addresses.h"
 #include "model/object_notes.h"
 #include "model/rebuild.h"
@@ -101,7 +102,8 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
         batten_mesh_view(*out)->triangle_count == 0) {
         batten_mesh_unref(*out);
         *out = NULL;
-        return bat_fail(BATTEN_NOT_COMPATIBLE, "none of its %d faces can be", report.failed);
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "its %d face%s cannot be", report.failed,
+                        bat_plural(report.failed));
     }
     return status;
 }

@@ -150,16 +150,16 @@ static batten_status check_object(const batten_object *object)
                         batten_triangles_dimension(object->triangles));
     for (int k = 0; object->has_colour && k < 3; k++)
         if (!(object->colour[k] >= 0 && object->colour[k] <= 1))
-            return bat_fail(BATTEN_BAD_ARGUMENT, "colour part %d is %g, not in 0..1", k,
+            return bat_fail(BATTEN_BAD_ARGUMENT, "colour part %d is %g, not in 0..1", k + 1,
                             object->colour[k]);
     const size_t count = (size_t)object->point_count;
     const size_t bad = count ? bat_first_not_finite(object->points, 3 * count) : 0;
     if (bad < 3 * count)
-        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is not finite", bad % 3,
-                        bad / 3);
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is not finite",
+                        bad % 3 + 1, bad / 3 + 1);
     if (object->parameters && bat_first_not_finite(object->parameters, count) < count)
         return bat_fail(BATTEN_NOT_FINITE, "parameter %zu is not finite",
-                        bat_first_not_finite(object->parameters, count));
+                        bat_first_not_finite(object->parameters, count) + 1);
     return BATTEN_OK;
 }
 

@@ -31,12 +31,12 @@ static batten_status check_point(const batten_table_station *station, int index,
 {
     const batten_table_point *point = &station->points[index];
     if (!isfinite(point->x) || !isfinite(point->y) || !isfinite(point->z))
-        return bat_fail(BATTEN_NOT_FINITE, "point %d of station \"%s\" is (%g, %g, %g)", index,
-                        text_of(station->name), point->x, point->y, point->z);
+        return bat_fail(BATTEN_NOT_FINITE, "point %d of station \"%s\" is (%g, %g, %g)",
+                        index + 1, text_of(station->name), point->x, point->y, point->z);
     if (point->line < -1 || point->line >= line_count)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "point %d of station \"%s\" is on line %d, but there %s %d line%s",
-                        index, text_of(station->name), point->line,
+                        index + 1, text_of(station->name), point->line + 1,
                         bat_one_or_many(line_count, "is", "are"), line_count,
                         bat_plural(line_count));
     return BATTEN_OK;
@@ -48,16 +48,16 @@ static batten_status check_station(const batten_table_station *stations, int ind
     const batten_table_station *station = &stations[index];
     const char *name = text_of(station->name);
     if (!isfinite(station->x))
-        return bat_fail(BATTEN_NOT_FINITE, "station %d, \"%s\", stands at x = %g", index, name,
-                        station->x);
+        return bat_fail(BATTEN_NOT_FINITE, "station %d, \"%s\", stands at x = %g", index + 1,
+                        name, station->x);
     if (index > 0 && station->x <= stations[index - 1].x)
         return bat_fail(
             BATTEN_NOT_INCREASING,
-            "station %d, \"%s\", stands at x = %g, not beyond the one before, at %g", index,
+            "station %d, \"%s\", stands at x = %g, not beyond the one before, at %g", index + 1,
             name, station->x, stations[index - 1].x);
     if (station->point_count < 1)
         return bat_fail(BATTEN_TOO_FEW_POINTS,
-                        "station %d, \"%s\", has %d point%s, and needs one", index, name,
+                        "station %d, \"%s\", has %d point%s, and needs one", index + 1, name,
                         station->point_count, bat_plural(station->point_count));
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < station->point_count; i++)
@@ -72,7 +72,7 @@ static batten_status check_all(double unit_metres, int line_count,
     batten_status status = check_counts(unit_metres, line_count, station_count);
     for (int i = 0; status == BATTEN_OK && i < line_count; i++)
         if (!isfinite(lines[i].z))
-            status = bat_fail(BATTEN_NOT_FINITE, "line %d, \"%s\", has the height %g", i,
+            status = bat_fail(BATTEN_NOT_FINITE, "line %d, \"%s\", has the height %g", i + 1,
                               text_of(lines[i].name), lines[i].z);
     for (int i = 0; status == BATTEN_OK && i < station_count; i++)
         status = check_station(stations, i, line_count);

@@ -51,8 +51,8 @@ ALWAYS_INLINE batten_status factor(int n, int lower, int upper, double *a)
         /* Each of the lower + 1 terms of the pivot was rounded twice. */
         if (!(fabs(pivot) > 2 * (lower + 1) * DBL_EPSILON * terms) || !isfinite(pivot))
             return bat_fail(BATTEN_SINGULAR_SYSTEM,
-                            "the pivot of row %d of %d is %g in a row of size %g", i, n, pivot,
-                            terms);
+                            "the pivot of row %d of %d is %g in a row of size %g", i + 1, n,
+                            pivot, terms);
     }
     return BATTEN_OK;
 }
@@ -275,8 +275,8 @@ batten_status bat_symmetric_factor(int n, int lower, double *a)
         if (!(*pivot > (lower + 1) * DBL_EPSILON * size) || !isfinite(*pivot))
             return bat_fail(
                 BATTEN_SINGULAR_SYSTEM,
-                "row %d of %d of a symmetric matrix leaves the pivot %g of its diagonal %g", i,
-                n, *pivot, size);
+                "row %d of %d of a symmetric matrix leaves the pivot %g of its diagonal %g",
+                i + 1, n, *pivot, size);
     }
     return BATTEN_OK;
 }

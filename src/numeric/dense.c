@@ -59,7 +59,7 @@ static batten_status factor(int n, double *a, double *sizes, int *pivots)
         if (!(fabs(pivot) > 2 * n * DBL_EPSILON * terms) || !isfinite(pivot))
             return bat_fail(BATTEN_SINGULAR_SYSTEM,
                             "the pivot of unknown %d of %d is %g, summed from terms of size %g",
-                            k, n, pivot, terms);
+                            k + 1, n, pivot, terms);
         pivots[k] = best;
         if (best != k) {
             swap_rows((size_t)n, a + (size_t)k * (size_t)n, a + (size_t)best * (size_t)n);
@@ -164,7 +164,7 @@ batten_status bat_dense_least_squares(int rows, int columns, double *a, size_t w
         if (!(fabs(diagonal) > rows * DBL_EPSILON * whole) || !isfinite(diagonal))
             return bat_fail(BATTEN_SINGULAR_SYSTEM,
                             "unknown %d of %d depends on those before it: %g of its %g is left",
-                            k, columns, fabs(diagonal), whole);
+                            k + 1, columns, fabs(diagonal), whole);
         for (int j = k + 1; j < columns; j++)
             reflect(rows, k, stride, column, vv, stride, a + j);
         for (size_t j = 0; j < width; j++)

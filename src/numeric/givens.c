@@ -176,11 +176,11 @@ batten_status bat_givens_check(const bat_givens *qr, int *unknown)
         *unknown = i;
         if (!isfinite(pivot) || !isfinite(size))
             return bat_fail(BATTEN_OVERFLOW, "the equations of unknown %d leave the numbers",
-                            i);
+                            i + 1);
         /* A column is turned about as often as the band is wide, and rounded each time. */
         if (!(pivot > 4 * (qr->width + qr->border) * DBL_EPSILON * size))
             return bat_fail(BATTEN_SINGULAR_SYSTEM,
-                            "unknown %d of %d is not determined: %g of its %g is left", i,
+                            "unknown %d of %d is not determined: %g of its %g is left", i + 1,
                             qr->count, pivot, size);
     }
     return BATTEN_OK;

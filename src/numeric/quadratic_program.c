@@ -110,7 +110,7 @@ static batten_status add_equation(program *p, int i)
         if (!(p->report.missed <= allowed))
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "condition %d contradicts those before it: they make it %g, not %g",
-                            i, known, value);
+                            i + 1, known, value);
         p->report.refused_equation = -1;
         if (p->report.redundant_count++ == 0)
             p->report.redundant = i;

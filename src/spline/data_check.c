@@ -22,7 +22,7 @@ batten_status bat_points_check(int dimension, int count, const double *points, i
     const size_t n = (size_t)count * (size_t)dimension, bad = bat_first_not_finite(points, n);
     if (bad < n)
         return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is %g",
-                        bad % (size_t)dimension, bad / (size_t)dimension, points[bad]);
+                        bad % (size_t)dimension + 1, bad / (size_t)dimension + 1, points[bad]);
     return BATTEN_OK;
 }
 
@@ -30,10 +30,10 @@ batten_status bat_parameters_check(int count, const double *parameters)
 {
     for (int i = 0; i < count; i++) {
         if (!isfinite(parameters[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "parameter %d is %g", i, parameters[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "parameter %d is %g", i + 1, parameters[i]);
         if (i > 0 && !(parameters[i] > parameters[i - 1]))
             return bat_fail(BATTEN_NOT_INCREASING,
-                            "parameter %d is %.17g, not above the one before, %.17g", i,
+                            "parameter %d is %.17g, not above the one before, %.17g", i + 1,
                             parameters[i], parameters[i - 1]);
     }
     return BATTEN_OK;

@@ -88,11 +88,11 @@ TEST(P3_parts_that_do_not_fit_together_are_refused)
         int use, edge, vertex, face;
         batten_status status;
         const char *words;
-    } cases[] = {{0, -1, -1, -1, BATTEN_BAD_ARGUMENT, "use 0 is of edge 99, of 12"},
-                 {-1, 3, -1, -1, BATTEN_BAD_ARGUMENT, "edge 3 has vertex 8, of 8"},
-                 {-1, -1, 7, -1, BATTEN_NOT_FINITE, "coordinate 1 of vertex 2"},
-                 {-1, -1, -1, 2, BATTEN_BAD_ARGUMENT, "face 2 has the parts"},
-                 {-2, -1, -1, -1, BATTEN_BAD_ARGUMENT, "loop 0 is broken"}};
+    } cases[] = {{0, -1, -1, -1, BATTEN_BAD_ARGUMENT, "use 1 is of edge 100, of 12"},
+                 {-1, 3, -1, -1, BATTEN_BAD_ARGUMENT, "edge 4 has vertex 9, of 8"},
+                 {-1, -1, 7, -1, BATTEN_NOT_FINITE, "coordinate 2 of vertex 3"},
+                 {-1, -1, -1, 2, BATTEN_BAD_ARGUMENT, "face 3 has the parts"},
+                 {-2, -1, -1, -1, BATTEN_BAD_ARGUMENT, "loop 1 is broken"}};
     for (int i = 0; i < COUNT(cases); i++) {
         memcpy(uses, good.uses, sizeof uses);
         memcpy(edges, good.edges, sizeof edges);

@@ -285,7 +285,7 @@ TEST(N6_bounds_that_are_not_positive_are_refused)
     options.within_each = each;
     CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, t, &options, NULL, NULL, z),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("point 2 is -1");
+    CHECK_MESSAGE("point 3 is -1");
     CHECK_NEAR(z[0], 9, 0);
     /* far below the last place of the numbers there is no room to move */
     const batten_fair_options tiny = batten_fair_defaults(1e-18);
@@ -332,7 +332,7 @@ TEST(bad_points_parameters_and_options_are_refused)
     bad.corner_count = 1;
     CHECK_STATUS(batten_fair_points((batten_points){1, 5, y}, t, &bad, NULL, NULL, z),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("corner 0 is point 5");
+    CHECK_MESSAGE("corner 1 is point 6");
 }
 
 TEST(a_hairpin_of_the_polygon_moves_freely)

@@ -51,10 +51,10 @@ TEST(N1_meshes_of_what_is_no_number_are_refused)
     bad_corners[7] = 4;
     parts.points = bad_points;
     CHECK_STATUS(batten_mesh_create(&parts, &mesh), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("number 5 of the points");
+    CHECK_MESSAGE("number 6 of the points");
     parts.corners = bad_corners;
     CHECK_STATUS(batten_mesh_create(&parts, &mesh), BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("triangle 2 has vertex 4, of 4");
+    CHECK_MESSAGE("triangle 3 has vertex 5, of 4");
     parts = tetrahedron();
     parts.vertex_count = -1;
     CHECK_STATUS(batten_mesh_create(&parts, &mesh), BATTEN_BAD_ARGUMENT);

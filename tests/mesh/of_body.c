@@ -348,7 +348,7 @@ TEST(triangles_name_the_faces_of_the_given_body)
     CHECK_OK(batten_mesh_from_body(body, NULL, NULL, notes, &report, &mesh));
     CHECK_INT(report.failed, 1);
     if (batten_notes_count(notes))
-        CHECK_CONTAINS(batten_notes_at(notes, 0)->entity, "face 2, front");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->entity, "face 3, front");
     const batten_mesh_parts *made = batten_mesh_view(mesh);
     for (int i = 0; i < made->triangle_count; i++)
         found[made->faces[i]]++;
@@ -504,7 +504,7 @@ TEST(a_face_that_turns_about_is_divided_so_far_and_no_further)
     /* Twice where memory failed and it was meshed again. */
     CHECK(batten_notes_count(notes) + batten_notes_dropped(notes) >= 1);
     if (!batten_notes_dropped(notes))
-        CHECK(strstr(batten_notes_at(notes, 0)->text, "face 0 was divided no further at"));
+        CHECK(strstr(batten_notes_at(notes, 0)->text, "face 1 was divided no further at"));
     batten_notes_free(notes);
     batten_mesh_unref(mesh);
     batten_body_unref(body);

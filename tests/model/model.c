@@ -131,18 +131,18 @@ TEST(N1_points_that_are_not_finite_are_refused)
                                                           .point_count = 2,
                                                           .points = points}),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 1 of point 1");
+    CHECK_MESSAGE("coordinate 2 of point 2");
     CHECK_STATUS(batten_model_add(model, &(batten_object){.kind = BATTEN_OBJECT_POINTS,
                                                           .point_count = 2,
                                                           .points = good,
                                                           .parameters = parameters}),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("parameter 1");
+    CHECK_MESSAGE("parameter 2");
     CHECK_STATUS(batten_model_add(model, &(batten_object){.kind = BATTEN_OBJECT_POINTS,
                                                           .has_colour = true,
                                                           .colour = {0, 0, 1.5}}),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("colour part 2 is 1.5");
+    CHECK_MESSAGE("colour part 3 is 1.5");
     CHECK_INT(batten_model_count(model), 0);
     batten_model_unref(model);
 }

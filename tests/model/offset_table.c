@@ -47,13 +47,13 @@ TEST(N1_offsets_that_are_not_finite_are_refused)
                  BATTEN_NOT_FINITE);
     const batten_table_line line = {"high", true, INFINITY};
     CHECK_STATUS(batten_offset_table_create(1, 1, &line, 1, stations, &out), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("line 0, \"high\", has the height inf");
+    CHECK_MESSAGE("line 1, \"high\", has the height inf");
     for (int k = 0; k < 3; k++) {
         batten_table_point point = {k == 0 ? NAN : 0, k == 1 ? NAN : 0, k == 2 ? NAN : 0, -1};
         const batten_table_station station = {"A", 0, 1, &point};
         CHECK_STATUS(batten_offset_table_create(1, 0, NULL, 1, &station, &out),
                      BATTEN_NOT_FINITE);
-        CHECK_MESSAGE("point 0 of station \"A\"");
+        CHECK_MESSAGE("point 1 of station \"A\"");
     }
     const batten_table_station nowhere = {"A", NAN, 4, stern};
     CHECK_STATUS(batten_offset_table_create(1, 4, lines, 1, &nowhere, &out), BATTEN_NOT_FINITE);
@@ -73,12 +73,12 @@ TEST(tables_that_make_no_sense_are_refused)
                  BATTEN_TOO_FEW_POINTS);
     CHECK_STATUS(batten_offset_table_create(1, 4, lines, 2, twice, &out),
                  BATTEN_NOT_INCREASING);
-    CHECK_MESSAGE("station 1, \"B\", stands at x = 1, not beyond the one before, at 1");
+    CHECK_MESSAGE("station 2, \"B\", stands at x = 1, not beyond the one before, at 1");
     CHECK_STATUS(batten_offset_table_create(1, 4, lines, 1, &empty, &out),
                  BATTEN_TOO_FEW_POINTS);
     CHECK_STATUS(batten_offset_table_create(1, 3, lines, 1, stations, &out),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("point 3 of station \"A\" is on line 3, but there are 3 lines");
+    CHECK_MESSAGE("point 4 of station \"A\" is on line 4, but there are 3 lines");
     const batten_table_point point = {0, 0, 0, -2};
     const batten_table_station below = {"A", 1, 1, &point};
     CHECK_STATUS(batten_offset_table_create(1, 4, lines, 1, &below, &out), BATTEN_BAD_ARGUMENT);

@@ -116,11 +116,11 @@ TEST(a_singular_band_matrix_is_refused_naming_the_row)
     /* Row 2 is row 1 with its columns: [2 1 0; 1 1 1/2; 0 1 1], whose determinant is 0. */
     double a[9] = {0, 2, 1, 1, 1, 0.5, 1, 1, 0};
     CHECK_STATUS(bat_banded_factor(3, 1, 1, a), BATTEN_SINGULAR_SYSTEM);
-    CHECK_MESSAGE("row 2 of 3");
+    CHECK_MESSAGE("row 3 of 3");
     double tiny[9] = {0, 1, 1, 0.5, 1e-30, 1, 0.5, 1, 0};
     tiny[3] = 0;
     CHECK_STATUS(bat_banded_factor(3, 1, 1, tiny), BATTEN_SINGULAR_SYSTEM);
-    CHECK_MESSAGE("row 1 of 3");
+    CHECK_MESSAGE("row 2 of 3");
     double zero[2] = {0, 0};
     CHECK_STATUS(bat_banded_factor(2, 0, 0, zero), BATTEN_SINGULAR_SYSTEM);
     for (int lower = 0; lower <= 2; lower++) {
@@ -159,7 +159,7 @@ TEST(a_matrix_that_is_not_definite_is_refused)
     CHECK_STATUS(bat_symmetric_factor(2, 1, semidefinite), BATTEN_SINGULAR_SYSTEM);
     double negative[4] = {0, 1, 2, 1};
     CHECK_STATUS(bat_symmetric_factor(2, 1, negative), BATTEN_SINGULAR_SYSTEM);
-    CHECK_MESSAGE("row 1 of 2");
+    CHECK_MESSAGE("row 2 of 2");
     double infinite[1] = {INFINITY};
     CHECK_STATUS(bat_symmetric_factor(1, 0, infinite), BATTEN_SINGULAR_SYSTEM);
 }

@@ -64,7 +64,7 @@ TEST(dependent_rows_are_refused_naming_the_unknown)
     double a[9] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
     int pivots[3];
     CHECK_STATUS(bat_dense_factor(3, a, pivots), BATTEN_SINGULAR_SYSTEM);
-    CHECK_MESSAGE("unknown 2 of 3");
+    CHECK_MESSAGE("unknown 3 of 3");
     double zero[1] = {0}, infinite[1] = {INFINITY};
     CHECK_STATUS(bat_dense_factor(1, zero, pivots), BATTEN_SINGULAR_SYSTEM);
     CHECK_STATUS(bat_dense_factor(1, infinite, pivots), BATTEN_SINGULAR_SYSTEM);
@@ -118,7 +118,7 @@ TEST(a_dependent_column_is_refused_naming_it)
 {
     double a[8] = {1, 2, 3, 6, -1, -2, 0.1, 0.2}, b[4] = {1, 2, 3, 4};
     CHECK_STATUS(bat_dense_least_squares(4, 2, a, 1, b), BATTEN_SINGULAR_SYSTEM);
-    CHECK_MESSAGE("unknown 1 of 2");
+    CHECK_MESSAGE("unknown 2 of 2");
     double infinite[2] = {INFINITY, 1};
     CHECK_STATUS(bat_dense_least_squares(2, 1, infinite, 1, b), BATTEN_SINGULAR_SYSTEM);
     double zero[2] = {0, 0};

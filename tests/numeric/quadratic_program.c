@@ -151,7 +151,7 @@ TEST(g9_conditions_that_repeat_or_contradict_are_named)
     b[2] = 4;
     CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, &report),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("condition 2 contradicts those before it: they make it 3, not 4");
+    CHECK_MESSAGE("condition 3 contradicts those before it: they make it 3, not 4");
 }
 
 TEST(g9_inequalities_that_cannot_hold_are_named)

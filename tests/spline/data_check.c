@@ -57,9 +57,9 @@ TEST(the_first_bad_coordinate_is_named_and_limits_are_said)
     CHECK_STATUS(bat_points_check(1, BAT_MAX_POINTS + 1, points, 2), BATTEN_TOO_LARGE);
     points[3] = -INFINITY;
     CHECK_STATUS(bat_points_check(2, 3, points, 2), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 1 of point 1 is -inf");
+    CHECK_MESSAGE("coordinate 2 of point 2 is -inf");
     CHECK_STATUS(bat_points_check(3, 2, points, 2), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 0 of point 1 is -inf");
+    CHECK_MESSAGE("coordinate 1 of point 2 is -inf");
 }
 
 TEST(parameters_rise_and_are_finite)
@@ -67,8 +67,8 @@ TEST(parameters_rise_and_are_finite)
     CHECK_OK(bat_parameters_check(3, (const double[]){-1, 0, 0x1p-1074}));
     CHECK_OK(bat_parameters_check(0, NULL));
     CHECK_STATUS(bat_parameters_check(3, (const double[]){0, 1, 1}), BATTEN_NOT_INCREASING);
-    CHECK_MESSAGE("parameter 2 is 1, not above the one before, 1");
+    CHECK_MESSAGE("parameter 3 is 1, not above the one before, 1");
     CHECK_STATUS(bat_parameters_check(3, (const double[]){0, 1, NAN}), BATTEN_NOT_FINITE);
     CHECK_STATUS(bat_parameters_check(1, (const double[]){INFINITY}), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("parameter 0 is inf");
+    CHECK_MESSAGE("parameter 1 is inf");
 }

@@ -20,7 +20,7 @@ static void note_edge(const bat_check *check, int edge, const edge_uses *uses, c
     char face[BAT_CHECK_NAME] = "no face", name[32];
     if (uses->first_face >= 0)
         bat_check_face_name(check, uses->first_face, face);
-    snprintf(name, sizeof name, "edge %d", edge);
+    snprintf(name, sizeof name, "edge %d", edge + 1);
     batten_notes_add(check->notes, "", 0, name, "%s: %g %s; it is of %s", what, number, unit,
                      face);
 }
@@ -165,7 +165,7 @@ static void check_shell(bat_check *check, int shell, edge_uses *uses)
         return;
     char name[32];
     check->faults->open_shells++;
-    snprintf(name, sizeof name, "shell %d", shell);
+    snprintf(name, sizeof name, "shell %d", shell + 1);
     batten_notes_add(check->notes, "", 0, name,
                      "is marked as closed, but %d of its edges have one face only", rim);
 }

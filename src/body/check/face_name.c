@@ -8,8 +8,8 @@ const char *bat_check_face_name(const bat_check *check, int face, char name[BAT_
     const int number = check->numbers ? check->numbers[face] : face;
     const char *given = check->named->faces[number].name;
     if (given[0])
-        snprintf(name, BAT_CHECK_NAME, "face %d \"%.64s\"", number, given);
+        snprintf(name, BAT_CHECK_NAME, "face %d \"%.64s\"", number + 1, given);
     else
-        snprintf(name, BAT_CHECK_NAME, "face %d", number);
+        snprintf(name, BAT_CHECK_NAME, "face %d", number + 1);
     return name;
 }

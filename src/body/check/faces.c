@@ -127,7 +127,7 @@ static batten_status check_use(bat_check *check, int face, const batten_body_use
     if (miss > check->tolerance) {
         check->faults->loose++;
         batten_notes_add(check->notes, "", 0, bat_check_face_name(check, face, name),
-                         "edge %d misses its surface by %g units", use->edge, miss);
+                         "edge %d misses its surface by %g units", use->edge + 1, miss);
     }
     if (use->parameters)
         status = bat_check_curve_knots(use->parameters, &close, &gap);
@@ -136,7 +136,7 @@ static batten_status check_use(bat_check *check, int face, const batten_body_use
         batten_notes_add(check->notes, "", 0, bat_check_face_name(check, face, name),
                          "the curve of edge %d in its parameters has knots very near each "
                          "other: %g of the domain",
-                         use->edge, gap);
+                         use->edge + 1, gap);
     }
     return status;
 }

@@ -19,8 +19,9 @@ static void report(bat_check *check, int face, bat_passages *all, int a, int b,
     }
     batten_notes_add(check->notes, "", 0, bat_check_face_name(check, face, name),
                      "edges %d and %d of its loops %d and %d %s at (u, v) = (%.9g, %.9g)",
-                     check->parts->uses[first->use].edge, check->parts->uses[second->use].edge,
-                     first->loop, second->loop, what, all->low[0] + at[0] * all->size[0],
+                     check->parts->uses[first->use].edge + 1,
+                     check->parts->uses[second->use].edge + 1, first->loop + 1,
+                     second->loop + 1, what, all->low[0] + at[0] * all->size[0],
                      all->low[1] + at[1] * all->size[1]);
 }
 

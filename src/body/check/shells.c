@@ -71,7 +71,7 @@ static void judge(bat_check *check, int shell, const bat_face_sums *sums, double
     if (!(fabs(volume) > error) || (volume < 0) == is_void)
         return;
     check->faults->turned_shells++;
-    snprintf(name, sizeof name, "shell %d", shell);
+    snprintf(name, sizeof name, "shell %d", shell + 1);
     batten_notes_add(check->notes, "", 0, name,
                      is_void
                          ? "bounds a void of the solid and is turned outward: its volume is "

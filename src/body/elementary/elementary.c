@@ -150,7 +150,7 @@ static batten_status check_elementary(const bat_elementary *elementary, int coun
     const size_t bad = bat_first_not_finite(points, 3 * (size_t)count);
     if (bad < 3 * (size_t)count)
         return bat_fail(BATTEN_NOT_FINITE, "point %d on the %s has the coordinate %g",
-                        (int)(bad / 3), names[kind], points[bad]);
+                        (int)(bad / 3) + 1, names[kind], points[bad]);
     if (!isfinite(elementary->a) || !isfinite(elementary->b))
         return bat_fail(BATTEN_NOT_FINITE, "the %s has the measures %g and %g", names[kind],
                         elementary->a, elementary->b);

@@ -199,19 +199,19 @@ static batten_status finish_measures(const total *t, double precision,
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "%d of %d faces have no closed loops in their parameters and are not "
                         "measured, face %d first",
-                        t->traced->failed, t->given->face_count, first_failed(t->traced));
+                        t->traced->failed, t->given->face_count, first_failed(t->traced) + 1);
     if (t->crossed > 0)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "%d of %d faces have loops that cross, face %d first: the area is %g, "
                         "within %g",
-                        t->crossed, t->given->face_count, t->first_crossed, out->area,
+                        t->crossed, t->given->face_count, t->first_crossed + 1, out->area,
                         out->area_error);
     if (t->unmet > 0)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "%d of %d faces do not reach the precision %g, face %d first: the area "
                         "is %g, within %g",
-                        t->unmet, t->given->face_count, precision, t->first_unmet, out->area,
-                        out->area_error);
+                        t->unmet, t->given->face_count, precision, t->first_unmet + 1,
+                        out->area, out->area_error);
     /* Below some 1e-13 both sides are rounding. */
     if (out->is_closed && t->sums.volume_error > bat_max(precision * volume, 1e-13 * t->gross))
         return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the volume is %g, within %g", out->volume,

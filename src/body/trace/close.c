@@ -150,7 +150,7 @@ static batten_status settle_use(bat_trace *trace, bat_trace_face *face, bat_trac
         status =
             bat_fail(BATTEN_TOLERANCE_NOT_MET,
                      "edge %d is %g off the surface where its loop is closed, more than %g",
-                     use->edge, miss, chart->tolerance);
+                     use->edge + 1, miss, chart->tolerance);
     trace->report.error = bat_max(trace->report.error, miss);
     return status;
 }

@@ -152,7 +152,7 @@ static batten_status check_gap(const bat_trace_face *face, const double a[2], co
     if (status == BATTEN_OK && bat_distance(3, p, q) > 2 * face->chart.tolerance)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "its loop has a gap of %g before edge %d, more than twice %g",
-                        bat_distance(3, p, q), edge, face->chart.tolerance);
+                        bat_distance(3, p, q), edge + 1, face->chart.tolerance);
     return status;
 }
 

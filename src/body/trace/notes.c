@@ -10,10 +10,10 @@ static void entity_of(const bat_trace *trace, const bat_trace_face *face, char *
     const char *name = trace->from->faces[face->from].name;
     char shown[BAT_SHOWN_SIZE];
     if (name[0])
-        snprintf(entity, size, "face %d, %.80s", face->from,
+        snprintf(entity, size, "face %d, %.80s", face->from + 1,
                  bat_shown(name, strlen(name), shown));
     else
-        snprintf(entity, size, "face %d", face->from);
+        snprintf(entity, size, "face %d", face->from + 1);
 }
 
 void bat_trace_note(bat_trace *trace, const bat_trace_face *face, const char *text)

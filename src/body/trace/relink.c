@@ -39,8 +39,8 @@ static batten_status cell_of(const bat_relink *r, const bat_trace_use *use, int 
         const double x = (uv[k] - r->face->seam[k]) / chart->period[k];
         if (!(fabs(x) < MOST_TURNS))
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                            "edge %d is %g turns around its surface away from it", use->edge,
-                            x);
+                            "edge %d is %g turns around its surface away from it",
+                            use->edge + 1, x);
         if (fabs(x - nearbyint(x)) > farthest) {
             farthest = fabs(x - nearbyint(x));
             *cell = (int)floor(x);
@@ -110,7 +110,7 @@ static batten_status find_crossings(bat_relink *r)
         if (abs(step) > 1)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "edge %d goes around its surface more than once",
-                            loops->uses[i].edge);
+                            loops->uses[i].edge + 1);
         bat_trace_end_of(&loops->uses[i], true, uv);
         double s = k == 0 ? uv[1] : -uv[0];
         if (chart->closed[other]) {
@@ -138,8 +138,8 @@ static batten_status match(bat_relink *r)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "its loops cross the seam of its surface twice the same way, at "
                             "edges %d and %d",
-                            r->face->loops.uses[r->crossings[i].use].edge,
-                            r->face->loops.uses[r->crossings[up].use].edge);
+                            r->face->loops.uses[r->crossings[i].use].edge + 1,
+                            r->face->loops.uses[r->crossings[up].use].edge + 1);
         if (r->crossings[i].rises)
             r->next[i] = up;
         else

@@ -70,7 +70,7 @@ static batten_status samples_begin(const bat_trace_face *face, int k, samples *s
         const double turns = turns_of(face, k, &loops->uses[i]);
         if (!(turns < MOST_TURNS))
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                            "edge %d goes around its surface %g times", loops->uses[i].edge,
+                            "edge %d goes around its surface %g times", loops->uses[i].edge + 1,
                             turns);
         count += (size_t)(batten_curve_spans(loops->uses[i].curve, NULL) - 1) *
                      (size_t)each_of(face, k, &loops->uses[i]) +

@@ -1,5 +1,6 @@
 /* The output 'measure': a report: lengths, areas, volumes, boxes, moments and special
  * points of shapes. */
+#include "base/plural.h"
 #include "design/shared/rows.h"
 #include "design/shared/solids.h"
 #include <batten/measure.h>
@@ -181,7 +182,7 @@ static void text_region(batten_text *out, const facts *f)
     text_numbers(out, ", centroid", 3, f->centroid);
     text_numbers(out, "\n  second moments about it", 3, moments);
     text_numbers(out, ", principal", 2, r->principal);
-    batten_text_add(out, " at %.9g degrees\n", degrees);
+    batten_text_add(out, " at %.9g degree%s\n", degrees, bat_plural_real(degrees, 9));
 }
 
 /* Why there is no area; ends that nearly meet may be meant to. */

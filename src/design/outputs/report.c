@@ -99,8 +99,9 @@ static void text_distances(batten_text *out, const bat_check *check, const bat_c
 {
     for (int i = 0; i < c->distance_count; i++) {
         const bat_data_distance *d = &c->distances[i];
-        batten_text_add(out, "    distance from the %d points %s '%s': at most ", d->count,
-                        d->is_faired ? "after fairing," : "given,", d->feature);
+        batten_text_add(out, "    distance from the %d point%s %s '%s': at most ", d->count,
+                        bat_plural(d->count), d->is_faired ? "after fairing," : "given,",
+                        d->feature);
         add_length(out, check, d->max);
         batten_text_add(out, " (rms ");
         add_rounded(out, d->rms);

@@ -1,5 +1,6 @@
 /* The curves around a patch, and the surfaces beside it, as its features take them. */
 #include "design/shared/boundary.h"
+#include "base/plural.h"
 
 #include <batten/curvature.h>
 
@@ -191,8 +192,9 @@ static batten_status take_slope(bat_run *run, const batten_object *object, int e
     const double off = bat_max(misfit[0], misfit[1]);
     /* A sine: less than a millionth is what exact neighbours keep of rounding. */
     if (off > 1e-6)
-        bat_note(run, "a boundary curve leaves '%s' %.3g degrees off its tangent plane",
-                 object->name, bat_asin(bat_min(1, off)) * 180 / BAT_PI);
+        bat_note(run, "a boundary curve leaves '%s' %.3g degree%s off its tangent plane",
+                 object->name, bat_asin(bat_min(1, off)) * 180 / BAT_PI,
+                 bat_plural_real(bat_asin(bat_min(1, off)) * 180 / BAT_PI, 3));
     return BATTEN_OK;
 }
 

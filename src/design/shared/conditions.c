@@ -48,7 +48,7 @@ static batten_status find_datum(const asking *a, int number, const double *point
     return bat_fail(
         BATTEN_BAD_ARGUMENT,
         "point %d of 'pass' is not one of the points: the nearest, point %d, is %g away",
-        number, *out, least);
+        number + 1, *out + 1, least);
 }
 
 static batten_status ask_points(asking *a, const char *parameter, batten_condition_kind kind)

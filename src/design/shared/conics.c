@@ -14,13 +14,13 @@ static void note_conics(bat_run *run, const char *name,
         bat_note(run,
                  "in %d span%s '%s' is a biarc, as the tangents do not meet near it; the first "
                  "is after point %d",
-                 report->arcs, bat_plural(report->arcs), name, report->first_arcs);
+                 report->arcs, bat_plural(report->arcs), name, report->first_arcs + 1);
     if (report->fallen_back > 0)
         bat_note(run,
                  "in %d span%s '%s' has no pair of conics with these curvatures and keeps the "
                  "tangents alone; the first is after point %d",
                  report->fallen_back, bat_plural(report->fallen_back), name,
-                 report->first_fallen_back);
+                 report->first_fallen_back + 1);
 }
 
 batten_status bat_conics_make(bat_run *run, const bat_data *data,

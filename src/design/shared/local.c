@@ -12,7 +12,7 @@ void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangents_re
             "'%s' turns back on itself at %d point%s, the first is point %d: its tangent is "
             "at right angles there",
             data->name, report->turned_back, bat_plural(report->turned_back),
-            report->first_turned_back);
+            report->first_turned_back + 1);
 }
 
 /* Parameters, closed one more, and tangents of a row. */

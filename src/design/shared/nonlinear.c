@@ -19,7 +19,7 @@ static void note_turns_and_bends(bat_run *run, const bat_data *data,
     const double degree = BAT_PI / 180;
     if (report->turn > 120 * degree)
         bat_note(run, "'%s' turns by %.0f degrees at point %d: look at the curve there",
-                 data->name, report->turn / degree, report->turn_at);
+                 data->name, report->turn / degree, report->turn_at + 1);
     if (report->inflections_added > 0)
         bat_note(run,
                  "'%s' bends to both sides in %d of its spans where its points bend to one",

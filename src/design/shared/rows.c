@@ -235,7 +235,7 @@ void bat_note_spacing(const bat_run *run, const char *name, int count, const dou
         most = bat_max(most, chord);
         if (chord > 0 && chord < least) {
             least = chord;
-            at = i;
+            at = i - 1;
         }
     }
     if (most > most_uneven * least)
@@ -244,7 +244,7 @@ void bat_note_spacing(const bat_run *run, const char *name, int count, const dou
             "'%s': points %d and %d are %.3g apart, others up to %.3g; curves through such "
             "points may turn sharply between them: 'thin-points' merges what is meant to be "
             "one",
-            name, at, at + 1, least, most);
+            name, at + 1, at + 2, least, most);
     if (lost * size > bat_tolerance(run))
         bat_note(
             run,

@@ -1,5 +1,6 @@
 /* Surfaces that keep tangent planes as splines. */
 #include "design/shared/smooth.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 
 #include <batten/fill.h>
@@ -39,8 +40,8 @@ static void remark_angles(const bat_run *run, const double *angles, const bat_sm
     if (all.largest > exact * DEGREES)
         bat_remark(run,
                    "the spline keeps the tangent planes of the patch along its edges to %.2g "
-                   "degrees (%s)",
-                   all.largest, all.text);
+                   "degree%s (%s)",
+                   all.largest, bat_plural_real(all.largest, 2), all.text);
 }
 
 /* ---- the surfaces beside it ---- */
@@ -71,19 +72,21 @@ static batten_status tell_angles(const bat_run *run, const batten_edge_join join
     if (all.largest > asked && bat_argument_of(run, "angle")->given && !wish->gives_way)
         return bat_fail(
             BATTEN_TOLERANCE_NOT_MET,
-            "the surface is up to %.3g degrees off the tangent planes along %s, near "
+            "the surface is up to %.3g degree%s off the tangent planes along %s, near "
             "(%.6g, %.6g, %.6g), and %.3g are allowed: let its curves leave within "
             "these planes, or take a smaller 'within' or a larger 'angle'",
-            all.largest, wish->names[all.worst], at.x, at.y, at.z, asked);
+            all.largest, bat_plural_real(all.largest, 3), wish->names[all.worst], at.x, at.y,
+            at.z, asked);
     if (all.largest > asked)
         bat_note(run,
-                 "the surface is up to %.3g degrees off the tangent planes along %s, near "
+                 "the surface is up to %.3g degree%s off the tangent planes along %s, near "
                  "(%.6g, %.6g, %.6g)",
-                 all.largest, wish->names[all.worst], at.x, at.y, at.z);
+                 all.largest, bat_plural_real(all.largest, 3), wish->names[all.worst], at.x,
+                 at.y, at.z);
     else if (all.largest > exact * DEGREES)
         bat_remark(run,
-                   "tangent planes of the surfaces beside it are kept to %.2g degrees (%s)",
-                   all.largest, all.text);
+                   "tangent planes of the surfaces beside it are kept to %.2g degree%s (%s)",
+                   all.largest, bat_plural_real(all.largest, 2), all.text);
     return BATTEN_OK;
 }
 

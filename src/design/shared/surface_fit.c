@@ -44,8 +44,8 @@ void bat_report_surface_fit(bat_run *run, const batten_surface_fit_report *repor
         report->points_u, report->points_v, report->error, at[0], at[1], at[2], report->rms,
         report->most);
     if (report->reweightings > 0)
-        bat_remark(run, "points farther than %.3g count less, after %d rounds",
-                   report->threshold, report->reweightings);
+        bat_remark(run, "points farther than %.3g count less, after %d round%s",
+                   report->threshold, report->reweightings, bat_plural(report->reweightings));
     if (report->end != BATTEN_LEVELS_NONE)
         bat_remark(run, "%d level%s: %s", report->rounds, bat_plural(report->rounds),
                    why_ended(report->end));
@@ -62,7 +62,7 @@ void bat_report_surface_fit(bat_run *run, const batten_surface_fit_report *repor
                  report->outside, report->outside_share, report->outside_at[0],
                  report->outside_at[1], report->outside_at[2]);
     if (report->empty > 0)
-        bat_remark(run,
-                   "%d cells between knots hold no point: there the surface only bends little",
-                   report->empty);
+        bat_remark(run, "%d cell%s between knots: there the surface only bends little",
+                   report->empty,
+                   bat_one_or_many(report->empty, " holds no point", "s hold no point"));
 }

@@ -58,9 +58,10 @@ static void report_sweep(bat_run *run, const batten_surface_sweep_report *report
 {
     bat_report_error(run, report->error, report->error);
     if (report->turn != 0)
-        bat_remark(run, "%d section%s; the frames are turned back by %.4g degrees in a round",
+        bat_remark(run, "%d section%s; the frames are turned back by %.4g degree%s in a round",
                    report->section_count, bat_plural(report->section_count),
-                   report->turn * 180 / BAT_PI);
+                   report->turn * 180 / BAT_PI,
+                   bat_plural_real(report->turn * 180 / BAT_PI, 4));
     else
         bat_remark(run, "%d section%s", report->section_count,
                    bat_plural(report->section_count));

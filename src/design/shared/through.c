@@ -56,7 +56,7 @@ static batten_status split_function(task *t)
             return bat_fail(BATTEN_NOT_INCREASING,
                             "a function needs rising abscissae: point %d is at %g, point %d "
                             "before it at %g",
-                            i, t->abscissae[i], i - 1, t->abscissae[i - 1]);
+                            i + 1, t->abscissae[i], i - 1 + 1, t->abscissae[i - 1]);
     }
     return BATTEN_OK;
 }
@@ -263,11 +263,20 @@ batten_status bat_through(bat_run *run, const bat_method *method)
 batten_status bat_indices(const bat_run *run, const char *parameter, int *count, int **out)
 {
     const bat_argument *argument = bat_argument_of(run, parameter);
-    *count = argument->count;
-    *out = bat_array((size_t)argument->count, sizeof **out);
-    for (int i = 0; *out && i < argument->count; i++)
-        (*out)[i] = argument->items[i].count;
-    return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    int *made = bat_array((size_t)argument->count, sizeof *made);
+    batten_status status = made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; status == BATTEN_OK && i < argument->count; i++) {
+        made[i] = argument->items[i].count - 1;
+        if (made[i] < 0)
+            status =
+                bat_fail(BATTEN_BAD_ARGUMENT, "'%s' names point %d; points are counted from 1",
+                         parameter, argument->items[i].count);
+    }
+    if (status != BATTEN_OK)
+        bat_release(made);
+    *count = status == BATTEN_OK ? argument->count : 0;
+    *out = status == BATTEN_OK ? made : NULL;
+    return status;
 }
 
 batten_status bat_numbers_each(const bat_run *run, const char *parameter, int count,

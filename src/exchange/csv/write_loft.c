@@ -26,12 +26,12 @@ static batten_status find_points(writing *w)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
                                 "point %d of station '%.60s' is on no line; a table in feet, "
                                 "inches and eighths consists of lines",
-                                k, station->name);
+                                k + 1, station->name);
             if (p->x != station->x)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
                                 "point %d of station '%.60s' is at x = %g, not at %g as its "
                                 "station; a table of lines cannot express that",
-                                k, station->name, p->x, station->x);
+                                k + 1, station->name, p->x, station->x);
             int *at = &w->at[p->line * w->stations + s];
             if (*at >= 0)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,

@@ -1,4 +1,5 @@
 /* Reads polyface meshes: a POLYLINE of vertices and faces. */
+#include "base/plural.h"
 #include "exchange/dxf/entities.h"
 #include "exchange/meshes/indexed.h"
 
@@ -109,8 +110,8 @@ static batten_status fill(const bat_dxf_polyline *polyline, const char *name, ba
     if (status == BATTEN_OK)
         status = polyline->is_polyface ? add_faces(polyline, mesh) : add_grid(polyline, mesh);
     if (status == BATTEN_OK && mesh->triangles.count == 0)
-        status = bat_fail(BATTEN_BAD_FORMAT, "it is a mesh, and none of its %zu faces is valid",
-                          mesh->polygons);
+        status = bat_fail(BATTEN_BAD_FORMAT, "it is a mesh, and its %zu face%s not valid",
+                          mesh->polygons, bat_one_or_many(mesh->polygons, " is", "s are"));
     return status == BATTEN_OK ? bat_indexed_add(mesh, name, model) : status;
 }
 

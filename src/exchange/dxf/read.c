@@ -1,4 +1,5 @@
 /* A DXF file: one entity after another, and blocks as definitions with their instances. */
+#include "base/plural.h"
 #include "exchange/dxf/blocks.h"
 #include "exchange/dxf/colours.h"
 #include "exchange/dxf/dxf.h"
@@ -297,8 +298,9 @@ batten_status bat_read_dxf(bat_input *input, batten_model **out)
     if (status == BATTEN_OK)
         status = read_entities(&r, &model);
     if (status == BATTEN_OK && batten_model_count(model) == 0 && input->left_out > 0)
-        status = bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
-                                "none of its %d entities could be read", input->left_out);
+        status =
+            bat_input_fail(input, BATTEN_UNSUPPORTED, 0, "its %d entit%s could not be read",
+                           input->left_out, bat_one_or_many(input->left_out, "y", "ies"));
     if (status == BATTEN_OK) {
         bat_census_note(input, &r.census);
         if (r.thick)

@@ -62,7 +62,7 @@ static batten_status read_points(bat_ftm_reading *r)
             note_vanished(r, line, point);
         else
             status = bat_input_fail(r->input, BATTEN_BAD_FORMAT, (int)r->at + 1,
-                                    "point %d does not have three coordinates", i);
+                                    "point %d does not have three coordinates", i + 1);
         r->at += BAT_FTM_LINES_OF_POINT;
     }
     return status;

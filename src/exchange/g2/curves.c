@@ -15,7 +15,7 @@ batten_status bat_g2_divide_weights(bat_words *words, int dimension, size_t coun
         w[i] = from[dimension];
         if (!(w[i] > 0))
             status = bat_input_fail(words->input, BATTEN_BAD_WEIGHT, words->line,
-                                    "weight %zu is %g", i, w[i]);
+                                    "weight %zu is %g", i + 1, w[i]);
         for (int k = 0; status == BATTEN_OK && k < dimension; k++)
             points[i * (size_t)dimension + (size_t)k] = from[k] / w[i];
     }

@@ -1,4 +1,5 @@
 /* Reads a .g2 file: one object after another, each under its header. */
+#include "base/plural.h"
 #include "exchange/g2/g2.h"
 
 #include <batten/standard.h>
@@ -288,7 +289,8 @@ static batten_status read_all(reading *r)
     if (status == BATTEN_OK && batten_model_count(r->model) == 0 && r->input->left_out > 0) {
         const char *reason = bat_input_reason(r->input, &place);
         return bat_input_fail(r->input, BATTEN_UNSUPPORTED, place,
-                              "none of its %d objects could be read: %.300s", number, reason);
+                              "its %d object%s could not be read: %.300s", number,
+                              bat_plural(number), reason);
     }
     return status;
 }

@@ -80,7 +80,7 @@ static batten_status put_positions(bat_gltf_writing *w, const batten_object *obj
                 return bat_fail(BATTEN_OVERFLOW,
                                 "a coordinate of vertex %d of '%.60s' is %g m; glTF holds "
                                 "numbers below 3.4e38",
-                                vertex, object->name, place[k]);
+                                vertex + 1, object->name, place[k]);
             const float rounded = (float)place[k] + 0.0f;
             bat_bytes_put_float(&w->bytes, rounded);
             w->error = bat_max(w->error, fabs((double)rounded - place[k]));

@@ -108,8 +108,8 @@ batten_status bat_path_curve(const bat_path *path, batten_curve **out)
     for (int i = 0; i < sides; i++) {
         const bat_vertex *a = &path->vertices[i], *b = &path->vertices[(i + 1) % path->count];
         if (a->x == b->x && a->y == b->y)
-            return bat_fail(BATTEN_COINCIDENT, "points %d and %d of a path are one", i,
-                            (i + 1) % path->count);
+            return bat_fail(BATTEN_COINCIDENT, "points %d and %d of a path are one", i + 1,
+                            (i + 1) % path->count + 1);
         pieces += (size_t)pieces_of(a);
         has_arcs |= a->bulge != 0;
     }

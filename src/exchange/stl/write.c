@@ -39,7 +39,7 @@ static batten_status put_facet(writing *w, const batten_object *object, const ba
             return bat_fail(BATTEN_OVERFLOW,
                             "%c of vertex %d of '%.60s' is %g; binary STL holds numbers below "
                             "3.4e38",
-                            "xyz"[k % 3], vertex, object -> name, x);
+                            "xyz"[k % 3], vertex + 1, object->name, x);
         corners[k] = (double)(float)x;
         w->error = bat_max(w->error, fabs(corners[k] - x));
         put_float(bytes + 12 + 4 * k, x);

@@ -263,7 +263,7 @@ batten_status batten_canonical_form(int dimension, int degree, const double *poi
     const size_t all = ((size_t)degree + 1) * (size_t)dimension;
     const size_t bad = bat_first_not_finite(points, all);
     if (bad < all)
-        return bat_fail(BATTEN_NOT_FINITE, "point %d is not finite", (int)bad / dimension);
+        return bat_fail(BATTEN_NOT_FINITE, "point %d is not finite", (int)bad / dimension + 1);
     shape_table t;
     const batten_status status = read_table(dimension, degree, points, &t);
     return status == BATTEN_OK ? bring_to_form(&t, tolerance, out) : status;

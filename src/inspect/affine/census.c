@@ -214,7 +214,7 @@ batten_status batten_census_take(int dimension, int degree, const double *points
     const size_t all = ((size_t)degree + 1) * (size_t)dimension;
     const size_t bad = bat_first_not_finite(points, all);
     if (bad < all)
-        return bat_fail(BATTEN_NOT_FINITE, "point %d is not finite", (int)bad / dimension);
+        return bat_fail(BATTEN_NOT_FINITE, "point %d is not finite", (int)bad / dimension + 1);
     bat_effort effort = {BATTEN_OK, BAT_CENSUS_EFFORT};
     bat_wholes pool = {&effort, NULL, NULL, 0};
     bat_census_finding f = {

@@ -280,10 +280,10 @@ static batten_status classify_chunk(void *context, size_t begin, size_t end)
         const size_t bad = bat_first_not_finite(points, width);
         if (bad < width)
             return bat_fail(BATTEN_NOT_FINITE, "point %d of cubic %zu is not finite",
-                            (int)bad / b->dimension, i);
+                            (int)bad / b->dimension + 1, i + 1);
         const batten_status status = classify(b->dimension, points, b->tolerance, &b->out[i]);
         if (status != BATTEN_OK)
-            return bat_fail(status, "cubic %zu: %s", i, batten_message());
+            return bat_fail(status, "cubic %zu: %s", i + 1, batten_message());
     }
     return BATTEN_OK;
 }
@@ -305,7 +305,7 @@ batten_status batten_cubic_classify(int dimension, const double *points, double 
         return status;
     const size_t bad = bat_first_not_finite(points, 4 * (size_t)dimension);
     if (bad < 4 * (size_t)dimension)
-        return bat_fail(BATTEN_NOT_FINITE, "point %d is not finite", (int)bad / dimension);
+        return bat_fail(BATTEN_NOT_FINITE, "point %d is not finite", (int)bad / dimension + 1);
     return classify(dimension, points, tolerance, out);
 }
 

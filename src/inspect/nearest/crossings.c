@@ -131,7 +131,7 @@ batten_status batten_curve_crossings(const batten_curve *curve, int axis, double
 {
     if (axis < 0 || axis >= curve->dimension)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no coordinate %d in %d dimension%s",
-                        axis, curve->dimension, bat_plural(curve->dimension));
+                        axis + 1, curve->dimension, bat_plural(curve->dimension));
     if (!isfinite(value))
         return bat_fail(BATTEN_NOT_FINITE, "the value to cross is %g", value);
     const batten_interval domain = batten_curve_domain(curve);

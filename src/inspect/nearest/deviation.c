@@ -268,10 +268,11 @@ batten_status bat_deviation_check(int dimension, int count, const double *points
                         bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     const size_t bad = bat_first_not_finite(points, values);
     if (bad < values)
-        return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite", bad / (size_t)dimension);
+        return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite",
+                        bad / (size_t)dimension + 1);
     if (start && bat_first_not_finite(start, guesses) < guesses)
         return bat_fail(BATTEN_NOT_FINITE, "the guess for point %zu is not finite",
-                        bat_first_not_finite(start, guesses) / (size_t)start_width);
+                        bat_first_not_finite(start, guesses) / (size_t)start_width + 1);
     return BATTEN_OK;
 }
 

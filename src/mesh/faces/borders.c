@@ -94,10 +94,11 @@ bool bat_meshing_is_final(batten_status status)
 void bat_meshing_give_up(bat_meshing *m, int face, const char *why)
 {
     char entity[64];
-    snprintf(entity, sizeof entity, "face %d", bat_meshing_number(m, face));
+    snprintf(entity, sizeof entity, "face %d", bat_meshing_number(m, face) + 1);
     const char *name = m->parts->faces[face].name;
     batten_notes_add(m->notes, "", 0, name && name[0] ? name : entity,
-                     "face %d is left out of the mesh: %s", bat_meshing_number(m, face), why);
+                     "face %d is left out of the mesh: %s", bat_meshing_number(m, face) + 1,
+                     why);
     m->failed[face] = true;
     m->report.failed++;
 }

@@ -52,7 +52,7 @@ batten_status bat_face_insert(bat_face_mesh *f, const double at[2], double wides
         *added = vertex >= 0;
     const double most = 2.0 * f->m->most + 2.0 * f->count + 1000;
     if (status == BATTEN_OK && f->sides.count > most)
-        return bat_fail(BATTEN_TOO_LARGE, "face %d needs more than %d triangles", f->face,
+        return bat_fail(BATTEN_TOO_LARGE, "face %d needs more than %d triangles", f->face + 1,
                         f->m->most);
     return status;
 }

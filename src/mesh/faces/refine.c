@@ -252,12 +252,12 @@ static bool is_enough(bat_face_mesh *f)
         return false;
     const int face = bat_meshing_number(f->m, f->face);
     char entity[32];
-    snprintf(entity, sizeof entity, "face %d", face);
+    snprintf(entity, sizeof entity, "face %d", face + 1);
     if (!f->has_enough)
         batten_notes_add(f->m->notes, "", 0, entity,
                          "face %d was divided no further at %d triangle%s; some are folded, or "
                          "farther than the chord from the surface",
-                         face, f->sides.count, bat_plural(f->sides.count));
+                         face + 1, f->sides.count, bat_plural(f->sides.count));
     f->has_enough = true;
     return true;
 }

@@ -1,4 +1,5 @@
 /* The view, the scale of the combs and the range of a drawing, from every point that it draws. */
+#include "base/plural.h"
 #include "picture/drawings/drawing.h"
 #include "picture/sheet/axes.h"
 #include "picture/sheet/flat.h"
@@ -136,8 +137,8 @@ batten_status bat_drawing_choose_view(bat_drawing *d)
     visit_all(d, extend, &e);
     if (!(e.low[0] <= e.high[0]))
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "none of the %d objects has anything that could be drawn",
-                        d->shape_count);
+                        "of %d object%s none has anything that could be drawn", d->shape_count,
+                        bat_plural(d->shape_count));
     d->kind = d->options->view == BATTEN_VIEW_AUTO ? detect_view(&e) : d->options->view;
     d->view = bat_view_make(d->kind, d->options->azimuth, d->options->elevation);
     if (d->kind == BATTEN_VIEW_ISOMETRIC)

@@ -191,12 +191,12 @@ static batten_status place_given(bat_hull *hull, const batten_draw_lines_plan_op
                         bat_one_or_many(plan->station_count, "is", "are"), CUT_LIMIT);
     for (int i = 0; i < plan->station_count; i++) {
         if (!isfinite(plan->station_at[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "station %d stands at %g", i,
+            return bat_fail(BATTEN_NOT_FINITE, "station %d stands at %g", i + 1,
                             plan->station_at[i]);
         if (i > 0 && !(plan->station_at[i] > plan->station_at[i - 1]))
             return bat_fail(BATTEN_NOT_INCREASING,
-                            "station %d at %g does not lie beyond station %d at %g", i,
-                            plan->station_at[i], i - 1, plan->station_at[i - 1]);
+                            "station %d at %g does not lie beyond station %d at %g", i + 1,
+                            plan->station_at[i], i - 1 + 1, plan->station_at[i - 1]);
     }
     const batten_status status = make_cuts(cuts, plan->station_count);
     for (int i = 0; i < cuts->count; i++)

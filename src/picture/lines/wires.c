@@ -1,5 +1,6 @@
 /* Lines of a model for line drawings: isolines, borders, edges of bodies and meshes. */
 #include "picture/lines/wires.h"
+#include "base/plural.h"
 #include "picture/lines/wire_lines.h"
 
 #include "picture/sheet/sheet.h"
@@ -137,9 +138,9 @@ batten_status bat_wires_measure(bat_wires *w)
     if (count == 0)
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
-            "none of the %d objects of the model is a surface in space, a body or a "
+            "of the %d object%s of the model none is a surface in space, a body or a "
             "mesh: nothing hides a line",
-            batten_model_count(w->model));
+            batten_model_count(w->model), bat_plural(batten_model_count(w->model)));
     batten_model_box(w->model, &w->box);
     const batten_vec3 a = w->box.low, b = w->box.high;
     w->size = bat_hypot(bat_hypot(b.x - a.x, b.y - a.y), b.z - a.z);

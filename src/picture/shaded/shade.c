@@ -1,5 +1,6 @@
 /* The shaded picture of surfaces, bodies and meshes. */
 #include "picture/shaded/shade.h"
+#include "base/plural.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -246,9 +247,9 @@ static batten_status prepare(bat_shaded *p)
     if (p->solid_count + p->mesh_count == 0)
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
-            "none of the %d objects of the model is a surface in space, a body or a "
+            "of the %d object%s of the model none is a surface in space, a body or a "
             "mesh: there is nothing to shade",
-            batten_model_count(p->model));
+            batten_model_count(p->model), bat_plural(batten_model_count(p->model)));
     if (!isfinite(size))
         return bat_fail(BATTEN_OVERFLOW, "coordinates up to %g are too large to draw",
                         box.high.x);

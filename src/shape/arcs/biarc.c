@@ -3,6 +3,7 @@
  * joint goes for each rule, and the arcs themselves.
  */
 #include "shape/arcs/biarc.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/chain/chain.h"
 
@@ -180,8 +181,9 @@ batten_status bat_biarc_make(const bat_arc_chord *chord, double alpha, double be
     const double half[2] = {w - alpha, beta + v};
     if (!(fabs(D) < nearly_full && fabs(half[0]) < nearly_full && fabs(half[1]) < nearly_full))
         return bat_fail(BATTEN_SINGULAR_HERE,
-                        "directions at %g and %g degrees from the chord ask for a full circle",
-                        alpha * 180 / BAT_PI, beta * 180 / BAT_PI);
+                        "directions at %g and %g degree%s from the chord ask for a full circle",
+                        alpha * 180 / BAT_PI, beta * 180 / BAT_PI,
+                        bat_plural_real(beta * 180 / BAT_PI, 6));
     if (fabs(alpha + beta) <= known)
         make_single(chord, -D, place, &made);
     else
@@ -203,8 +205,8 @@ batten_status bat_biarc_check_ends(int dimension, const double *start,
     for (int i = 0; i < 4; i++) {
         const size_t k = bat_first_not_finite(rows[i], (size_t)d);
         if (k < (size_t)d)
-            return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of the %s is %g", k, names[i],
-                            rows[i][k]);
+            return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of the %s is %g", k + 1,
+                            names[i], rows[i][k]);
         if (i % 2 == 1 && bat_largest(d, rows[i]) == 0)
             return bat_fail(BATTEN_BAD_ARGUMENT, "the %s is zero", names[i]);
     }

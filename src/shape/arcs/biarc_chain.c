@@ -61,7 +61,7 @@ batten_status bat_circle_directions(int dimension, int count, const double *poin
         if (!middle_direction(d, points + (i + n - 1) % n * d, points + i * d,
                               points + (i + 1) % n * d, directions + i * d))
             return bat_fail(BATTEN_SINGULAR_HERE,
-                            "the points turn back on themselves at point %d", i);
+                            "the points turn back on themselves at point %d", i + 1);
     if (!closed) {
         end_direction(d, points, points + d, directions + d, directions);
         end_direction(d, points + (n - 2) * d, points + (n - 1) * d, directions + (n - 2) * d,
@@ -77,9 +77,9 @@ static batten_status check_directions(int d, int count, const double *directions
     for (int i = 0; i < count; i++) {
         if (bat_first_not_finite(directions + i * d, (size_t)d) < (size_t)d)
             return bat_fail(BATTEN_NOT_FINITE,
-                            "direction %d has a coordinate that is not a finite number", i);
+                            "direction %d has a coordinate that is not a finite number", i + 1);
         if (bat_largest(d, directions + i * d) == 0)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "direction %d is zero", i);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "direction %d is zero", i + 1);
     }
     return BATTEN_OK;
 }
@@ -98,10 +98,10 @@ batten_status bat_biarcs_check(int dimension, int count, const double *points,
         const int j = (i + 1) % count;
         const double l = bat_distance(d, points + i * d, points + j * d);
         if (l == 0)
-            status = bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", i, j);
+            status = bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", i + 1, j + 1);
         else if (!isfinite(l))
             status = bat_fail(BATTEN_OVERFLOW,
-                              "points %d and %d are too far apart for a number", i, j);
+                              "points %d and %d are too far apart for a number", i + 1, j + 1);
     }
     if (status == BATTEN_OK && options->directions)
         status = check_directions(d, count, options->directions);
@@ -155,7 +155,7 @@ static batten_status add_span(biarc_fit *w, int i, double *length)
         (batten_ray){a, w->directions + 2 * i}, (batten_ray){b, w->directions + 2 * j},
         w->options.joint, w->options.place, &made);
     if (status != BATTEN_OK)
-        return bat_fail(status, "between points %d and %d: %s", i, j, batten_message());
+        return bat_fail(status, "between points %d and %d: %s", i + 1, j + 1, batten_message());
     double end[2];
     bat_arc_at(&made.arcs[made.count - 1], made.arcs[made.count - 1].length, end);
     w->report.error = bat_max(w->report.error, bat_distance(2, end, b));

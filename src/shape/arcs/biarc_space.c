@@ -157,7 +157,8 @@ static batten_status add_all(rational_pieces *p, batten_points points, bool clos
         status = add_biarc(p, (batten_ray){points.at + i * d, directions + i * d},
                            (batten_ray){points.at + j * d, directions + j * d}, 1);
         if (status != BATTEN_OK)
-            status = bat_fail(status, "between points %d and %d: %s", i, j, batten_message());
+            status = bat_fail(status, "between points %d and %d: %s", i + 1, j + 1,
+                              batten_message());
     }
     if (status == BATTEN_OK && !closed)
         at[count - 1] = p->breaks[p->count];

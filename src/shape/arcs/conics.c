@@ -137,7 +137,8 @@ static batten_status check_conic_data(int count, const double *points,
         return status;
     for (int i = 0; i < (o->closed ? count : count - 1); i++)
         if (bat_distance(2, points + 2 * i, points + 2 * ((i + 1) % count)) == 0)
-            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", i, (i + 1) % count);
+            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", i + 1,
+                            (i + 1) % count + 1);
     const double shares[] = {o->start_share, o->end_share};
     for (int k = 0; k < 2; k++)
         if (!(shares[k] >= 0 && shares[k] < 1))
@@ -169,7 +170,8 @@ static batten_status find_tangents(bat_conic_fit *t)
     for (int i = 0; i < t->count && status == BATTEN_OK; i++) {
         double *u = t->units + 2 * i;
         if (bat_largest(2, u) == 0)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "the tangent at point %d has no length", i);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "the tangent at point %d has no length",
+                            i + 1);
         bat_direction(2, u, u);
     }
     return status;
@@ -187,7 +189,8 @@ static batten_status find_curvatures(bat_conic_fit *t)
         memcpy(t->curvatures, o->curvatures, (size_t)t->count * sizeof *t->curvatures);
     const size_t bad = bat_first_not_finite(t->curvatures, (size_t)t->count);
     return bad < (size_t)t->count
-               ? bat_fail(BATTEN_NOT_FINITE, "the curvature at point %zu is not finite", bad)
+               ? bat_fail(BATTEN_NOT_FINITE, "the curvature at point %zu is not finite",
+                          bad + 1)
                : BATTEN_OK;
 }
 

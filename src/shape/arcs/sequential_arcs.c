@@ -95,9 +95,10 @@ static batten_status find_chords(chords *c)
         c->length[i] = bat_norm(2, q);
         c->direction[i] = bat_atan2(q[1], q[0]);
         if (!(c->length[i] > 0))
-            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", i, i + 1);
+            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", i + 1, i + 2);
         if (!isfinite(c->length[i]))
-            return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", i, i + 1);
+            return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", i + 1,
+                            i + 2);
         /* From the end of the arc before, whose direction is mirrored: -base, then the turn. */
         c->base[i] = i == 0 ? 0
                             : remainder(-c->base[i - 1] + c->direction[i - 1] - c->direction[i],
@@ -138,7 +139,7 @@ static batten_status make_spans(const chords *c, double x, arc_row *made)
                 BATTEN_SINGULAR_HERE,
                 "the arc from point %d to point %d would be a full circle: it begins "
                 "away from its end",
-                i, i + 1);
+                i + 1, i + 2);
         bat_arc_span(c->points + 2 * i, c->length[i], c->direction[i], -lean, &made->spans[i]);
         made->angles[i + 1] = made->angles[i] - 2 * lean;
         report_arc(c, i, x, &made->report);

@@ -204,7 +204,7 @@ static batten_status make_span(mehlum_fit *t, mehlum *m, int index)
     if (!fit(m, 16 * DBL_EPSILON * (size + m->elastica->length)))
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "%d arc%s cannot follow the elastica after point %d: take more",
-                        m->count, bat_plural(m->count), index);
+                        m->count, bat_plural(m->count), index + 1);
     put_arcs(m, t->made + t->arcs);
     measure_chain(m, t->made + t->arcs);
     return BATTEN_OK;
@@ -226,7 +226,7 @@ static batten_status find_span(mehlum_fit *t, mehlum *m, int index)
         if (more > MOST_ARCS)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "more than %d arcs are needed after point %d for a tolerance of %g",
-                            MOST_ARCS, index, tolerance);
+                            MOST_ARCS, index + 1, tolerance);
         m->count = (int)more;
         status = make_span(t, m, index);
     }

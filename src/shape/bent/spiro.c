@@ -39,7 +39,7 @@ static batten_status check_spiro_data(int count, const double *points,
         status = check_end("end", &options->end);
     for (int i = 0; options->kinds && i < count && status == BATTEN_OK; i++)
         if ((int)options->kinds[i] < 0 || options->kinds[i] > BATTEN_SPIRO_RIGHT)
-            status = bat_fail(BATTEN_BAD_ARGUMENT, "point %d is of the unknown kind %d", i,
+            status = bat_fail(BATTEN_BAD_ARGUMENT, "point %d is of the unknown kind %d", i + 1,
                               (int)options->kinds[i]);
     return status;
 }

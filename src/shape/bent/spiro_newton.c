@@ -167,7 +167,7 @@ static batten_status improve(bat_spiro_search *s)
         if (s->steps == s->max_steps)
             return bat_fail(BATTEN_INCOMPLETE,
                             "after %d step%s the spline still jumps by %g at point %d",
-                            s->steps, bat_plural(s->steps), s->now.worst, s->now.worst_at);
+                            s->steps, bat_plural(s->steps), s->now.worst, s->now.worst_at + 1);
         s->steps++;
         const batten_status status = find_step(s);
         if (status != BATTEN_OK)
@@ -213,10 +213,12 @@ static batten_status fail_span(const bat_spiro_search *s, bool spirals)
     const int j = widest(&s->now, p->spans);
     const bat_spiro_span *at = &s->now.spans[j];
     return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                    "span %d from point %d to %d bends too much, from %.4g to %.4g degrees "
+                    "span %d from point %d to %d bends too much, from %.4g to %.4g degree%s "
                     "against its chord, to be joined so smoothly: %s, or put a point between",
-                    j, j, (j + 1) % p->count, at->value[0][0] * 180 / BAT_PI,
-                    at->value[1][0] * 180 / BAT_PI, remedy_for(s->task, j, spirals));
+                    j + 1, j + 1, (j + 1) % p->count + 1, at->value[0][0] * 180 / BAT_PI,
+                    at->value[1][0] * 180 / BAT_PI,
+                    bat_plural_real(at->value[1][0] * 180 / BAT_PI, 4),
+                    remedy_for(s->task, j, spirals));
 }
 
 /* ---- from Euler spirals to the spline ---- */

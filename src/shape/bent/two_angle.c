@@ -22,11 +22,13 @@ static batten_status fail_span(const bat_two_angle *task, const double *angles, 
 {
     double alpha, beta;
     bat_two_angle_span(task, angles, j, &alpha, &beta);
-    return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                    "span %d would leave and reach its chord at %.4g and %.4g degrees; %s goes "
-                    "to %.4g at most: use %s, or put a point between",
-                    j, alpha * 180 / BAT_PI, beta * 180 / BAT_PI, task->family->name,
-                    task->family->limit * 180 / BAT_PI, task->family->remedy);
+    return bat_fail(
+        BATTEN_TOLERANCE_NOT_MET,
+        "span %d would leave and reach its chord at %.4g and %.4g degree%s; %s goes "
+        "to %.4g at most: use %s, or put a point between",
+        j + 1, alpha * 180 / BAT_PI, beta * 180 / BAT_PI,
+        bat_plural_real(beta * 180 / BAT_PI, 4), task->family->name,
+        task->family->limit * 180 / BAT_PI, task->family->remedy);
 }
 
 /* ---- where Newton begins ---- */
@@ -66,11 +68,13 @@ batten_status bat_two_angle_start(const bat_two_angle *task, double *angles)
         double low, high;
         room(task, i, &low, &high);
         if (!(low < high))
-            return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                            "the polygon turns by %.4g degrees at point %d; %s goes to %.4g on "
-                            "each side: use %s, or put a point between",
-                            task->turn[i] * 180 / BAT_PI, i, task->family->name,
-                            task->family->limit * 180 / BAT_PI, task->family->remedy);
+            return bat_fail(
+                BATTEN_TOLERANCE_NOT_MET,
+                "the polygon turns by %.4g degree%s at point %d; %s goes to %.4g on "
+                "each side: use %s, or put a point between",
+                task->turn[i] * 180 / BAT_PI, bat_plural_real(task->turn[i] * 180 / BAT_PI, 4),
+                i + 1, task->family->name, task->family->limit * 180 / BAT_PI,
+                task->family->remedy);
         angles[i] = bat_min(high, bat_max(low, circle_tangent(task, i)));
     }
     if (!open)
@@ -300,13 +304,14 @@ static batten_status fail_here(const bat_two_angle *task, const iterate *it,
         return bat_fail(
             BATTEN_INCOMPLETE,
             "after %d step%s curvature still jumps by %g of the largest at point %d", steps,
-            bat_plural(steps), it->worst / it->curvature, worst);
+            bat_plural(steps), it->worst / it->curvature, worst + 1);
     if (tried->failed >= 0)
         return fail_span(task, tried->angles, tried->failed);
     return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                     "curvature jumps by %g of the largest at point %d, between spans that %s "
                     "cannot join: use %s, or put a point between",
-                    it->worst / it->curvature, worst, task->family->name, task->family->remedy);
+                    it->worst / it->curvature, worst + 1, task->family->name,
+                    task->family->remedy);
 }
 
 static batten_status iterate_to_end(const bat_two_angle *task, int max_steps, double *matrix,

@@ -14,7 +14,7 @@ batten_status batten_surface_corner_patch(int dimension, const double *corners,
     const size_t count = 16 * (size_t)dimension;
     if (bat_first_not_finite(corners, count) < count)
         return bat_fail(BATTEN_NOT_FINITE, "number %zu of the corners is not finite",
-                        bat_first_not_finite(corners, count));
+                        bat_first_not_finite(corners, count) + 1);
     bat_coons coons;
     batten_status status = bat_coons_begin(dimension, 4, 4, &coons);
     for (int k = 0; status == BATTEN_OK && k < 2; k++)

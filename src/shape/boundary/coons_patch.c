@@ -140,12 +140,20 @@ static batten_status look_along(patch *p, int k, int i)
     return BATTEN_OK;
 }
 
+/* Corners count from 1, around the patch from (0, 0) along the first side. */
+static int corner_number(int i, int j)
+{
+    static const int numbers[2][2] = {{1, 4}, {2, 3}};
+    return numbers[i % 2][j % 2];
+}
+
 /* The twist of the bilinear patch of the boundary at corner (i, j), the default. */
 static void default_twist(const patch *p, int i, int j, double *out)
 {
     const int d = p->dimension;
     if (p->options->twists) {
-        memcpy(out, p->options->twists + (2 * i + j) * d, (size_t)d * sizeof *out);
+        memcpy(out, p->options->twists + (corner_number(i, j) - 1) * d,
+               (size_t)d * sizeof *out);
         return;
     }
     for (int x = 0; x < d; x++)
@@ -153,12 +161,6 @@ static void default_twist(const patch *p, int i, int j, double *out)
             p->seen[0][1][2 + j][x] - p->seen[0][0][2 + j][x] + p->seen[1][2 + i][1][x] -
             p->seen[1][2 + i][0][x] -
             (p->corner[1][1][x] - p->corner[1][0][x] - p->corner[0][1][x] + p->corner[0][0][x]);
-}
-
-static int corner_number(int i, int j)
-{
-    static const int numbers[2][2] = {{1, 4}, {2, 3}};
-    return numbers[i % 2][j % 2];
 }
 
 static void widen(double gap, double *widest, int *where, int i, int j)
@@ -224,9 +226,10 @@ static batten_status refuse_slope(const patch *p, int i, int j, double gap, doub
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "corner %d, between edges %s and %s: slope and boundary curve differ by %g "
                     "per unit of the parameter, more than %g; the curve leaves the tangent "
-                    "plane at %.3g degrees",
+                    "plane at %.3g degree%s",
                     corner_number(i, j), edge_name(edge_of(1, j)), edge_name(edge_of(0, i)),
-                    gap, p->allowed, angle * 180 / BAT_PI);
+                    gap, p->allowed, angle * 180 / BAT_PI,
+                    bat_plural_real(angle * 180 / BAT_PI, 3));
 }
 
 /* Both sides know something of the corner. */

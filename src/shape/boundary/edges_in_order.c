@@ -92,7 +92,7 @@ static batten_status open_at(int corner, int from, int to, double gap)
                     corner, from, to, gap);
 }
 
-/* Corner k, counted from 1, is where curve k of the loop ends. */
+/* Corner k, counted from 1, is where curve k of the loop begins. */
 static batten_status walk_around(int count, int d, double tolerance, strand *strands,
                                  batten_loop_place *places)
 {
@@ -111,7 +111,7 @@ static batten_status walk_around(int count, int d, double tolerance, strand *str
                 }
             }
         if (!(gap <= tolerance))
-            return open_at(k, places[k - 1].curve + 1, best.curve + 1, gap);
+            return open_at(k + 1, places[k - 1].curve + 1, best.curve + 1, gap);
         places[k - 1].gap = gap;
         places[k] = best;
         strands[best.curve].used = true;
@@ -119,7 +119,7 @@ static batten_status walk_around(int count, int d, double tolerance, strand *str
     }
     const double gap = gap_between(d, at, strands[0].ends[0]);
     if (!(gap <= tolerance))
-        return open_at(count, places[count - 1].curve + 1, 1, gap);
+        return open_at(1, places[count - 1].curve + 1, 1, gap);
     places[count - 1].gap = gap;
     return BATTEN_OK;
 }

@@ -46,8 +46,8 @@ static batten_status create_patch(const bat_formula *formula, const double *poin
     const bat_formula_axis axis = {2, ends, 2};
     const size_t bad = bat_first_not_finite(points, 3 * count);
     if (bad < 3 * count)
-        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is not finite", bad % 3,
-                        bad / 3);
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is not finite",
+                        bad % 3 + 1, bad / 3 + 1);
     double *data = bat_array(3 * count, sizeof *data);
     if (!data)
         return BATTEN_OUT_OF_MEMORY;
@@ -171,8 +171,8 @@ batten_status batten_surface_gregory_triangle(const double *edges, const double 
         const double gap = bat_distance(3, end, start);
         if (gap > 8 * DBL_EPSILON * bat_max(bat_largest(3, end), bat_largest(3, start)))
             return bat_fail(BATTEN_NOT_COMPATIBLE,
-                            "edge %d of the triangle ends %g away from where edge %d begins", e,
-                            gap, (e + 1) % 3);
+                            "edge %d of the triangle ends %g away from where edge %d begins",
+                            e + 1, gap, (e + 1) % 3 + 1);
     }
     return create_patch(&triangle, all[0], 21, out);
 }

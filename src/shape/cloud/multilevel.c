@@ -220,7 +220,8 @@ static batten_status climb_levels(bat_scatter *s, lattice *l)
     if (tolerance > 0 && most > tolerance)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "after %d level%s datum %zu is missed by %g, more than %g",
-                        s->report.rounds, bat_plural(s->report.rounds), worst, most, tolerance);
+                        s->report.rounds, bat_plural(s->report.rounds), worst + 1, most,
+                        tolerance);
     return BATTEN_OK;
 }
 

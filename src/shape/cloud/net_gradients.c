@@ -84,7 +84,7 @@ static batten_status find_diagonal(const bat_scatter *s, double lambda, double *
     for (size_t i = 0; i < y->unknowns; i++) {
         diagonal[i] = bat_net_entry(y, i * y->stencil + (size_t)s->axis[1].degree, lambda);
         if (!(diagonal[i] > 0))
-            return bat_fail(BATTEN_SINGULAR_SYSTEM, "control point %zu has no datum", i);
+            return bat_fail(BATTEN_SINGULAR_SYSTEM, "control point %zu has no datum", i + 1);
     }
     return BATTEN_OK;
 }

@@ -56,12 +56,12 @@ static batten_status check_numbers(const bat_scatter *s, const double *uv)
     size_t bad = bat_first_not_finite(uv, 2 * s->count);
     if (bad < 2 * s->count)
         return bat_fail(BATTEN_NOT_FINITE, "parameter %c of datum %zu is %g",
-                        bad % 2 ? 'v' : 'u', bad / 2, uv[bad]);
+                        bad % 2 ? 'v' : 'u', bad / 2 + 1, uv[bad]);
     const size_t d = (size_t)s->dimension;
     bad = bat_first_not_finite(s->values, d * s->count);
     if (bad < d * s->count)
-        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of datum %zu is %g", bad % d,
-                        bad / d, s->values[bad]);
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of datum %zu is %g", bad % d + 1,
+                        bad / d + 1, s->values[bad]);
     return BATTEN_OK;
 }
 
@@ -120,7 +120,7 @@ static batten_status scale_parameters(bat_scatter *s, const double *uv)
             if (!(x >= -4 * DBL_EPSILON && x <= s->side[k] + 4 * DBL_EPSILON))
                 return bat_fail(BATTEN_OUT_OF_DOMAIN,
                                 "parameter %c of datum %zu is %g, outside %g .. %g",
-                                k ? 'v' : 'u', t, uv[2 * t + (size_t)k], s->origin[k],
+                                k ? 'v' : 'u', t + 1, uv[2 * t + (size_t)k], s->origin[k],
                                 s->origin[k] + s->length * s->side[k]);
             s->uv[2 * t + (size_t)k] = bat_min(s->side[k], bat_max(0, x));
         }

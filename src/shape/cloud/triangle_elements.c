@@ -27,7 +27,7 @@ static batten_status check_finite(const double *values, size_t count, size_t eac
     const size_t at = bat_first_not_finite(values, count * each);
     return at == count * each ? BATTEN_OK
                               : bat_fail(BATTEN_NOT_FINITE, "%s %zu of %s %zu is %g", what,
-                                         at % each, of, at / each, values[at]);
+                                         at % each + 1, of, at / each + 1, values[at]);
 }
 
 batten_status batten_triangles_linear(const batten_triangulation *domain, int count,
@@ -229,7 +229,8 @@ static batten_status cut_edge(const element_data *data, const bat_triangle_edge 
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the line between the centres of triangles %d and %d misses their edge "
                         "from vertex %d to %d: it crosses it at %g of its length",
-                        edge[0].triangle, edge[1].triangle, edge[0].low, edge[0].high, *cut);
+                        edge[0].triangle + 1, edge[1].triangle + 1, edge[0].low + 1,
+                        edge[0].high + 1, *cut);
     split->thinnest = bat_min(split->thinnest, bat_min(*cut, 1 - *cut));
     return BATTEN_OK;
 }
@@ -245,8 +246,8 @@ static batten_status cut_edges(const element_data *data, const bat_triangle_edge
             n++;
         if (n > 2)
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "the edge from vertex %d to %d belongs to %d triangles", edge->low,
-                            edge->high, n);
+                            "the edge from vertex %d to %d belongs to %d triangles",
+                            edge->low + 1, edge->high + 1, n);
         for (int k = 0; k < n; k++)
             split->edge_of[3 * edge[k].triangle + edge[k].edge] = split->edge_count;
         split->cut[split->edge_count] = 0.5;

@@ -200,7 +200,7 @@ batten_status batten_triangles_scattered(batten_points xy, const double *values,
         return status;
     const size_t n = xy.count > 0 ? (size_t)xy.count : 0, bad = bat_first_not_finite(values, n);
     if (bad < n)
-        return bat_fail(BATTEN_NOT_FINITE, "value %zu is %g", bad, values[bad]);
+        return bat_fail(BATTEN_NOT_FINITE, "value %zu is %g", bad + 1, values[bad]);
     pipeline p = {.count = xy.count, .values = values, .options = &chosen, .job = job};
     p.report.thinnest = 0.5;
     status = carry_out(&p, xy.at, out);

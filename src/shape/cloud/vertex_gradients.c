@@ -188,7 +188,7 @@ static batten_status all_gradients(surroundings *s, double *gradients, int *plan
         ++*planes;
         if (!fit_plane(s, v, g))
             return bat_fail(BATTEN_SINGULAR_HERE,
-                            "no plane is determined near vertex %d, (%g, %g)", v,
+                            "no plane is determined near vertex %d, (%g, %g)", v + 1,
                             vertex(s, v)[0], vertex(s, v)[1]);
     }
     return BATTEN_OK;

@@ -335,7 +335,7 @@ static batten_status fail_tolerance(const bat_scatter *s, size_t worst, double m
         BATTEN_TOLERANCE_NOT_MET,
         "datum %zu is missed by %g, more than %g, with %d x %d control points; more "
         "of them would have too few data, or are too many",
-        worst, most, s->options->tolerance, s->axis[0].count, s->axis[1].count);
+        worst + 1, most, s->options->tolerance, s->axis[0].count, s->axis[1].count);
 }
 
 static batten_status begin_coarse(bat_scatter *s)

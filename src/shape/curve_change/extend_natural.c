@@ -37,8 +37,8 @@ static batten_status check_weights(const bat_spline *s, double u)
         const double weight = s->values[(size_t)i * s->width + s->width - 1];
         if (!(weight > 0))
             return bat_fail(BATTEN_BAD_WEIGHT,
-                            "gone on to u = %.17g, control point %d has the weight %g", u, i,
-                            weight);
+                            "gone on to u = %.17g, control point %d has the weight %g", u,
+                            i + 1, weight);
     }
     return BATTEN_OK;
 }

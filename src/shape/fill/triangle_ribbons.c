@@ -1,4 +1,5 @@
 /* The data of a transfinite triangle, from curves and ribbons in any order and direction. */
+#include "base/plural.h"
 #include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/fill/triangle_patch.h"
@@ -113,8 +114,9 @@ static batten_status fit_end(bat_triangle_side *side, int end, const int numbers
     if (angle > angle_tolerance)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "curve %d leaves the tangent plane of the ribbon of curve %d at their "
-                        "corner by %g degrees",
-                        numbers[1], numbers[0], angle * 180 / BAT_PI);
+                        "corner by %g degree%s",
+                        numbers[1], numbers[0], angle * 180 / BAT_PI,
+                        bat_plural_real(angle * 180 / BAT_PI, 6));
     if (!(k > 0))
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "the ribbon of curve %d leads away from curve %d at their corner: the "

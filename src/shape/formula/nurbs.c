@@ -4,6 +4,7 @@
  * the other where the spline is exact, so that only spans that need it are halved.
  */
 #include "shape/formula/nurbs.h"
+#include "base/plural.h"
 #include "shape/formula/evaluate.h"
 #include "shape/formula/nurbs_error.h"
 
@@ -271,10 +272,11 @@ static batten_status fail_angle(const bat_formula_fit *t)
 {
     return bat_fail(
         BATTEN_TOLERANCE_NOT_MET,
-        "%d x %d control points leave the normals of the %s surface by %.3g degrees "
+        "%d x %d control points leave the normals of the %s surface by %.3g degree%s "
         "along its edges; %.3g were wanted",
         t->lines[0].count, t->lines[1].count, batten_surface_kind(t->surface),
-        t->turned * 180 / BAT_PI, t->angle * 180 / BAT_PI);
+        t->turned * 180 / BAT_PI, bat_plural_real(t->turned * 180 / BAT_PI, 3),
+        t->angle * 180 / BAT_PI);
 }
 
 /* A spline on the spans as they are; where its normals are too far off these are halved, so that

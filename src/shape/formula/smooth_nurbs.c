@@ -1,4 +1,5 @@
 /* NURBS surfaces whose normals along their edges are near those of another one. */
+#include "base/plural.h"
 #include "shape/formula/formula.h"
 
 #include "numeric/vector.h"
@@ -41,8 +42,9 @@ batten_status batten_surface_to_smooth_nurbs(const batten_surface *surface, doub
     }
     if (status == BATTEN_OK && turned > angle)
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                          "normals along the edges stay %g degrees away, %g are allowed",
-                          turned * 180 / BAT_PI, angle * 180 / BAT_PI);
+                          "normals along the edges stay %g degree%s away, %g are allowed",
+                          turned * 180 / BAT_PI, bat_plural_real(turned * 180 / BAT_PI, 6),
+                          angle * 180 / BAT_PI);
     if (status != BATTEN_OK) {
         batten_surface_unref(nurbs);
         return status;

@@ -105,7 +105,7 @@ static batten_status fit_within(const bat_grid_fit *start, const batten_job *job
     if (status == BATTEN_OK && g.report.error > g.tolerance)
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
                           "datum %d is missed by %g, more than %g, with %d x %d control points",
-                          g.report.worst, g.report.error, g.tolerance, g.report.points_u,
+                          g.report.worst + 1, g.report.error, g.tolerance, g.report.points_u,
                           g.report.points_v);
     if (status != BATTEN_OK) {
         batten_surface_unref(g.surface);

@@ -28,8 +28,8 @@ static batten_status check_derivatives(const batten_surface_interpolate_options 
                                        : "a periodic surface has no rim there");
         const size_t bad = bat_first_not_finite(given[i].values, given[i].count);
         if (bad < given[i].count)
-            return bat_fail(BATTEN_NOT_FINITE, "number %zu of `%s` is %g", bad, given[i].name,
-                            given[i].values[bad]);
+            return bat_fail(BATTEN_NOT_FINITE, "number %zu of `%s` is %g", bad + 1,
+                            given[i].name, given[i].values[bad]);
     }
     if (o->twists && (!o->du || !o->dv))
         return bat_fail(BATTEN_BAD_ARGUMENT, "`twists` are given, but not both `du` and `dv`");
@@ -61,7 +61,8 @@ static batten_status check_weights(size_t count, const double *weights)
     for (size_t i = 0; weights && i < count; i++)
         if (!(weights[i] > 0 && weights[i] < HUGE_VAL))
             return bat_fail(BATTEN_BAD_WEIGHT,
-                            "the weight of point %zu is %g; it must be above 0", i, weights[i]);
+                            "the weight of point %zu is %g; it must be above 0", i + 1,
+                            weights[i]);
     return BATTEN_OK;
 }
 

@@ -39,7 +39,7 @@ static batten_status fit_direction(bat_grid_fit *t, int direction, int width,
         status = bat_fit_solve(&fit, 0, control, &unknown);
     if (status == BATTEN_SINGULAR_SYSTEM)
         status = bat_fail(status, "control point %d of %d along %c has no grid line of its own",
-                          unknown, t->wanted[direction], "uv"[direction]);
+                          unknown + 1, t->wanted[direction], "uv"[direction]);
     bat_fit_end(&fit);
     return status;
 }

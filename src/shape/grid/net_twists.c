@@ -242,9 +242,9 @@ batten_status bat_net_check_axis(char name, int count, const double *t)
                         count, bat_plural(count), name);
     for (int i = 0; i < count; i++) {
         if (!isfinite(t[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "parameter %d in %c is %g", i, name, t[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "parameter %d in %c is %g", i + 1, name, t[i]);
         if (i > 0 && !(t[i] > t[i - 1]))
-            return bat_fail(BATTEN_NOT_INCREASING, "parameter %d in %c is %g, after %g", i,
+            return bat_fail(BATTEN_NOT_INCREASING, "parameter %d in %c is %g, after %g", i + 1,
                             name, t[i], t[i - 1]);
     }
     return BATTEN_OK;

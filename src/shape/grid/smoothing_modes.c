@@ -38,7 +38,7 @@ static batten_status cholesky(int n, double *a)
             const double whole = row[j], rest = whole - bat_dot(j, row, above);
             if (i == j && !(rest > n * DBL_EPSILON * whole))
                 return bat_fail(BATTEN_SINGULAR_SYSTEM,
-                                "control point %d has no grid line of its own", i);
+                                "control point %d has no grid line of its own", i + 1);
             row[j] = i == j ? sqrt(rest) : rest / above[j];
         }
     return BATTEN_OK;

@@ -81,7 +81,7 @@ batten_status bat_line_fails(batten_status status, const char *direction, int li
 {
     char message[256];
     snprintf(message, sizeof message, "%s", batten_message());
-    return bat_fail(status, "along %s, line %d: %s", direction, line, message);
+    return bat_fail(status, "along %s, line %d: %s", direction, line + 1, message);
 }
 
 /* ---- one stage: a method along all lines ---- */

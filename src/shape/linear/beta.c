@@ -130,7 +130,7 @@ static batten_status set_joints(batten_points points, int pieces, const double *
         const double off = bat_distance(d, bezier + 3 * i * d, point);
         if (!(off <= 16 * DBL_EPSILON * size))
             return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the curve misses point %d by %g",
-                            i % count, off);
+                            i % count + 1, off);
         memcpy(bezier + 3 * i * d, point, (size_t)d * sizeof *point);
     }
     return BATTEN_OK;

@@ -45,26 +45,26 @@ static batten_status check_constraint(int d, int count, int degree, const batten
                                       int i)
 {
     if ((int)c->kind < 0 || c->kind > BATTEN_CONSTRAINT_MEAN)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "constraint %d is of the unknown kind %d", i,
+        return bat_fail(BATTEN_BAD_ARGUMENT, "constraint %d is of the unknown kind %d", i + 1,
                         (int)c->kind);
     if (bat_first_not_finite(c->normal, (size_t)d) < (size_t)d || !isfinite(c->bound) ||
         !isfinite(c->rate))
-        return bat_fail(BATTEN_NOT_FINITE, "constraint %d (%s) is not finite", i,
+        return bat_fail(BATTEN_NOT_FINITE, "constraint %d (%s) is not finite", i + 1,
                         name_of(c->kind));
     if (bat_norm(d, c->normal) == 0 && !(d == 1 && c->kind == BATTEN_CONSTRAINT_DIRECTION))
         return bat_fail(BATTEN_BAD_ARGUMENT, "constraint %d (%s) has a normal without length",
-                        i, name_of(c->kind));
+                        i + 1, name_of(c->kind));
     const int to = c->to == 0 ? count - 1 : c->to;
     const bool at_point = c->kind == BATTEN_CONSTRAINT_DIRECTION;
     if (c->from < 0 || c->from >= count || to < 0 || to >= count ||
         (is_inequality(c->kind) && c->from >= to))
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "constraint %d (%s) goes from point %d to %d; there %s %d point%s", i,
-                        name_of(c->kind), c->from, at_point ? c->from : to,
+                        "constraint %d (%s) goes from point %d to %d; there %s %d point%s",
+                        i + 1, name_of(c->kind), c->from + 1, at_point ? c->from + 1 : to + 1,
                         bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     if (is_inequality(c->kind) && (int)c->kind > degree)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "constraint %d (%s) on a curve of degree %d", i,
-                        name_of(c->kind), degree);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "constraint %d (%s) on a curve of degree %d",
+                        i + 1, name_of(c->kind), degree);
     return BATTEN_OK;
 }
 
@@ -73,7 +73,7 @@ static batten_status check_weights(const double *weights, int count)
     for (int i = 0; weights && i < count; i++)
         if (!(weights[i] > 0))
             return bat_fail(isnan(weights[i]) ? BATTEN_NOT_FINITE : BATTEN_BAD_ARGUMENT,
-                            "weight %d is %g; it must be above 0", i, weights[i]);
+                            "weight %d is %g; it must be above 0", i + 1, weights[i]);
     return BATTEN_OK;
 }
 
@@ -193,16 +193,16 @@ static batten_status name_culprit(const bat_constrained_fit *t,
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "a curve of degree %d with %d control point%s cannot pass point %d as "
                         "well: give it a higher degree or more pieces",
-                        t->degree, t->control_count, bat_plural(t->control_count), -1 - of);
+                        t->degree, t->control_count, bat_plural(t->control_count), -of);
     const batten_constraint *c = &t->options->constraints[of];
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "constraint %d (%s, from point %d to %d) cannot hold together with the "
                     "points and the other constraints: leave one out, or give the curve more "
                     "pieces or checks",
-                    of, name_of(c->kind), c->from,
-                    !is_inequality(c->kind) ? c->from
-                    : c->to == 0            ? t->count - 1
-                                            : c->to);
+                    of + 1, name_of(c->kind), c->from + 1,
+                    !is_inequality(c->kind) ? c->from + 1
+                    : c->to == 0            ? t->count
+                                            : c->to + 1);
 }
 
 /* By how much the curve misses a point. */

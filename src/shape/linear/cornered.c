@@ -53,8 +53,8 @@ static batten_status mark(const cornered_fit *w, const named_places *named, bool
         if (at[k] < 0 || at[k] > named->last || (k > 0 && at[k] <= at[k - 1]))
             return bat_fail(
                 BATTEN_BAD_ARGUMENT,
-                "%s %d is point %d; of %d points it may be 0 to %d, and indices rise",
-                named->what, k, at[k], w->count, named->last);
+                "%s %d is point %d; of %d points it may be 1 to %d, and they rise",
+                named->what, k + 1, at[k] + 1, w->count, named->last + 1);
         marks[at[k]] = true;
     }
     return BATTEN_OK;
@@ -170,7 +170,7 @@ static batten_status make_run(const cornered_fit *w, const smooth_run *r, batten
     batten_curve_unref(made);
     if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY)
         return status;
-    return bat_fail(status, "points %d to %d: %s", r->first, r->last, batten_message());
+    return bat_fail(status, "points %d to %d: %s", r->first + 1, r->last + 1, batten_message());
 }
 
 /* ---- all runs as one curve ---- */

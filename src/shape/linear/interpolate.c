@@ -60,7 +60,7 @@ static batten_status copy_derivatives(spline_problem *t)
     const size_t d = (size_t)t->dimension;
     for (int i = 0; i < o->derivative_count; i++) {
         if (bat_first_not_finite(o->derivatives[i].value, d) < d)
-            return bat_fail(BATTEN_NOT_FINITE, "derivative %d is not finite", i);
+            return bat_fail(BATTEN_NOT_FINITE, "derivative %d is not finite", i + 1);
         memcpy(t->conditions + (size_t)i * d, o->derivatives[i].value,
                d * sizeof *t->conditions);
     }

@@ -224,7 +224,7 @@ static batten_status check_residual(const right_side *b, double *x, double *resi
             return bat_fail(
                 BATTEN_TOLERANCE_NOT_MET,
                 "data point %d is missed by %g, more than 8 eps of the largest number %g",
-                where, miss, size);
+                where + 1, miss, size);
         const batten_status status = refine(b, x);
         if (status != BATTEN_OK)
             return status;

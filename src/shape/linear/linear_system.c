@@ -92,17 +92,17 @@ static batten_status check_condition(const bat_request *r, int i)
 {
     const batten_derivative *c = &r->conditions[i];
     if (c->index < 0 || c->index >= r->count)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "derivative %d is at point %d of %d", i, c->index,
-                        r->count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "derivative %d is at point %d of %d", i + 1,
+                        c->index + 1, r->count);
     if (c->order < 1 || c->order > r->degree)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "derivative %d has the order %d, and the degree is %d", i, c->order,
+                        "derivative %d has the order %d, and the degree is %d", i + 1, c->order,
                         r->degree);
     if (r->knots_at_data && c->index > 0 && c->index < r->count - 1)
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
-            "derivative %d is at point %d: with knots at the data only ends take them", i,
-            c->index);
+            "derivative %d is at point %d: with knots at the data only ends take them", i + 1,
+            c->index + 1);
     return BATTEN_OK;
 }
 
@@ -139,7 +139,7 @@ static batten_status place_row(bat_operator *op, int *first, int *used, bat_row 
     rows[i] = row;
     if (i > 0 && rows[i - 1].order == row.order)
         return bat_fail(BATTEN_BAD_ARGUMENT, "derivative %d at point %d is given twice",
-                        row.order, row.index);
+                        row.order, row.index + 1);
     return BATTEN_OK;
 }
 

@@ -63,20 +63,20 @@ static batten_status find_data(nu_spline *t, const batten_curve_weighted_options
     for (int i = 0; i < t->spans; i++) {
         const double w = weight_of(t, o, i);
         if (!(w > 0 && isfinite(w)))
-            return bat_fail(BATTEN_BAD_ARGUMENT, "the weight of span %d is %g, not above 0", i,
-                            w);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "the weight of span %d is %g, not above 0",
+                            i + 1, w);
         t->c[i] = w / (t->u[i + 1] - t->u[i]);
         if (!(t->c[i] > 0 && isfinite(t->c[i])))
             return bat_fail(BATTEN_OVERFLOW,
                             "weight %g and length %g of span %d are too far "
                             "apart",
-                            w, t->u[i + 1] - t->u[i], i);
+                            w, t->u[i + 1] - t->u[i], i + 1);
     }
     for (int i = 0; i < t->count; i++) {
         t->nu[i] = (o->nus ? o->nus[i] : o->nu) / mean;
         if (!isfinite(t->nu[i]))
             return bat_fail(BATTEN_NOT_FINITE,
-                            "the nu of point %d is not a finite number, or too large", i);
+                            "the nu of point %d is not a finite number, or too large", i + 1);
     }
     return BATTEN_OK;
 }
@@ -207,11 +207,12 @@ static batten_status check_slope_equations(const nu_spline *t)
             const double size =
                 fabs(before) + fabs(own) + fabs(after) + fabs(t->right[i * d + k]);
             if (!isfinite(off))
-                return bat_fail(BATTEN_OVERFLOW, "the slope at point %d is too large", i);
+                return bat_fail(BATTEN_OVERFLOW, "the slope at point %d is too large", i + 1);
             /* Elimination without exchange of rows, in three terms each way. */
             if (fabs(off) > 64 * DBL_EPSILON * size + DBL_MIN)
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                                "the equation of point %d is off by %g of %g", i, off, size);
+                                "the equation of point %d is off by %g of %g", i + 1, off,
+                                size);
         }
     }
     return BATTEN_OK;

@@ -105,16 +105,16 @@ static batten_status find_mesh(quadratic_spline *q)
         if (!(q->k[i] > q->t[i] && q->k[i] > q->k[i - 1]))
             return bat_fail(
                 BATTEN_NOT_COMPATIBLE,
-                "parameters 1 to %d are not mid-points: knot %d would be %g, and is "
+                "parameters 2 to %d are not mid-points: knot %d would be %g, and is "
                 "to lie above %g",
-                n, i, q->k[i], q->t[i]);
+                n + 1, i + 1, q->k[i], q->t[i]);
     }
     /* Each knot adds two roundings of the size of the largest parameter. */
     const double end = q->t[q->count - 1];
     const double rounding = 4 * DBL_EPSILON * n * bat_max(fabs(q->t[0]), fabs(end));
     if (!(fabs(q->k[n] - end) <= rounding) || !(end > q->t[n]))
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "parameters 1 to %d are not mid-points: the knots end at %g, not %g", n,
+                        "parameters 2 to %d are not mid-points: the knots end at %g, not %g", n,
                         q->k[n], end);
     q->k[n] = end;
     return BATTEN_OK;
@@ -212,7 +212,7 @@ static batten_status check_interpolation(const quadratic_spline *q, const batten
             return status;
         const double off = bat_distance(d, at, q->points + i * d);
         if (!(off <= 32 * DBL_EPSILON * q->count * size))
-            return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the curve misses point %d by %g", i,
+            return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the curve misses point %d by %g", i + 1,
                             off);
     }
     return BATTEN_OK;

@@ -35,7 +35,7 @@ static batten_status check_slopes(const bat_tension *t)
                                 t->b[before] * L + (t->a[before] + t->a[i]) * M + t->b[i] * N;
             if (!(fabs(left[k] - right[k]) <= 32 * DBL_EPSILON * size + DBL_MIN))
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the slope jumps by %g at point %d",
-                                right[k] - left[k], i);
+                                right[k] - left[k], i + 1);
         }
     }
     return BATTEN_OK;
@@ -77,14 +77,15 @@ static batten_status fill(bat_tension *t, const batten_chain_tension_options *o)
         const double h = t->u[i + 1] - t->u[i];
         if (!(tension >= 0 && isfinite(tension)))
             return bat_fail(BATTEN_BAD_ARGUMENT, "the tension of span %d is %g, not 0 or more",
-                            i, tension);
+                            i + 1, tension);
         t->sigma[i] = tension / mean;
         for (int k = 0; k < d; k++)
             t->slopes[i * d + k] =
                 (t->points[bat_tension_next(t, i) * d + k] - t->points[i * d + k]) / h;
         if (!isfinite(t->sigma[i] * h) ||
             bat_first_not_finite(t->slopes + i * d, (size_t)d) < (size_t)d)
-            return bat_fail(BATTEN_OVERFLOW, "tension or slope of span %d are too large", i);
+            return bat_fail(BATTEN_OVERFLOW, "tension or slope of span %d are too large",
+                            i + 1);
     }
     return BATTEN_OK;
 }

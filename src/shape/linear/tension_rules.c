@@ -28,7 +28,7 @@ static batten_status raise_until(bat_tension *t, mark_spans mark, const void *ru
         if (round == BAT_TENSION_ROUNDS) {
             status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
                               "after %d rounds the curve is not yet %s at point %d", round,
-                              what, worst);
+                              what, worst + 1);
             break;
         }
         for (int i = 0; i < t->spans; i++)

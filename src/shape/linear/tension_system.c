@@ -75,7 +75,7 @@ batten_status bat_tension_solve(bat_tension *t)
     const size_t bad = status == BATTEN_OK ? bat_first_not_finite(t->moments, n * d) / d : n;
     if (bad < n)
         return bat_fail(BATTEN_OVERFLOW, "the curve bends too much at point %d for a number",
-                        (int)bad);
+                        (int)bad + 1);
     return status;
 }
 

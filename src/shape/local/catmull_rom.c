@@ -197,7 +197,8 @@ static batten_status blend_pieces(blended_curve *t, batten_curve **out)
     for (int i = 0; i < t->spans; i++) {
         make_span(t, i);
         if (bat_first_not_finite(t->pieces + (size_t)i * size, size) < size)
-            return bat_fail(BATTEN_OVERFLOW, "the points near span %d are too far apart", i);
+            return bat_fail(BATTEN_OVERFLOW, "the points near span %d are too far apart",
+                            i + 1);
     }
     const size_t most = (size_t)(t->spans + 1) * (size_t)(t->degree + 1);
     double *points = bat_array3(most, (size_t)t->row.d, sizeof *points);
@@ -224,7 +225,8 @@ static batten_status verify(const blended_curve *t, const batten_curve *curve, d
         const double by =
             bat_distance(t->row.d, at, t->row.points + (size_t)i * (size_t)t->row.d);
         if (through && !(by <= zero))
-            return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the curve misses point %d by %g", i, by);
+            return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the curve misses point %d by %g", i + 1,
+                            by);
         *off = bat_max(*off, by);
     }
     return BATTEN_OK;

@@ -28,7 +28,8 @@ static batten_status make_units(curvature_fit *t, const double *tangents)
     for (int i = 0; i < t->count; i++) {
         const double size = bat_norm(2, tangents + 2 * i);
         if (!(size > 0))
-            return bat_fail(BATTEN_BAD_ARGUMENT, "the tangent at point %d has no length", i);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "the tangent at point %d has no length",
+                            i + 1);
         /* Twice, for that of a denormal vector is far from a unit. */
         const double near[2] = {tangents[2 * i] / size, tangents[2 * i + 1] / size};
         const double rest = bat_norm(2, near);
@@ -176,7 +177,7 @@ batten_status batten_circle_curvatures(batten_points points, bool closed, double
                       : circle_curvature(a, points.at + 2 * at,
                                          points.at + 2 * bat_around(points.count, at + 1));
         if (!isfinite(made[i]))
-            status = bat_fail(BATTEN_OVERFLOW, "the curvature at point %d is too large", i);
+            status = bat_fail(BATTEN_OVERFLOW, "the curvature at point %d is too large", i + 1);
     }
     if (status == BATTEN_OK)
         memcpy(curvatures, made, (size_t)points.count * sizeof *curvatures);

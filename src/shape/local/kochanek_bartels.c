@@ -17,7 +17,7 @@ static batten_status check_tensions(int count,
     for (int l = 0; l < 3; l++)
         for (int i = 0; lists[l] && i < count; i++)
             if (!isfinite(lists[l][i]))
-                return bat_fail(BATTEN_NOT_FINITE, "the %s at point %d is %g", names[l], i,
+                return bat_fail(BATTEN_NOT_FINITE, "the %s at point %d is %g", names[l], i + 1,
                                 lists[l][i]);
     return BATTEN_OK;
 }
@@ -70,9 +70,9 @@ static batten_status find(const bat_row_beyond *row,
         memcpy(arriving, made + n, n * sizeof *arriving);
     }
     bat_release(made);
-    return bad == 2 * n
-               ? BATTEN_OK
-               : bat_fail(BATTEN_OVERFLOW, "the tangent at point %zu is too long", bad % n / d);
+    return bad == 2 * n ? BATTEN_OK
+                        : bat_fail(BATTEN_OVERFLOW, "the tangent at point %zu is too long",
+                                   bad % n / d + 1);
 }
 
 batten_status

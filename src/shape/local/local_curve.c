@@ -15,7 +15,7 @@ batten_status bat_local_check_rows(int dimension, int count, const double *rows,
     const size_t d = (size_t)dimension, n = (size_t)count * d;
     const size_t bad = bat_first_not_finite(rows, n);
     if (bad < n)
-        return bat_fail(BATTEN_NOT_FINITE, "%s %zu has the coordinate %g", what, bad / d,
+        return bat_fail(BATTEN_NOT_FINITE, "%s %zu has the coordinate %g", what, bad / d + 1,
                         rows[bad]);
     return BATTEN_OK;
 }
@@ -81,10 +81,11 @@ static batten_status check_joint(const hermite *h, int i, const double *before,
         off = bat_max(off, fabs(before[k] + a / (a + b) * (after[k] - before[k]) - point[k]));
     const double size = bat_max(bat_largest(h->d, before), bat_largest(h->d, after));
     if (!isfinite(size))
-        return bat_fail(BATTEN_OVERFLOW, "the tangent at point %d is too long", i);
+        return bat_fail(BATTEN_OVERFLOW, "the tangent at point %d is too long", i + 1);
     /* Each leg is rounded three times, their mean four times. */
     if (!(off <= 8 * DBL_EPSILON * size))
-        return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the curve misses point %d by %g", i, off);
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the curve misses point %d by %g", i + 1,
+                        off);
     return BATTEN_OK;
 }
 
@@ -228,7 +229,7 @@ batten_status batten_second_derivatives(batten_points points, const double *para
                  bad = bat_first_not_finite(made, n);
     if (bad < n)
         status = bat_fail(BATTEN_OVERFLOW, "the second derivative at point %zu is too large",
-                          bad / (size_t)points.dimension);
+                          bad / (size_t)points.dimension + 1);
     else
         memcpy(second, made, n * sizeof *second);
     bat_release(made);

@@ -33,8 +33,8 @@ static batten_status check_slopes(const bat_chords *c, const double *slopes)
                                   : a == 0 && b == 0;
         if (!good || !isfinite((a + b) / (d == 0 ? 1 : d)))
             status = bat_fail(BATTEN_BAD_ARGUMENT,
-                              "span %d has the slope %g, but slopes %g and %g at its ends", i,
-                              d, a, b);
+                              "span %d has the slope %g, but slopes %g and %g at its ends",
+                              i + 1, d, a, b);
     }
     return status;
 }

@@ -192,22 +192,22 @@ static batten_status check_directions(direction_search *w,
         if (at->index < 0 || at->index >= w->count ||
             (k > 0 && at->index <= o->directions[k - 1].index))
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "direction %d belongs to point %d; indices must rise from 0 to %d",
-                            k, at->index, w->count - 1);
+                            "direction %d belongs to point %d; points must rise from 1 to %d",
+                            k + 1, at->index + 1, w->count);
         if (bat_first_not_finite(at->vector, (size_t)d) < (size_t)d)
             return bat_fail(BATTEN_NOT_FINITE, "the direction at point %d is not finite",
-                            at->index);
+                            at->index + 1);
         const double length = bat_norm(d, at->vector);
         if (!(length > 0))
             return bat_fail(BATTEN_BAD_ARGUMENT, "the direction at point %d has length 0",
-                            at->index);
+                            at->index + 1);
         for (int c = 0; c < d; c++)
             w->direction[3 * at->index + c] = at->vector[c] / length;
     }
     for (int i = 0; o->tension && i < w->count; i++)
         if (!(o->tension[i] >= 0 && isfinite(o->tension[i])))
             return bat_fail(BATTEN_BAD_ARGUMENT, "the tension %g at point %d is below 0",
-                            o->tension[i], i);
+                            o->tension[i], i + 1);
     return BATTEN_OK;
 }
 
@@ -223,14 +223,14 @@ static batten_status find_parameters(direction_search *w,
         const size_t n = (size_t)w->count, d = (size_t)w->dimension;
         if (bat_first_not_finite(w->points, n * d) < n * d)
             return bat_fail(BATTEN_NOT_FINITE, "point %d is not finite",
-                            (int)(bat_first_not_finite(w->points, n * d) / d));
+                            (int)(bat_first_not_finite(w->points, n * d) / d) + 1);
         memcpy(t, o->given, n * sizeof *t);
     }
     for (int i = 0; i + 1 < w->count; i++) {
         w->steps[i] = t[i + 1] - t[i];
         if (!(w->steps[i] > 0 && isfinite(w->steps[i])))
-            return bat_fail(BATTEN_NOT_INCREASING, "parameter %d is %g, parameter %d is %g", i,
-                            t[i], i + 1, t[i + 1]);
+            return bat_fail(BATTEN_NOT_INCREASING, "parameter %d is %g, parameter %d is %g",
+                            i + 1, t[i], i + 2, t[i + 1]);
     }
     return BATTEN_OK;
 }

@@ -22,7 +22,7 @@ batten_status bat_chords_make(int count, const double *x, const double *y, bat_c
         made.d[i] = (y[i + 1] - y[i]) / made.h[i];
         if (!isfinite(made.h[i]) || fabs(made.d[i]) > DBL_MAX / 8)
             status = bat_fail(BATTEN_OVERFLOW,
-                              "the slope between points %d and %d is too large", i, i + 1);
+                              "the slope between points %d and %d is too large", i + 1, i + 2);
     }
     if (status == BATTEN_OK)
         *out = made;

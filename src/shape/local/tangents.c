@@ -293,7 +293,8 @@ static batten_status take_given(tangent_rule *t)
     for (int i = 0; i < t->count && !keeps; i++) {
         double *T = t->leaving + (size_t)i * (size_t)t->d;
         if (!(bat_norm(t->d, T) > 0))
-            return bat_fail(BATTEN_BAD_ARGUMENT, "the tangent at point %d has no length", i);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "the tangent at point %d has no length",
+                            i + 1);
         make_unit(t, T);
     }
     memcpy(t->arriving, t->leaving, n * sizeof *t->leaving);
@@ -343,7 +344,7 @@ static batten_status find_steps(tangent_rule *t)
             3 * length(t, i) * bat_middle_leg(t->d, u, t->leaving + a, t->arriving + b);
         t->t[i] = sum;
         if (!(sum + step > sum && isfinite(sum + step)))
-            return bat_fail(BATTEN_OVERFLOW, "the step of span %d, %g, is lost after %g", i,
+            return bat_fail(BATTEN_OVERFLOW, "the step of span %d, %g, is lost after %g", i + 1,
                             step, sum);
         sum += step;
     }

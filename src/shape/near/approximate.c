@@ -57,7 +57,7 @@ static batten_status solve(approximation *t, bat_fit *fit)
         return plain ? bat_fail(BATTEN_SINGULAR_SYSTEM,
                                 "control point %d of %d has no datum of its own near its part "
                                 "of the curve",
-                                unknown, fit->count)
+                                unknown + 1, fit->count)
                      : status;
     status = bat_fit_penalise_differences(fit, bat_min_int(2, fit->count - 1));
     t->report.regularised = true;
@@ -132,7 +132,7 @@ static batten_status take_knots(approximation *t)
     memcpy(t->knots, o->given_knots, count * sizeof *t->knots);
     const size_t bad = bat_first_not_finite(t->knots, count);
     if (bad < count)
-        return bat_fail(BATTEN_NOT_FINITE, "knot %zu is %g", bad, t->knots[bad]);
+        return bat_fail(BATTEN_NOT_FINITE, "knot %zu is %g", bad + 1, t->knots[bad]);
     return BATTEN_OK;
 }
 

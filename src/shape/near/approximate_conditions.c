@@ -76,27 +76,28 @@ static batten_status check_condition(const asking *a, int i, double *u)
     const int d = a->fit->dimension, p = a->fit->degree, n = bat_fit_all_count(a->fit);
     const bool equal = c->kind == BATTEN_CONDITION_EQUAL;
     if ((int)c->kind < 0 || c->kind > BATTEN_CONDITION_AT_MOST)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "condition %d is of no kind: %d", i, (int)c->kind);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "condition %d is of no kind: %d", i + 1,
+                        (int)c->kind);
     if (!equal && (c->kind == BATTEN_CONDITION_DIRECTION) == (d == 1))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "condition %d is for a %s", i,
+        return bat_fail(BATTEN_BAD_ARGUMENT, "condition %d is for a %s", i + 1,
                         d == 1 ? "curve, not a function" : "function, not a curve");
     if (c->index >= a->fit->data_count)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "condition %d is for point %d of %d", i, c->index,
-                        a->fit->data_count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "condition %d is for point %d of %d", i + 1,
+                        c->index + 1, a->fit->data_count);
     if (c->order < (c->kind == BATTEN_CONDITION_DIRECTION) || c->order > MOST_ORDER)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "condition %d is for the derivative of order %d; it must be in %d..%d",
-                        i, c->order, c->kind == BATTEN_CONDITION_DIRECTION, MOST_ORDER);
+                        i + 1, c->order, c->kind == BATTEN_CONDITION_DIRECTION, MOST_ORDER);
     for (int k = 0; k < d; k++)
         if (!isfinite(c->value[k]))
-            return bat_fail(BATTEN_NOT_FINITE, "number %d of condition %d is %g", k, i,
+            return bat_fail(BATTEN_NOT_FINITE, "number %d of condition %d is %g", k + 1, i + 1,
                             c->value[k]);
     if (c->kind == BATTEN_CONDITION_DIRECTION && !(bat_norm(d, c->value) > 0))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "condition %d is a direction of length 0", i);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "condition %d is a direction of length 0", i + 1);
     *u = c->index >= 0 ? a->fit->parameters[c->index] : c->parameter;
     if (!(*u >= a->U[p] && *u <= a->U[n]))
         return bat_fail(isfinite(*u) ? BATTEN_OUT_OF_DOMAIN : BATTEN_NOT_FINITE,
-                        "condition %d is at %g, outside %g .. %g", i, *u, a->U[p], a->U[n]);
+                        "condition %d is at %g, outside %g .. %g", i + 1, *u, a->U[p], a->U[n]);
     return BATTEN_OK;
 }
 

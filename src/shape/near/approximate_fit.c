@@ -82,8 +82,8 @@ static batten_status fill_basis(bat_fit *fit, const double *U)
         const double u = fit->parameters[i];
         if (!(u >= U[p] && u <= U[n]))
             return bat_fail(BATTEN_OUT_OF_DOMAIN,
-                            "the parameter of point %d is %g, outside the knots' %g .. %g", i,
-                            u, U[p], U[n]);
+                            "the parameter of point %d is %g, outside the knots' %g .. %g",
+                            i + 1, u, U[p], U[n]);
         const int span = bat_knots_span(p, n, U, u, BATTEN_FROM_RIGHT);
         bat_basis(p, U, span, u, 0, fit->data.values + (size_t)i * (size_t)(p + 1));
         fit->data.first[i] = (span - p) % fit->count;

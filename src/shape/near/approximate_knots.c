@@ -11,10 +11,11 @@ batten_status bat_weights_check(int count, const double *weights)
 {
     for (int i = 0; weights && i < count; i++) {
         if (!isfinite(weights[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "the weight of point %d is %g", i, weights[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "the weight of point %d is %g", i + 1,
+                            weights[i]);
         if (weights[i] < 0)
             return bat_fail(BATTEN_BAD_WEIGHT,
-                            "the weight of point %d is %g; it must be 0 or more", i,
+                            "the weight of point %d is %g; it must be 0 or more", i + 1,
                             weights[i]);
     }
     return BATTEN_OK;
@@ -26,11 +27,11 @@ static batten_status check_given(int count, const double *given)
 {
     for (int i = 0; i < count; i++) {
         if (!isfinite(given[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "parameter %d is %g", i, given[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "parameter %d is %g", i + 1, given[i]);
         if (i > 0 && given[i] < given[i - 1])
             return bat_fail(BATTEN_NOT_INCREASING,
-                            "parameter %d is %g, below parameter %d, which is %g", i, given[i],
-                            i - 1, given[i - 1]);
+                            "parameter %d is %g, below parameter %d, which is %g", i + 1,
+                            given[i], i - 1 + 1, given[i - 1]);
     }
     return BATTEN_OK;
 }

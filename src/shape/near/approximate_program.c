@@ -112,7 +112,7 @@ static void say_condition(const bat_fit *fit, const batten_condition *c, int num
     say_numbers(fit->dimension, c->value, value);
     if (c->order > 0)
         snprintf(what, sizeof what, "derivative %d", c->order);
-    snprintf(out, 300, "condition %d, that %s must %s %s at %.9g,", number, what,
+    snprintf(out, 300, "condition %d, that %s must %s %s at %.9g,", number + 1, what,
              verbs[c->kind], value, u);
 }
 
@@ -135,11 +135,11 @@ static void say_row(const quadratic_model *p, const batten_curve_least_squares_o
         return;
     case BAT_FOR_SIDE:
         snprintf(out, 300, "the condition that the function must not be %s point %d",
-                 o->side == BATTEN_FIT_OVER ? "below" : "above", row->number);
+                 o->side == BATTEN_FIT_OVER ? "below" : "above", row->number + 1);
         return;
     case BAT_FOR_BAND:
         snprintf(out, 300, "the condition that the curve must be within %.9g of point %d",
-                 o->band, row->number);
+                 o->band, row->number + 1);
         return;
     }
 }

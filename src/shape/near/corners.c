@@ -90,8 +90,8 @@ batten_status bat_find_corners(bat_within_fit *t)
         if (i < 0 || i >= t->count || (k > 0 && i <= o->corners[k - 1]))
             return bat_fail(
                 BATTEN_BAD_ARGUMENT,
-                "corner %d is point %d; of %d points it may be 0 to %d, and indices rise", k, i,
-                t->count, t->count - 1);
+                "corner %d is point %d; of %d points it may be 1 to %d, and they rise", k + 1,
+                i + 1, t->count, t->count);
         t->corner[i] = true;
     }
     if (!o->closed)

@@ -113,7 +113,7 @@ static batten_status find_groups(const bat_cloud *c, groups *g)
         const double step = bat_distance(2, g->points + 2 * k, g->points + 2 * k - 2);
         if (!(step > 0))
             return bat_fail(BATTEN_COINCIDENT, "points about number %d coincide",
-                            (int)((long long)c->count * k / g->count));
+                            (int)((long long)c->count * k / g->count) + 1);
         g->lengths[k] = g->lengths[k - 1] + step;
     }
     const double half = g->lengths[g->count - 1] / 2;

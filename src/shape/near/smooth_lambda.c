@@ -12,7 +12,7 @@ batten_status bat_smoothing_try(bat_smoothing *t, double lambda)
     if (status == BATTEN_SINGULAR_SYSTEM)
         return bat_fail(status,
                         "control point %d of %d is not determined when the penalty weighs %g",
-                        unknown, t->fit.count, lambda);
+                        unknown + 1, t->fit.count, lambda);
     if (status != BATTEN_OK)
         return status;
     bat_fit_residuals(&t->fit, t->control, t->residuals);

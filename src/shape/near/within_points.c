@@ -203,7 +203,7 @@ static batten_status make_piece(bat_within_fit *t, int from, int to, bool smooth
     if (!(a[to - from] > a[0]))
         return bat_fail(BATTEN_COINCIDENT,
                         "between two corners all points from number %d on are one",
-                        (t->first + from) % t->count);
+                        (t->first + from) % t->count + 1);
     const batten_status status =
         o->method == BATTEN_WITHIN_BEZIER
             ? bat_within_bezier(t->dimension, to - from + 1,
@@ -284,7 +284,7 @@ static batten_status check_result(bat_within_fit *t, double *parameters,
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "the nearest curve that was found is %g away from point %d; the "
                         "tolerance is %g",
-                        report->error, report->worst, t->options->tolerance);
+                        report->error, report->worst + 1, t->options->tolerance);
     return measure_between(t, &report->apart);
 }
 

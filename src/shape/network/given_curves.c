@@ -18,7 +18,7 @@ const char *bat_network_label(const bat_network *net, int family,
         snprintf(label, BAT_NETWORK_LABEL, "%s '%.100s' (%d of %d)", f->what,
                  f->names[curve->index], curve->index + 1, f->given);
     else
-        snprintf(label, BAT_NETWORK_LABEL, "%s %d", f->what, curve->index);
+        snprintf(label, BAT_NETWORK_LABEL, "%s %d", f->what, curve->index + 1);
     return label;
 }
 
@@ -49,7 +49,7 @@ batten_status bat_network_scale(int count, const batten_curve *const *curves, do
     double largest = 0;
     for (int k = 0; k < count; k++)
         if (batten_curve_dimension(curves[k]) < 2)
-            return bat_fail(BATTEN_UNSUPPORTED, "curve %d of the network is a function", k);
+            return bat_fail(BATTEN_UNSUPPORTED, "curve %d of the network is a function", k + 1);
     const batten_box all = box_of(count, curves);
     const double low[3] = {all.low.x, all.low.y, all.low.z},
                  high[3] = {all.high.x, all.high.y, all.high.z};

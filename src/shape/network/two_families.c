@@ -39,7 +39,7 @@ static const char *label(const splitting *t, int k, char text[BAT_NETWORK_LABEL]
     if (t->names)
         snprintf(text, BAT_NETWORK_LABEL, "'%.100s' (%d of %d)", t->names[k], k + 1, t->count);
     else
-        snprintf(text, BAT_NETWORK_LABEL, "curve %d", k);
+        snprintf(text, BAT_NETWORK_LABEL, "curve %d", k + 1);
     return text;
 }
 

@@ -305,7 +305,7 @@ static batten_status check_options(const batten_fold_create_options *o)
         return bat_fail(BATTEN_BAD_ARGUMENT, "no angles are given along the crease");
     if (bat_first_not_finite(o->values, (size_t)o->count) < (size_t)o->count)
         return bat_fail(BATTEN_NOT_FINITE, "value %zu along the crease is not finite",
-                        bat_first_not_finite(o->values, (size_t)o->count));
+                        bat_first_not_finite(o->values, (size_t)o->count) + 1);
     if (o->torsion_count < 0 || (o->torsion_count > 0 && !o->torsions))
         return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d torsions", o->torsion_count);
     if (!(o->left > 0 && o->right > 0 && isfinite(o->left) && isfinite(o->right)))

@@ -18,9 +18,10 @@ static batten_status find_vectors(const double *points, bat_chord_polygon *out)
         q[1] = b[1] - a[1];
         out->length[j] = bat_norm(2, q);
         if (out->length[j] == 0)
-            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", j, next);
+            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", j + 1, next + 1);
         if (!isfinite(out->length[j]))
-            return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", j, next);
+            return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", j + 1,
+                            next + 1);
         out->unit = bat_max(out->unit, out->length[j]);
     }
     return BATTEN_OK;
@@ -78,7 +79,7 @@ batten_status bat_chord_polygon_check_turn(const bat_chord_polygon *c, int i)
     return bat_fail(BATTEN_SINGULAR_HERE,
                     "the polygon turns back on itself at point %d: to which side the curve "
                     "goes is not determined",
-                    i);
+                    i + 1);
 }
 
 double bat_chord_polygon_sharpest(const bat_chord_polygon *chords, int *at)

@@ -44,13 +44,13 @@ static batten_status accumulate(const bat_family *g, int used, double *u)
     for (int i = 0; i < n; i++) {
         const double share = u[i + 1] / used;
         if (!isfinite(share))
-            return bat_fail(BATTEN_OVERFLOW, "%s %d and %d are too far apart", g->name, i,
-                            (i + 1) % g->count);
+            return bat_fail(BATTEN_OVERFLOW, "%s %d and %d are too far apart", g->name, i + 1,
+                            (i + 1) % g->count + 1);
         /* A millionth of the mean step would leave a crease, not a surface. */
         if (share * n < 1e-6)
             return bat_fail(BATTEN_COINCIDENT,
-                            "%s %d and %d coincide: the step is %g of the length", g->name, i,
-                            (i + 1) % g->count, share);
+                            "%s %d and %d coincide: the step is %g of the length", g->name,
+                            i + 1, (i + 1) % g->count + 1, share);
         u[i + 1] = u[i] + share;
     }
     u[n] = 1;

@@ -222,8 +222,8 @@ static batten_status bad_pair(int count, int i, double step)
 {
     const int next = (i + 1) % count;
     if (step == 0)
-        return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", i, next);
-    return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", i, next);
+        return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", i + 1, next + 1);
+    return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", i + 1, next + 1);
 }
 
 void bat_steps(batten_points points, batten_parametrization kind, bool closed, double *steps)
@@ -247,8 +247,8 @@ static batten_status sum_steps(int count, bool closed, double *parameters)
         parameters[i + 1] = parameters[i] + step;
         if (parameters[i + 1] == parameters[i])
             return bat_fail(BATTEN_COINCIDENT,
-                            "points %d and %d coincide: the step %g is lost in %g", i,
-                            (i + 1) % count, step, parameters[i]);
+                            "points %d and %d coincide: the step %g is lost in %g", i + 1,
+                            (i + 1) % count + 1, step, parameters[i]);
     }
     return BATTEN_OK;
 }

@@ -102,9 +102,10 @@ static batten_status check_crease(const batten_surface *surface, batten_directio
         const double jump = bat_vec3_norm(bat_vec3_subtract(n[0], n[1]));
         if (jump > 1e-6)
             return bat_fail(BATTEN_NOT_COMPATIBLE,
-                            "the surface has a crease of %.3g degrees at %c = %.9g, where its "
+                            "the surface has a crease of %.3g degree%s at %c = %.9g, where its "
                             "offset would fall apart: split it there",
                             2 * bat_asin(bat_min(1, jump / 2)) * 180 / BAT_PI,
+                            bat_plural_real(2 * bat_asin(bat_min(1, jump / 2)) * 180 / BAT_PI, 3),
                             across == BATTEN_U ? 'u' : 'v', at);
     }
     return BATTEN_OK;

@@ -168,7 +168,7 @@ static batten_status check_plane(const batten_curve *curve, int axis, const char
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "control point %d of the %s has %c = %g: it must lie in the "
                             "%s-plane",
-                            i, name, axis == 1 ? 'y' : 'z', curve->points[3 * i + axis],
+                            i + 1, name, axis == 1 ? 'y' : 'z', curve->points[3 * i + axis],
                             axis == 1 ? "xz" : "xy");
     return BATTEN_OK;
 }

@@ -1,4 +1,5 @@
 /* Nodes along a spine: its lengths, and the axes that turn least. */
+#include "base/plural.h"
 #include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/sweep/motion_spine.h"
@@ -25,9 +26,9 @@ static batten_status check_corner(batten_corner_kind corners, double u, double a
         return BATTEN_OK;
     return bat_fail(
         BATTEN_NOT_COMPATIBLE,
-        "the spine has a corner of %g degrees at %.17g: ask for a mitre, or split it "
+        "the spine has a corner of %g degree%s at %.17g: ask for a mitre, or split it "
         "there",
-        degrees, u);
+        degrees, bat_plural_real(degrees, 6), u);
 }
 
 static void begin_run(bat_spine_motion *m, double u)

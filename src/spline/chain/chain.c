@@ -13,12 +13,12 @@ batten_status bat_chain_check_span(int dimension, const batten_span *span, int i
 {
     const bat_span_type *type = bat_span_type_of(span->kind);
     if (!type)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "span %d has no kind that is known", index);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "span %d has no kind that is known", index + 1);
     if (type->plane && dimension != 2)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "span %d is of kind %s, which is plane, not of %d "
                         "dimensions",
-                        index, type->name, dimension);
+                        index + 1, type->name, dimension);
     const double *const fields[] = {&span->length,   span->start,   &span->angle,
                                     span->curvature, &span->chord,  span->end,
                                     span->bend[0],   span->bend[1], &span->tension};
@@ -26,12 +26,12 @@ batten_status bat_chain_check_span(int dimension, const batten_span *span, int i
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
         if (bat_first_not_finite(fields[i], sizes[i]) < sizes[i])
             return bat_fail(BATTEN_NOT_FINITE, "span %d has a number that is not finite",
-                            index);
+                            index + 1);
     if (!(span->length > 0))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "span %d is %g long; it must be above 0", index,
-                        span->length);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "span %d is %g long; it must be above 0",
+                        index + 1, span->length);
     if (span->tension < 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "span %d has the tension %g, below 0", index,
+        return bat_fail(BATTEN_BAD_ARGUMENT, "span %d has the tension %g, below 0", index + 1,
                         span->tension);
     return type->check ? type->check(span, index) : BATTEN_OK;
 }
@@ -59,14 +59,14 @@ static batten_status check_gaps(const batten_chain *chain, double tolerance)
         double end[(BAT_CHAIN_ORDER + 1) * 3];
         bat_span_type_of(span->kind)->evaluate(d, span, span->length, 0, end);
         if (bat_first_not_finite(end, (size_t)d) < (size_t)d)
-            return bat_fail(BATTEN_OVERFLOW, "span %d ends beyond the numbers", i);
+            return bat_fail(BATTEN_OVERFLOW, "span %d ends beyond the numbers", i + 1);
         if (i == n - 1 && !chain->closed)
             break;
         const double gap = bat_distance(d, end, chain->spans[(i + 1) % n].start);
         if (!(gap <= tolerance))
             return bat_fail(BATTEN_NOT_COMPATIBLE,
-                            "span %d ends %g from where span %d begins; the tolerance is %g", i,
-                            gap, (i + 1) % n, tolerance);
+                            "span %d ends %g from where span %d begins; the tolerance is %g",
+                            i + 1, gap, (i + 1) % n + 1, tolerance);
     }
     return BATTEN_OK;
 }

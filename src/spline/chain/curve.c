@@ -116,7 +116,7 @@ static batten_status add_arcs(const batten_chain *chain, pieces *p, int i)
     const double parts = bat_max(1, ceil(turn / (BAT_PI / 2) * (1 - 1e-12)));
     const double a = chain->breaks[i], b = chain->breaks[i + 1];
     if (!(parts <= MAX_PIECES))
-        return bat_fail(BATTEN_TOO_LARGE, "span %d turns %g times", i, turn / (2 * BAT_PI));
+        return bat_fail(BATTEN_TOO_LARGE, "span %d turns %g times", i + 1, turn / (2 * BAT_PI));
     batten_status status = BATTEN_OK;
     for (int k = 0; k < (int)parts && status == BATTEN_OK; k++)
         status =
@@ -178,7 +178,7 @@ static batten_status add_hermite(const batten_chain *chain, pieces *p, int i, do
         if (status == BATTEN_OK && !(off <= tolerance)) {
             if (!bat_halving_split(&h))
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                                "span %d of the chain comes within %g, not %g", i, off,
+                                "span %d of the chain comes within %g, not %g", i + 1, off,
                                 tolerance);
             continue;
         }

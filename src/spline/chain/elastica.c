@@ -163,5 +163,5 @@ batten_status bat_span_elastica_check(const batten_span *span, int index)
         BATTEN_TOO_LARGE,
         "span %d is %g long, too long for an elastica with the curvature %g and its "
         "derivative %g at the start",
-        index, span->length, span->curvature[0], span->curvature[1]);
+        index + 1, span->length, span->curvature[0], span->curvature[1]);
 }

@@ -121,13 +121,13 @@ batten_status bat_span_geometric_check(const batten_span *span, int index)
     if (!(bat_cos(span->angle - span->chord) > 0))
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
-            "span %d begins at %g radians to its chord, not less than a right angle", index,
+            "span %d begins at %g radians to its chord, not less than a right angle", index + 1,
             span->angle - span->chord);
     for (int i = 0; i < 3; i++)
         if (!(fabs(u[i]) < 1))
             return bat_fail(BATTEN_BAD_ARGUMENT,
                             "span %d would turn a right angle away from its chord: the sine of "
                             "its angle reaches %g",
-                            index, u[i]);
+                            index + 1, u[i]);
     return BATTEN_OK;
 }

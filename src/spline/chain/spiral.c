@@ -22,7 +22,7 @@ batten_status bat_span_spiral_check(const batten_span *span, int index)
     if (turn <= BAT_FRESNEL_TURN)
         return BATTEN_OK;
     return bat_fail(BATTEN_TOO_LARGE, "span %d turns by up to %g radians; the limit is %g",
-                    index, turn, BAT_FRESNEL_TURN);
+                    index + 1, turn, BAT_FRESNEL_TURN);
 }
 
 void bat_span_spiral(int d, const batten_span *span, double t, int order, double *out)

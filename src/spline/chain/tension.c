@@ -83,7 +83,7 @@ batten_status bat_span_tension_check(const batten_span *span, int index)
 {
     if (!isfinite(span->tension * span->length))
         return bat_fail(BATTEN_OVERFLOW,
-                        "span %d: its tension %g times its length %g is too large", index,
+                        "span %d: its tension %g times its length %g is too large", index + 1,
                         span->tension, span->length);
     return BATTEN_OK;
 }

@@ -169,7 +169,7 @@ static batten_status evaluate_each(const batch *work, size_t begin, size_t end)
             continue;
         char reason[256];
         snprintf(reason, sizeof reason, "%s", batten_message());
-        return bat_fail(status, "parameter %zu of the batch: %s", i, reason);
+        return bat_fail(status, "parameter %zu of the batch: %s", i + 1, reason);
     }
     return BATTEN_OK;
 }

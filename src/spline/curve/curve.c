@@ -55,8 +55,8 @@ static batten_status check_points(const batten_curve *curve)
     const size_t d = (size_t)curve->dimension, total = (size_t)curve->count * d;
     const size_t i = bat_first_not_finite(curve->points, total);
     if (i < total)
-        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of control point %zu is %g", i % d,
-                        i / d, curve->points[i]);
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of control point %zu is %g",
+                        i % d + 1, i / d + 1, curve->points[i]);
     return BATTEN_OK;
 }
 
@@ -66,10 +66,10 @@ static batten_status check_weights(batten_curve *curve)
     for (int i = 0; curve->weights && i < curve->count; i++) {
         const double w = curve->weights[i];
         if (!isfinite(w))
-            return bat_fail(BATTEN_NOT_FINITE, "weight %d is %g", i, w);
+            return bat_fail(BATTEN_NOT_FINITE, "weight %d is %g", i + 1, w);
         if (w <= 0)
-            return bat_fail(BATTEN_BAD_WEIGHT, "weight %d is %g; weights must be positive", i,
-                            w);
+            return bat_fail(BATTEN_BAD_WEIGHT, "weight %d is %g; weights must be positive",
+                            i + 1, w);
         largest = bat_max(largest, w);
     }
     /* Two steps, for 2^1074 is not a number and the least weight may need it. */
@@ -117,11 +117,11 @@ static batten_status check_period(int m, const double *period)
 {
     for (int i = 0; i <= m; i++)
         if (!isfinite(period[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "knot %d is %g", i, period[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "knot %d is %g", i + 1, period[i]);
     if (!(period[m] > period[0]))
         return bat_fail(BATTEN_BAD_KNOTS,
-                        "the period is empty: knot 0 is %.17g and knot %d is %.17g", period[0],
-                        m, period[m]);
+                        "the period is empty: knot 1 is %.17g and knot %d is %.17g", period[0],
+                        m + 1, period[m]);
     return BATTEN_OK;
 }
 

@@ -46,7 +46,7 @@ static batten_status check_rows(const bat_spline *spline)
     const size_t i = bat_first_not_finite(spline->values, total);
     if (i < total)
         return bat_fail(BATTEN_OVERFLOW, "control point %zu became too large for a number",
-                        i / spline->width);
+                        i / spline->width + 1);
     return BATTEN_OK;
 }
 

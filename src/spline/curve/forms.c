@@ -166,7 +166,7 @@ static batten_status check_joint(size_t d, int joint, const double *end, const d
     const double gap = bat_distance((int)d, end, start);
     if (!(gap <= tolerance))
         return bat_fail(BATTEN_NOT_COMPATIBLE, "pieces %d and %d are %g apart, more than %g",
-                        joint - 1, joint, gap, tolerance);
+                        joint - 1 + 1, joint + 1, gap, tolerance);
     return BATTEN_OK;
 }
 

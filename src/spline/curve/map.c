@@ -61,7 +61,7 @@ static batten_status check_moebius(const batten_curve *curve, double a, double b
         if (!(c * curve->knots[i] + d > 0))
             return bat_fail(BATTEN_BAD_ARGUMENT,
                             "%g u + %g is %g at knot %d, %g; it must be positive", c, d,
-                            c * curve->knots[i] + d, i, curve->knots[i]);
+                            c * curve->knots[i] + d, i + 1, curve->knots[i]);
     return BATTEN_OK;
 }
 
@@ -245,5 +245,5 @@ batten_status batten_curve_transform(const batten_curve *curve, const batten_aff
         return bat_curve_finish(made, out);
     batten_curve_unref(made);
     return bat_fail(BATTEN_OVERFLOW, "control point %zu is mapped to where numbers end",
-                    bad / (size_t)d);
+                    bad / (size_t)d + 1);
 }

@@ -30,13 +30,13 @@ static batten_status chord_knots(int d, int count, const double *points, double 
         const double chord = bat_distance(d, points + (size_t)(i - 1) * (size_t)d,
                                           points + (size_t)i * (size_t)d);
         if (!isfinite(chord))
-            return bat_fail(BATTEN_NOT_FINITE, "the distance of points %d and %d is %g", i - 1,
-                            i, chord);
+            return bat_fail(BATTEN_NOT_FINITE, "the distance of points %d and %d is %g",
+                            i - 1 + 1, i + 1, chord);
         knots[i + 1] = knots[i] + chord;
         if (!(knots[i + 1] > knots[i]))
             return bat_fail(BATTEN_COINCIDENT,
-                            "points %d and %d coincide: %g apart on a length of %g", i - 1, i,
-                            chord, knots[i]);
+                            "points %d and %d coincide: %g apart on a length of %g", i - 1 + 1,
+                            i + 1, chord, knots[i]);
     }
     knots[count + 1] = knots[count];
     return BATTEN_OK;

@@ -138,13 +138,13 @@ static batten_status check_five(const double *points)
 {
     const size_t bad = bat_first_not_finite(points, 10);
     if (bad < 10)
-        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is %g", bad % 2,
-                        bad / 2, points[bad]);
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is %g", bad % 2 + 1,
+                        bad / 2 + 1, points[bad]);
     for (int i = 0; i < 5; i++)
         for (int j = i + 1; j < 5; j++)
             if (points[2 * i] == points[2 * j] && points[2 * i + 1] == points[2 * j + 1])
-                return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide at (%g, %g)", i,
-                                j, points[2 * i], points[2 * i + 1]);
+                return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide at (%g, %g)",
+                                i + 1, j + 1, points[2 * i], points[2 * i + 1]);
     return BATTEN_OK;
 }
 

@@ -10,14 +10,14 @@ static batten_status check_order(int count, const double *knots, const char *wha
 {
     for (int i = 0; i < count; i++) {
         if (!isfinite(knots[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "%s %d is %g", what, i, knots[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "%s %d is %g", what, i + 1, knots[i]);
         if (i > 0 && knots[i] < knots[i - 1])
             return bat_fail(BATTEN_BAD_KNOTS, "%s %d is %.17g, below %s %d, which is %.17g",
-                            what, i, knots[i], what, i - 1, knots[i - 1]);
+                            what, i + 1, knots[i], what, i, knots[i - 1]);
     }
     if (!isfinite(knots[count - 1] - knots[0]))
-        return bat_fail(BATTEN_BAD_KNOTS, "%s 0 is %g and %s %d is %g: too far apart", what,
-                        knots[0], what, count - 1, knots[count - 1]);
+        return bat_fail(BATTEN_BAD_KNOTS, "%s 1 is %g and %s %d is %g: too far apart", what,
+                        knots[0], what, count, knots[count - 1]);
     return BATTEN_OK;
 }
 
@@ -30,7 +30,7 @@ batten_status bat_knots_check(int degree, int count, const double *knots, const 
     const double a = knots[p], b = knots[count];
     if (a >= b)
         return bat_fail(BATTEN_BAD_KNOTS, "the domain is empty: %s %d and %s %d are both %.17g",
-                        what, p, what, count, a);
+                        what, p + 1, what, count + 1, a);
     for (int i = 0, times = 1; i < knot_count; i++, times++) {
         if (i > 0 && knots[i] > knots[i - 1])
             times = 1;
@@ -38,7 +38,7 @@ batten_status bat_knots_check(int degree, int count, const double *knots, const 
         if (times > most)
             return bat_fail(BATTEN_BAD_KNOTS,
                             "%s %d, %.17g, stands more than %d times, too often for degree %d",
-                            what, i, knots[i], most, p);
+                            what, i + 1, knots[i], most, p);
     }
     return BATTEN_OK;
 }
@@ -97,12 +97,12 @@ batten_status bat_knots_check_insertion(int degree, int count, const double *kno
         const double u = new_knots[i];
         if (!(u >= a && u <= b))
             return bat_fail(isfinite(u) ? BATTEN_OUT_OF_DOMAIN : BATTEN_NOT_FINITE,
-                            "knot %d to insert is %.17g, not in the domain [%.17g, %.17g]", i,
-                            u, a, b);
+                            "knot %d to insert is %.17g, not in the domain [%.17g, %.17g]",
+                            i + 1, u, a, b);
         if (i > 0 && u < new_knots[i - 1])
             return bat_fail(BATTEN_NOT_INCREASING,
-                            "knot %d to insert is %.17g, below knot %d, which is %.17g", i, u,
-                            i - 1, new_knots[i - 1]);
+                            "knot %d to insert is %.17g, below knot %d, which is %.17g", i + 1,
+                            u, i - 1 + 1, new_knots[i - 1]);
         if (i > 0 && u > new_knots[i - 1])
             times = 1;
         int have = 0;
@@ -165,7 +165,7 @@ batten_status bat_knots_map(int degree, int count, const double *knots, double a
             return bat_fail(
                 BATTEN_BAD_KNOTS,
                 "knots %d and %d, %.17g and %.17g, cannot be told apart in [%.17g, %.17g]",
-                i - 1, i, knots[i - 1], knots[i], a, b);
+                i - 1 + 1, i + 1, knots[i - 1], knots[i], a, b);
     }
     return bat_knots_check(degree, count, out, "new knot");
 }

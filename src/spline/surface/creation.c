@@ -45,11 +45,12 @@ static batten_status check_period(const batten_axis *axis, const char *name)
     const int m = axis->point_count;
     for (int i = 0; i <= m; i++)
         if (!isfinite(axis->knots[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "knot %d in %s is %g", i, name, axis->knots[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "knot %d in %s is %g", i + 1, name,
+                            axis->knots[i]);
     if (!(axis->knots[m] > axis->knots[0]))
         return bat_fail(BATTEN_BAD_KNOTS,
-                        "the period in %s is empty: knot 0 is %.17g and knot %d is %.17g", name,
-                        axis->knots[0], m, axis->knots[m]);
+                        "the period in %s is empty: knot 1 is %.17g and knot %d is %.17g", name,
+                        axis->knots[0], m + 1, axis->knots[m]);
     return BATTEN_OK;
 }
 

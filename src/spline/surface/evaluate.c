@@ -297,8 +297,8 @@ static batten_status try_place(const bat_axis axes[2], size_t i, const double uv
         double u = uv[k];
         const batten_status status = bat_axis_place(&axes[k], BATTEN_FROM_RIGHT, &u);
         if (status != BATTEN_OK)
-            return bat_fail(status, "point %zu: %c = %.17g is not in the domain [%g, %g]", i,
-                            k ? 'v' : 'u', u, axes[k].breaks[0],
+            return bat_fail(status, "point %zu: %c = %.17g is not in the domain [%g, %g]",
+                            i + 1, k ? 'v' : 'u', u, axes[k].breaks[0],
                             axes[k].breaks[axes[k].span_count]);
     }
     return BATTEN_OK;

@@ -123,7 +123,7 @@ static batten_status check_gap(const joint *work)
         if (!(gap <= work->tolerance))
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "the edges to join are %g apart at control point %zu, more than %g",
-                            gap, i / work->width, work->tolerance);
+                            gap, i / work->width + 1, work->tolerance);
     }
     return BATTEN_OK;
 }

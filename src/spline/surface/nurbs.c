@@ -65,7 +65,7 @@ static batten_status check_points(bat_nurbs *nurbs, size_t count, size_t count_v
     const size_t at = bat_first_not_finite(nurbs->points, count * d);
     if (at < count * d)
         return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of control point (%zu, %zu) is %g",
-                        at % d, at / d / count_v, at / d % count_v, nurbs->points[at]);
+                        at % d + 1, at / d / count_v, at / d % count_v, nurbs->points[at]);
     for (size_t i = 0; i < count * d; i++)
         nurbs->largest = bat_max(nurbs->largest, fabs(nurbs->points[i]));
     return BATTEN_OK;
@@ -374,7 +374,7 @@ static batten_status transform_nurbs(const batten_surface *surface, const batten
         return bat_nurbs_finish(made, out);
     bat_nurbs_free(made);
     return bat_fail(BATTEN_OVERFLOW, "control point %zu is mapped to where numbers end",
-                    bad / (size_t)d);
+                    bad / (size_t)d + 1);
 }
 
 /* ---- the table ---- */

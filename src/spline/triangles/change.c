@@ -259,7 +259,7 @@ batten_status batten_triangles_select(const batten_triangles *triangles, int cou
     for (int i = 0; i < count; i++)
         if (which[i] < 0 || which[i] >= triangles->count)
             return bat_fail(BATTEN_OUT_OF_DOMAIN, "triangle %d does not exist; there are %d",
-                            which[i], triangles->count);
+                            which[i] + 1, triangles->count);
     if ((long long)count * (long long)triangles->net_count > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE,
                         "%d triangles of degree %d have more than %d control points", count,

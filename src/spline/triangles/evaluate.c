@@ -18,10 +18,10 @@ static batten_status check_place(const batten_triangles *triangles, int triangle
 {
     if (triangle < 0 || triangle >= triangles->count)
         return bat_fail(BATTEN_OUT_OF_DOMAIN, "triangle %d does not exist; there are %d",
-                        triangle, triangles->count);
+                        triangle + 1, triangles->count);
     if (bat_first_not_finite(at, 3) < 3)
         return bat_fail(BATTEN_NOT_FINITE, "barycentric coordinate %zu is %g",
-                        bat_first_not_finite(at, 3), at[bat_first_not_finite(at, 3)]);
+                        bat_first_not_finite(at, 3) + 1, at[bat_first_not_finite(at, 3)]);
     if (fabs(at[0] + at[1] + at[2] - 1) > SLACK)
         return bat_fail(BATTEN_OUT_OF_DOMAIN,
                         "the barycentric coordinates %.17g, %.17g, %.17g have the sum %.17g",
@@ -58,7 +58,7 @@ static batten_status evaluate(const batten_triangles *triangles, int triangle,
         return BATTEN_OK;
     return bat_fail(BATTEN_OVERFLOW,
                     "the point or a derivative of triangle %d is too large for a number",
-                    triangle);
+                    triangle + 1);
 }
 
 batten_status batten_triangles_evaluate(const batten_triangles *triangles, int triangle,

@@ -76,8 +76,8 @@ static batten_status check_smooth_join(const batten_triangles *triangles, int ke
         return bat_fail(BATTEN_BAD_ARGUMENT, "order %d is not in 0..%d", order,
                         triangles->degree);
     if (keep == change || shared_edge(triangles, change, keep) < 0)
-        return bat_fail(BATTEN_NOT_COMPATIBLE, "triangles %d and %d share no edge", keep,
-                        change);
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "triangles %d and %d share no edge", keep + 1,
+                        change + 1);
     return BATTEN_OK;
 }
 
@@ -182,8 +182,8 @@ static batten_status solve_end(const batten_triangles *triangles, const seam *jo
     const double det = dd * ee - de * de;
     if (!(det > 64 * DBL_EPSILON * dd * ee))
         return bat_fail(BATTEN_SINGULAR_HERE,
-                        "triangle %d has no tangent plane at one end of edge %d", joint->kept,
-                        joint->edge_kept);
+                        "triangle %d has no tangent plane at one end of edge %d",
+                        joint->kept + 1, joint->edge_kept + 1);
     const double dx = bat_dot(3, D, X), ex = bat_dot(3, E, X);
     kh[0] = (ee * dx - de * ex) / det;
     kh[1] = (dd * ex - de * dx) / det;
@@ -191,7 +191,7 @@ static batten_status solve_end(const batten_triangles *triangles, const seam *jo
         return BATTEN_OK;
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "triangle %d folds back over triangle %d at one end of the edge",
-                    joint->changed, joint->kept);
+                    joint->changed + 1, joint->kept + 1);
 }
 
 /* The rows 0 and 1 of the changed triangle of `made`, which is elevated by one. */
@@ -238,7 +238,8 @@ batten_status batten_triangles_join_tangents(const batten_triangles *triangles,
     if (kept.triangle == changed.triangle || !(gap <= tolerance))
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "edge %d of triangle %d and edge %d of triangle %d are %g apart",
-                        kept.edge, kept.triangle, changed.edge, changed.triangle, gap);
+                        kept.edge + 1, kept.triangle + 1, changed.edge + 1,
+                        changed.triangle + 1, gap);
     double start[2], end[2], longest = 0;
     batten_triangles *elevated = NULL, *made = NULL;
     batten_status status = solve_end(triangles, &joint, 0, start);

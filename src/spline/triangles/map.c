@@ -65,5 +65,5 @@ batten_status batten_triangles_transform(const batten_triangles *triangles,
     bat_triangles_free(made);
     return bat_fail(BATTEN_OVERFLOW,
                     "control point %zu of triangle %zu is mapped to where numbers end",
-                    bad / d % triangles->net_count, bad / d / triangles->net_count);
+                    bad / d % triangles->net_count + 1, bad / d / triangles->net_count + 1);
 }

@@ -66,7 +66,7 @@ static batten_status turn_slopes(const bat_walk *walk, int t, size_t dimension, 
     }
     return bat_first_not_finite(table, 3 * dimension) == 3 * dimension
                ? BATTEN_OK
-               : bat_fail(BATTEN_OVERFLOW, "a derivative in triangle %d is no number", t);
+               : bat_fail(BATTEN_OVERFLOW, "a derivative in triangle %d is no number", t + 1);
 }
 
 typedef struct {
@@ -80,7 +80,7 @@ typedef struct {
 static batten_status find_place(place_finder *finder, size_t i, const double *p, double at[3])
 {
     if (!isfinite(p[0]) || !isfinite(p[1]))
-        return bat_fail(BATTEN_NOT_FINITE, "place %zu is (%g, %g)", i, p[0], p[1]);
+        return bat_fail(BATTEN_NOT_FINITE, "place %zu is (%g, %g)", i + 1, p[0], p[1]);
     const int t = bat_walk_find(&finder->walk, finder->t, p, at);
     if (t >= 0) {
         finder->t = t;
@@ -89,7 +89,7 @@ static batten_status find_place(place_finder *finder, size_t i, const double *p,
     }
     if (finder->outside == BATTEN_OUTSIDE_REFUSED)
         return bat_fail(BATTEN_OUT_OF_DOMAIN, "place %zu, (%g, %g), is outside the triangles",
-                        i, p[0], p[1]);
+                        i + 1, p[0], p[1]);
     finder->outside_count++;
     finder->t = nearest_on_rim(&finder->walk, p, at);
     return BATTEN_OK;

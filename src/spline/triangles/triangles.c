@@ -132,8 +132,8 @@ static batten_status check_points(batten_triangles *made)
     const size_t at = bat_first_not_finite(made->points, total);
     if (at < total)
         return bat_fail(BATTEN_NOT_FINITE,
-                        "coordinate %zu of control point %zu of triangle %zu is %g", at % d,
-                        at / d % each, at / d / each, made->points[at]);
+                        "coordinate %zu of control point %zu of triangle %zu is %g", at % d + 1,
+                        at / d % each + 1, at / d / each + 1, made->points[at]);
     for (size_t i = 0; i < total; i++)
         made->largest = bat_max(made->largest, fabs(made->points[i]));
     return BATTEN_OK;
@@ -146,12 +146,12 @@ static batten_status check_weights(batten_triangles *made)
     for (size_t i = 0; i < total; i++) {
         const double w = made->weights[i];
         if (!isfinite(w))
-            return bat_fail(BATTEN_NOT_FINITE, "weight %zu of triangle %zu is %g", i % each,
-                            i / each, w);
+            return bat_fail(BATTEN_NOT_FINITE, "weight %zu of triangle %zu is %g", i % each + 1,
+                            i / each + 1, w);
         if (w <= 0)
             return bat_fail(BATTEN_BAD_WEIGHT,
                             "weight %zu of triangle %zu is %g; weights must be positive",
-                            i % each, i / each, w);
+                            i % each + 1, i / each + 1, w);
         largest = bat_max(largest, w);
     }
     made->weight_scale = ldexp(1, bat_min_int(-ilogb(largest), 1023)); /* 2^1074 is no number */
@@ -172,21 +172,21 @@ static batten_status check_triangle(const batten_triangles *made, int t)
     for (int e = 0; e < 3; e++)
         if (corners[e] < 0 || corners[e] >= made->vertex_count)
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "corner %d of triangle %d is vertex %d; there are %d", e, t,
-                            corners[e], made->vertex_count);
+                            "corner %d of triangle %d is vertex %d; there are %d", e + 1, t + 1,
+                            corners[e] + 1, made->vertex_count);
     double noise;
     const double area =
         area_of(made->vertices + 2 * corners[0], made->vertices + 2 * corners[1],
                 made->vertices + 2 * corners[2], &noise);
     if (!(fabs(area) > noise))
         return bat_fail(BATTEN_SINGULAR_HERE,
-                        "triangle %d of the domain, at vertices %d, %d and %d, has no area", t,
-                        corners[0], corners[1], corners[2]);
+                        "triangle %d of the domain, at vertices %d, %d and %d, has no area",
+                        t + 1, corners[0] + 1, corners[1] + 1, corners[2] + 1);
     if (area < 0)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "triangle %d of the domain, at vertices %d, %d and %d, goes round "
                         "clockwise",
-                        t, corners[0], corners[1], corners[2]);
+                        t + 1, corners[0] + 1, corners[1] + 1, corners[2] + 1);
     return BATTEN_OK;
 }
 
@@ -195,8 +195,8 @@ static batten_status check_domain(const batten_triangles *made)
     const size_t count = 2 * (size_t)made->vertex_count;
     const size_t at = count ? bat_first_not_finite(made->vertices, count) : 0;
     if (at < count)
-        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of vertex %zu is %g", at % 2, at / 2,
-                        made->vertices[at]);
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of vertex %zu is %g", at % 2 + 1,
+                        at / 2 + 1, made->vertices[at]);
     batten_status status = BATTEN_OK;
     for (int t = 0; made->vertex_count && t < made->count && status == BATTEN_OK; t++)
         status = check_triangle(made, t);

@@ -37,8 +37,8 @@ static batten_status check_points(int count, const double *points,
                         (int)BAT_MAX_POINTS);
     const size_t at = bat_first_not_finite(points, 2 * (size_t)count);
     if (at < 2 * (size_t)count)
-        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is %g", at % 2, at / 2,
-                        points[at]);
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is %g", at % 2 + 1,
+                        at / 2 + 1, points[at]);
     if (!(options->tolerance >= 0) || !isfinite(options->tolerance))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g; it must not be below 0",
                         options->tolerance);
@@ -206,7 +206,7 @@ static batten_status no_area(int vertex_count, const int *first)
     return bat_fail(BATTEN_COINCIDENT,
                     "all %d points lie on one line, with points %d and %d: there are no "
                     "triangles between them",
-                    vertex_count, first[0], first[1]);
+                    vertex_count, first[0] + 1, first[1] + 1);
 }
 
 static batten_status find_triangles(const double *scaled, batten_plane_triangles *out)

@@ -113,7 +113,7 @@ TEST(a_missing_face_leaves_free_edges_and_an_open_shell)
     CHECK_INT(f.shared_edges, 8);
     CHECK_INT(f.open_shells, 1);
     if (batten_notes_dropped(notes) == 0) {
-        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "shell 0");
+        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "shell 1");
         CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "4 of its edges");
     }
     batten_notes_free(notes);
@@ -170,7 +170,7 @@ TEST(a_moved_vertex_leaves_gaps_with_their_size)
         CHECK(batten_notes_count(notes) >= 3);
         CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "0.01");
         CHECK_CONTAINS(batten_notes_at(notes, 0)->entity, "edge");
-        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "face 0 \"left\"");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "face 1 \"left\"");
     }
     batten_notes_free(notes);
     c = begin_change();
@@ -196,7 +196,7 @@ TEST(an_edge_that_leaves_its_faces_is_loose)
     CHECK_NEAR(f.largest_miss, sqrt(2) * 0.01, 1e-3 + 0.0042); /* from the rim of the surface */
     CHECK(f.largest_miss >= 0.01 - 1e-12);
     if (batten_notes_dropped(notes) == 0)
-        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "edge 0 misses its surface by");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "edge 1 misses its surface by");
     batten_notes_free(notes);
 }
 
@@ -264,9 +264,9 @@ TEST(G8_a_crossing_is_named_with_its_place)
     CHECK_OK(batten_body_check(body, 1e-6, NULL, notes, &f));
     if (batten_notes_dropped(notes) == 0) {
         CHECK(batten_notes_count(notes) >= 2);
-        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "face 0 \"sheet\"");
+        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "face 1 \"sheet\"");
         CHECK_CONTAINS(batten_notes_at(notes, 0)->text,
-                       "edges 1 and 7 of its loops 0 and 1 cross at (u, v) = (4, 1)");
+                       "edges 2 and 8 of its loops 1 and 2 cross at (u, v) = (4, 1)");
     }
     batten_notes_free(notes);
     batten_body_unref(body);
@@ -312,8 +312,8 @@ TEST(shells_that_are_turned_inside_out_are_told)
         const char *entity, *words;
     } cases[] = {
         {false, false, NULL, NULL},
-        {true, false, "shell 0", "bounds the solid and is turned inward: its volume is -33.51"},
-        {false, true, "shell 1",
+        {true, false, "shell 1", "bounds the solid and is turned inward: its volume is -33.51"},
+        {false, true, "shell 2",
          "bounds a void of the solid and is turned outward: its volume is 4.188"}};
     for (int i = 0; i < 3; i++) {
         batten_body *body = hollow_ball(cases[i].outer, cases[i].inner, true);

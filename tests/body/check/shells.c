@@ -77,7 +77,7 @@ TEST(the_rim_of_an_open_shell_is_counted_without_poles_and_seams)
     CHECK_INT(faults.poles, 1);
     CHECK_INT(faults.seams, 1);
     if (batten_notes_dropped(notes) == 0) {
-        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "shell 0");
+        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "shell 1");
         CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "but 1 of its edges");
     }
     batten_notes_free(notes);

@@ -26,7 +26,7 @@ TEST(the_area_in_a_loop_that_crosses_itself_is_not_met)
     batten_body *body = plate_within(4, corners);
     batten_body_measures m;
     CHECK_STATUS(batten_body_measure(body, 1e-8, NULL, &m), BATTEN_TOLERANCE_NOT_MET);
-    CHECK_MESSAGE("1 of 1 faces have loops that cross, face 0 first");
+    CHECK_MESSAGE("1 of 1 faces have loops that cross, face 1 first");
     CHECK(fabs(m.area - 20.0 / 3) <= m.area_error);
     batten_body_unref(body);
 }

@@ -129,7 +129,7 @@ TEST(an_edge_off_its_face_leaves_the_face_out)
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the tolerance is 0");
     CHECK_OK(batten_body_trace(body, 1e-6, NULL, notes, NULL, &traced));
-    check_note(notes, "face 0", "left out: the edge is 0.01 off the surface at its end");
+    check_note(notes, "face 1", "left out: the edge is 0.01 off the surface at its end");
     batten_body_unref(traced);
     batten_body_unref(body);
     batten_notes_free(notes);
@@ -155,7 +155,7 @@ TEST(a_face_with_edges_a_little_off_is_traced_with_a_note)
     CHECK_NEAR(report.error, 5e-5, 1e-12);
     CHECK_NEAR(batten_body_view(traced)->tolerance, 5e-5, 1e-12);
     check_traced(traced, 5.1e-5);
-    check_note(notes, "face 0", "its edges are more than 1e-06 off it");
+    check_note(notes, "face 1", "its edges are more than 1e-06 off it");
     batten_body_unref(traced);
     batten_body_unref(body);
     batten_notes_free(notes);

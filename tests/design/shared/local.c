@@ -93,7 +93,7 @@ TEST(local_methods_say_what_they_cannot_do)
         {"{tangents-and-curvatures: p, curvatures: [1, 2]}", "2 numbers for 5 points"},
         {"{hermite: p, tangents: [[1, 0], [0, 1]]}", "2 vectors for 5 points"},
         {"{hermite: p, tangents: [[1, 0], [1, 0], [0, 0], [1, 0], [1, 0]]}",
-         "tangent at point 2 has no length"},
+         "tangent at point 3 has no length"},
         {"{hermite: ring, closed: yes, degree: quintic}", "a closed curve is cubic here"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
@@ -132,8 +132,8 @@ TEST(g3_what_local_methods_cannot_keep_is_noted)
         "{catmull-rom: q, blend: 3, local: 0}", "{interpolate: rise, as: function}",
         "{interpolate: rise, as: function, ends: natural}"};
     static const char *const says[] = {
-        "the first is point 1", "keeps the tangents alone", "passes near the points",
-        "points are convex, but the curve bends back at point", "because point 1 stands out"};
+        "the first is point 2", "keeps the tangents alone", "passes near the points",
+        "points are convex, but the curve bends back at point", "because point 2 stands out"};
     for (int i = 0; i < COUNT(says); i++) {
         batten_notes *notes = NULL;
         CHECK_OK(batten_notes_create(4, &notes));

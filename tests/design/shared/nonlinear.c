@@ -29,7 +29,7 @@ TEST(ends_are_natural_circular_or_given)
         {"{euler-spiral: round, ends: circular}", BATTEN_OK, "within 1e-8;distance 5 0 0 0"},
         {"{local-tension: p, tension: 1000, ends: natural}", BATTEN_OK,
          "passes;within 1e-2;length 4.2110828526"},
-        {"{euler-spiral: z}", BATTEN_OK, "notes degrees at point 1: look at the curve there"},
+        {"{euler-spiral: z}", BATTEN_OK, "notes degrees at point 2: look at the curve there"},
         {"{euler-spiral: p}", BATTEN_OK, "silent"},
     };
     EXPECT(points, others);

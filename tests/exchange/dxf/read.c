@@ -496,10 +496,10 @@ TEST(P2_a_bad_entity_is_left_out_and_the_next_is_read)
          "group 20 appears 1 times"},
         {"0 LWPOLYLINE|8 0|90 1|10 0|20 0|", "a path of 1 point"},
         {"0 POLYLINE|8 0|70 64|0 VERTEX|10 0|20 0|0 SEQEND|8 0|",
-         "it is a mesh, and none of its 0 faces is valid"},
+         "it is a mesh, and its 0 faces are not valid"},
         {"0 POLYLINE|8 0|70 64|0 VERTEX|70 192|10 0|20 0|0 VERTEX|70 128|71 1|72 1|73 2|"
          "0 SEQEND|8 0|",
-         "it is a mesh, and none of its 1 faces is valid"},
+         "it is a mesh, and its 1 face is not valid"},
         {"0 POLYLINE|8 0|70 16|71 2|72 1000000|0 VERTEX|70 64|10 0|20 0|0 SEQEND|8 0|",
          "it has 1 points where its grid of 2 x 1000000"},
         {"0 INSERT|8 0|2 nothing|", "there is no block 'nothing'"},
@@ -527,7 +527,7 @@ TEST(Q1_lines_that_are_no_codes_are_refused_by_number)
     check_refused("0\nSECTION\n2\nENTITIES\nzero\nLINE\n", BATTEN_FORMAT_DXF, BATTEN_BAD_FORMAT,
                   "t:5: 'zero' is not the code of a group");
     check_refused(lines("0 SECTION|2 ENTITIES|0 TEXT|1 a|0 ENDSEC|0 EOF"), BATTEN_FORMAT_AUTO,
-                  BATTEN_UNSUPPORTED, "none of its 1 entities could be read");
+                  BATTEN_UNSUPPORTED, "its 1 entity could not be read");
 }
 
 TEST(F3_line_ends_of_every_kind_say_the_same)

@@ -33,9 +33,9 @@ TEST(each_line_of_a_ship_that_is_bent_is_named_with_what_it_should_be)
         int line;
         const char *instead, *listing;
     } cases[] = {
-        {27, "1 1", "t:27: point 2 does not have three coordinates\n"},
-        {27, "1 1 1 1", "t:27: point 2 does not have three coordinates\n"},
-        {27, "1 x 1", "t:27: point 2 does not have three coordinates\n"},
+        {27, "1 1", "t:27: point 3 does not have three coordinates\n"},
+        {27, "1 1 1 1", "t:27: point 3 does not have three coordinates\n"},
+        {27, "1 x 1", "t:27: point 3 does not have three coordinates\n"},
         {35, "8", "t:35: the number of edges is not a whole number from 0 to 7\n"},
         {35, "-1", "t:35: the number of edges is not a whole number from 0 to 7\n"},
         {36, "4", "t:36: an end of an edge is not a whole number from 0 to 3\n"},

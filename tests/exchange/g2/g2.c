@@ -193,7 +193,7 @@ TEST(P4_what_is_not_read_is_counted_and_named)
     batten_notes_free(notes);
     batten_model_unref(model);
     check_refused("700 1 0 0\n3 0\n", BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED,
-                  "none of its 1 objects could be read: objects of this class are not read");
+                  "its 1 object could not be read: objects of this class are not read");
 }
 
 TEST(P2_a_bad_object_is_left_out_and_the_next_is_read)
@@ -208,7 +208,7 @@ TEST(P2_a_bad_object_is_left_out_and_the_next_is_read)
         {HEAD_CURVE "3 0\n-3 3\n", "the number of points is -3"},
         {HEAD_CURVE "3 0\n1000 3\n", "cannot stand in the"},
         {HEAD_CURVE "9 0\n3 3\n", "the dimension is 9"},
-        {HEAD_CURVE "3 1\n3 3\n0 0 0 1 1 1\n2 0 0 1\n2 2 0 0\n0 4 0 2\n", "weight 1 is 0"},
+        {HEAD_CURVE "3 1\n3 3\n0 0 0 1 1 1\n2 0 0 1\n2 2 0 0\n0 4 0 2\n", "weight 2 is 0"},
         {"120 1 0 0\n3\n0 0 0\n1 0 0\n", "the line has no ends"},
         {"130 1 0 0\n3\n2\n0 0 0\n0 0 1\n0 0 2\n0 1\n0\n", "0 or parallel"},
         {"260 1 0 0\n3\n2\n0 0 0\n0 0 2\n1 0 0\n0\n0 3\n0\n", "the surface has no bounds"},

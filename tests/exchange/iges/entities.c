@@ -96,7 +96,7 @@ TEST(K3_decreasing_knots_and_K8_bad_weights_leave_the_entity_out)
 {
     check_left_out(
         126, "126,2,2,0,0,1,0,0.,0.,0.,1.,0.5,1.,1.,1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;",
-        "knot 4 is 0.5");
+        "knot 5 is 0.5");
     check_left_out(
         126, "126,2,2,0,0,0,0,0.,0.,0.,1.,1.,1.,1.,-1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;",
         "weight");
@@ -328,7 +328,8 @@ TEST(Q4_references_to_nothing_to_another_type_or_in_a_ring_leave_the_entity_out)
     check_bad_matrix(-3, 0, unit, "-3 is not the odd number");
     check_bad_matrix(3, 3, unit, "its matrices refer to one another in a ring");
     check_bad_matrix(3, 0, "124,1.,0.,0.;", "the matrix D3 differs from a rotation by 1");
-    check_bad_matrix(3, 0, "124,2.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.;", "differs from a rotation by 3");
+    check_bad_matrix(3, 0, "124,2.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.;",
+                     "differs from a rotation by 3");
     check_bad_matrix(3, 0, "124,a;", "parameter 1, 'a', is not a number");
     check_bad_matrix(3, 0, "124,1.", "is not a number");
 }
@@ -404,7 +405,7 @@ TEST(P4_entities_of_other_types_are_counted_by_name)
     iges_add(&named, 158, 0, 0, 0, "00000000", "158,1.;");
     iges_check_left_out(&named, "entities of this type are not read; this is the first");
     check_refused(iges_one(777, "777,1;"), BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED,
-                  "none of its 1 entities could be read");
+                  "its 1 entity could not be read");
     iges_text empty = iges_begin();
     batten_model *model = read_noting(iges_end(&empty, IGES_GLOBAL), BATTEN_FORMAT_AUTO, "");
     CHECK_INT(batten_model_count(model), 0);

@@ -126,10 +126,10 @@ TEST(a_path_of_one_point_or_of_two_in_one_place_is_refused)
     CHECK_STATUS(bat_path_curve(&nothing, &curve), BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("a path of 0 points");
     CHECK_STATUS(bat_path_curve(&twice, &curve), BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2 of a path are one");
+    CHECK_MESSAGE("points 2 and 3 of a path are one");
     vertices[4] = vertices[2];
     CHECK_STATUS(bat_path_curve(&closed, &curve), BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 2 and 0 of a path are one");
+    CHECK_MESSAGE("points 3 and 1 of a path are one");
     CHECK(curve == NULL);
 }
 

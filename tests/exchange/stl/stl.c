@@ -318,7 +318,7 @@ TEST(N5_text_keeps_every_bit_and_bytes_say_how_much_they_round)
     size_t size = 0;
     CHECK_STATUS(write_form(model, BATTEN_FORMAT_STL, false, NULL, &data, &size),
                  BATTEN_OVERFLOW);
-    CHECK_MESSAGE("y of vertex 2 of 's' is 1e+300");
+    CHECK_MESSAGE("y of vertex 3 of 's' is 1e+300");
     batten_model_unref(model);
 
     batten_notes *notes = NULL;

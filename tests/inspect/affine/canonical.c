@@ -325,7 +325,7 @@ TEST(n1_canonical_forms_need_finite_points)
     CHECK_STATUS(
         batten_canonical_form(2, 2, (const double[]){0, 0, 1, INFINITY, 2, 0}, 1e-10, &c),
         BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 1");
+    CHECK_MESSAGE("point 2");
 }
 
 TEST(n2_canonical_forms_do_not_depend_on_size)

@@ -557,7 +557,7 @@ TEST(n1_spans_that_are_not_finite_are_refused)
     batten_census c;
     CHECK_STATUS(batten_census_take(2, 2, (const double[]){0, 0, 1, NAN, 2, 0}, 0, &c),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 1");
+    CHECK_MESSAGE("point 2");
 }
 
 TEST(n2_spans_of_any_size_are_counted_and_of_too_many_sizes_refused)

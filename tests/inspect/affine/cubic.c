@@ -407,9 +407,9 @@ TEST(n1_cubics_that_are_not_finite_are_refused)
     double points[16] = {0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, NAN, 1, 0};
     batten_cubic cubic[2];
     CHECK_STATUS(batten_cubic_classify(2, points + 8, 0, cubic), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 2");
+    CHECK_MESSAGE("point 3");
     CHECK_STATUS(batten_cubics_classify(2, 2, points, 0, NULL, cubic), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 2 of cubic 1");
+    CHECK_MESSAGE("point 3 of cubic 2");
 }
 
 TEST(n2_cubics_of_any_size_are_classified)

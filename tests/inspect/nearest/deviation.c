@@ -107,7 +107,7 @@ TEST(points_that_are_not_finite_or_missing_are_refused)
                                         (batten_points){batten_curve_dimension(circle), 2, bad},
                                         NULL, NULL, NULL, &found),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 1");
+    CHECK_MESSAGE("point 2");
     CHECK_STATUS(batten_curve_deviation(circle,
                                         (batten_points){batten_curve_dimension(circle), 0, bad},
                                         NULL, NULL, NULL, &found),

@@ -212,7 +212,7 @@ TEST(bad_line_drawings_are_refused)
     batten_draw_options options = hiding();
     CHECK_STATUS(batten_draw_surface_lines(empty, &options, NULL, &data, &size),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("none of the 0 objects");
+    CHECK_MESSAGE("of the 0 objects");
     options.distance = 1;
     CHECK_STATUS(batten_draw_surface_lines(model, &options, NULL, &data, &size),
                  BATTEN_BAD_ARGUMENT);

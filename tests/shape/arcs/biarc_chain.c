@@ -143,17 +143,17 @@ TEST(g1_coincident_points_are_named_by_biarcs)
     batten_chain *chain = NULL;
     CHECK_STATUS(batten_chain_biarcs((batten_points){2, 4, points}, NULL, NULL, NULL, &chain),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2");
+    CHECK_MESSAGE("points 2 and 3");
     CHECK_STATUS(batten_chain_biarcs((batten_points){2, 4, back}, NULL, NULL, NULL, &chain),
                  BATTEN_SINGULAR_HERE);
-    CHECK_MESSAGE("point 1");
+    CHECK_MESSAGE("point 2");
     CHECK_STATUS(batten_chain_biarcs((batten_points){2, 3, bad}, NULL, NULL, NULL, &chain),
                  BATTEN_NOT_FINITE);
     batten_chain_biarcs_options options = batten_chain_biarcs_defaults();
     options.directions = zero;
     CHECK_STATUS(batten_chain_biarcs((batten_points){2, 3, back}, &options, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("direction 1");
+    CHECK_MESSAGE("direction 2");
     options = batten_chain_biarcs_defaults();
     options.joint = BATTEN_JOINT_GIVEN;
     options.place = 2;

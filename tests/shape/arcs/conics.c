@@ -372,14 +372,14 @@ TEST(n1_g1_bad_data_of_conics_are_refused)
     CHECK_STATUS(
         batten_curve_conics((batten_points){2, 3, points}, &options, NULL, NULL, &curve),
         BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 2");
+    CHECK_MESSAGE("point 3");
     options.curvatures = NULL;
     options.tangents = tangents;
     tangents[2] = tangents[3] = 0;
     CHECK_STATUS(
         batten_curve_conics((batten_points){2, 3, points}, &options, NULL, NULL, &curve),
         BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("tangent at point 1");
+    CHECK_MESSAGE("tangent at point 2");
     tangents[2] = INFINITY;
     CHECK_STATUS(
         batten_curve_conics((batten_points){2, 3, points}, &options, NULL, NULL, &curve),

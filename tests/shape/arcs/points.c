@@ -139,7 +139,7 @@ TEST(g1_coincident_points_are_named_by_arcs)
     CHECK_STATUS(
         batten_arcs_from_points((batten_points){2, 4, same}, &options, NULL, NULL, &chain),
         BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2");
+    CHECK_MESSAGE("points 2 and 3");
     CHECK_STATUS(
         batten_arcs_from_points((batten_points){2, 3, back}, &options, NULL, NULL, &chain),
         BATTEN_SINGULAR_HERE);

@@ -145,7 +145,7 @@ TEST(n1_g1_bad_data_of_sequential_arcs_are_refused)
     CHECK_STATUS(batten_chain_sequential_arcs((batten_points){2, 3, points}, pi, NULL, NULL,
                                               NULL, &chain),
                  BATTEN_SINGULAR_HERE);
-    CHECK_MESSAGE("from point 0 to point 1");
+    CHECK_MESSAGE("from point 1 to point 2");
     points[2] = 0;
     CHECK_STATUS(batten_chain_sequential_arcs((batten_points){2, 3, points}, NAN, NULL, NULL,
                                               NULL, &chain),

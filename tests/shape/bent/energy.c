@@ -307,7 +307,7 @@ TEST(g1_coincident_points_are_named_by_least_energy)
     CHECK_STATUS(
         batten_curve_minimum_energy((batten_points){2, 4, points}, NULL, NULL, NULL, &curve),
         BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2");
+    CHECK_MESSAGE("points 2 and 3");
     CHECK_STATUS(
         batten_curve_minimum_energy((batten_points){2, 1, points}, NULL, NULL, NULL, &curve),
         BATTEN_TOO_FEW_POINTS);

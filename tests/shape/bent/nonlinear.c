@@ -504,12 +504,12 @@ TEST(g1_coincident_points_are_named_by_nonlinear_splines)
     CHECK_STATUS(
         batten_chain_nonlinear((batten_points){2, 4, points}, NULL, NULL, NULL, NULL, &chain),
         BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2 coincide");
+    CHECK_MESSAGE("points 2 and 3 coincide");
     options.closed = true;
     CHECK_STATUS(
         batten_chain_nonlinear((batten_points){2, 4, ring}, &options, NULL, NULL, NULL, &chain),
         BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 3 and 0 coincide");
+    CHECK_MESSAGE("points 4 and 1 coincide");
 }
 
 TEST(points_that_turn_back_are_named_by_nonlinear_splines)
@@ -519,7 +519,7 @@ TEST(points_that_turn_back_are_named_by_nonlinear_splines)
     CHECK_STATUS(
         batten_chain_nonlinear((batten_points){2, 4, back}, NULL, NULL, NULL, NULL, &chain),
         BATTEN_SINGULAR_HERE);
-    CHECK_MESSAGE("turns back on itself at point 1");
+    CHECK_MESSAGE("turns back on itself at point 2");
 }
 
 TEST(n1_bad_input_of_nonlinear_splines_is_refused)

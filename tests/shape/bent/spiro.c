@@ -424,7 +424,7 @@ TEST(a_polygon_that_turns_back_has_a_spiro_only_with_a_corner_there)
     batten_chain *chain = NULL;
     CHECK_STATUS(batten_chain_spiro((batten_points){2, 4, points}, NULL, NULL, NULL, &chain),
                  BATTEN_SINGULAR_HERE);
-    CHECK_MESSAGE("turns back on itself at point 1");
+    CHECK_MESSAGE("turns back on itself at point 2");
     kinds[1] = BATTEN_SPIRO_CORNER;
     batten_chain_spiro_options options = batten_chain_spiro_defaults();
     options.kinds = kinds;
@@ -440,7 +440,7 @@ TEST(g1_g9_n1_points_without_a_spiro_are_named)
     batten_chain *chain = NULL;
     CHECK_STATUS(batten_chain_spiro((batten_points){2, 4, same}, NULL, NULL, NULL, &chain),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2");
+    CHECK_MESSAGE("points 2 and 3");
     CHECK_STATUS(batten_chain_spiro((batten_points){2, 3, bad}, NULL, NULL, NULL, &chain),
                  BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_chain_spiro((batten_points){2, 1, same}, NULL, NULL, NULL, &chain),
@@ -454,7 +454,7 @@ TEST(g1_g9_n1_points_without_a_spiro_are_named)
     options.kinds = kinds;
     CHECK_STATUS(batten_chain_spiro((batten_points){2, 4, knot}, &options, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("point 1 is of the unknown kind 7");
+    CHECK_MESSAGE("point 2 is of the unknown kind 7");
     options = batten_chain_spiro_defaults();
     options.end = (batten_spiro_end){.has_tangent = true, .tangent = INFINITY};
     CHECK_STATUS(batten_chain_spiro((batten_points){2, 2, knot}, &options, NULL, NULL, &chain),

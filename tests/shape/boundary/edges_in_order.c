@@ -73,7 +73,7 @@ TEST(two_curves_may_be_a_loop)
     CHECK(places[1].gap == 0);
     CHECK_STATUS(batten_curves_loop(2, (const batten_curve *const *)curves, 1e-5, places),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("corner 1, between curves 1 and 2, is open by 0.0001");
+    CHECK_MESSAGE("corner 2, between curves 1 and 2, is open by 0.0001");
     release(2, curves);
 }
 
@@ -85,7 +85,7 @@ TEST(a_gap_is_named_with_its_corner_and_curves)
         curves[i] = side(i, i == 3, i == 1 ? 0.12 : 0);
     CHECK_STATUS(batten_curves_loop(5, (const batten_curve *const *)curves, 0.1, places),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("corner 2, between curves 2 and 3, is open by 0.12");
+    CHECK_MESSAGE("corner 3, between curves 2 and 3, is open by 0.12");
     CHECK_OK(batten_curves_loop(5, (const batten_curve *const *)curves, 0.2, places));
     CHECK_NEAR(places[1].gap, 0.12, 1e-15);
     CHECK(places[3].reversed);
@@ -134,6 +134,6 @@ TEST(G7_boundaries_in_any_order_and_direction_make_a_loop_or_their_gap_is_named)
     const batten_curve *const *given = (const batten_curve *const *)curves;
     CHECK_OK(batten_curves_loop(5, given, 0.6, places));
     CHECK_STATUS(batten_curves_loop(5, given, 0.4, places), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("corner 2, between curves 3 and 4, is open by 0.5");
+    CHECK_MESSAGE("corner 3, between curves 3 and 4, is open by 0.5");
     release(5, curves);
 }

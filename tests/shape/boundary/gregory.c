@@ -286,7 +286,7 @@ TEST(G7_gregory_patches_of_unfit_curves_are_refused_by_name)
     double points[16][3] = {{0}}, inner[8][3] = {{0}};
     inner[3][1] = NAN;
     CHECK_STATUS(batten_surface_gregory(points[0], inner[0], &patch), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 1 of point 19 is not finite");
+    CHECK_MESSAGE("coordinate 2 of point 20 is not finite");
     points[4][0] = 1;
     CHECK_STATUS(batten_surface_gregory_triangle(points[0], inner[0], &patch),
                  BATTEN_NOT_COMPATIBLE);

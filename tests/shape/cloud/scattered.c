@@ -730,12 +730,12 @@ TEST(N1_bad_scattered_data_are_refused)
     uv[41] = NAN;
     CHECK_STATUS(batten_surface_scattered(uv, (batten_points){1, 100, z}, NULL, NULL, NULL, &s),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("parameter v of datum 20");
+    CHECK_MESSAGE("parameter v of datum 21");
     scatter(100, franke, uv, z);
     z[7] = HUGE_VAL;
     CHECK_STATUS(batten_surface_scattered(uv, (batten_points){1, 100, z}, NULL, NULL, NULL, &s),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("datum 7");
+    CHECK_MESSAGE("datum 8");
     scatter(100, franke, uv, z);
     options.domain[0][1] = options.domain[1][1] = 0.5;
     CHECK_STATUS(

@@ -238,17 +238,17 @@ TEST(bad_domains_and_numbers_are_refused_by_name)
     domain.corners = nowhere;
     CHECK_STATUS(batten_triangles_powell_sabin(&domain, 1, f, g, NULL, &out),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("vertex 7");
+    CHECK_MESSAGE("vertex 8");
     domain.corners = flat;
     CHECK_STATUS(batten_triangles_clough_tocher(&domain, 1, f, g, NULL, &out),
                  BATTEN_SINGULAR_HERE);
     domain.corners = good;
     CHECK_STATUS(batten_triangles_linear(&domain, 1, bad, &out), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("vertex 2");
+    CHECK_MESSAGE("vertex 3");
     g[5] = INFINITY;
     CHECK_STATUS(batten_triangles_powell_sabin(&domain, 1, f, g, NULL, &out),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("component 1 of the gradient at vertex 2");
+    CHECK_MESSAGE("component 2 of the gradient at vertex 3");
     g[5] = 0;
     CHECK_STATUS(batten_triangles_clough_tocher(&domain, 1000000, f, g, NULL, &out),
                  BATTEN_TOO_LARGE);

@@ -241,7 +241,7 @@ TEST(N1_G2_values_that_are_no_numbers_and_points_on_a_line_are_refused)
     CHECK_STATUS(
         batten_triangles_scattered((batten_points){2, 4, line}, f, NULL, NULL, NULL, &out),
         BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("value 2");
+    CHECK_MESSAGE("value 3");
     CHECK_STATUS(
         batten_triangles_scattered((batten_points){2, 4, line}, good, NULL, NULL, NULL, &out),
         BATTEN_COINCIDENT);

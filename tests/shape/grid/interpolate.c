@@ -371,7 +371,7 @@ TEST(G1_grid_lines_that_coincide_are_named)
     CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 6, 5, points}, NULL, NULL,
                                             (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("u grid lines 2 and 3 coincide");
+    CHECK_MESSAGE("u grid lines 3 and 4 coincide");
     CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 6, 5, once}, NULL, NULL,
                                             (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_COINCIDENT);
@@ -392,7 +392,7 @@ TEST(N1_grids_that_are_not_finite_are_refused)
     CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 2, 2, points}, NULL, NULL,
                                             (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 2 of point 3 is nan");
+    CHECK_MESSAGE("coordinate 3 of point 4 is nan");
     points[11] = 0;
     batten_surface_interpolate_options options = given(u, v);
     CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 2, 2, points}, &options, NULL,
@@ -405,7 +405,7 @@ TEST(N1_grids_that_are_not_finite_are_refused)
     CHECK_STATUS(batten_surface_interpolate((batten_grid){3, 2, 2, points}, &options, NULL,
                                             (batten_uv_out){NULL, NULL}, NULL, &surface),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("number 4 of `du`");
+    CHECK_MESSAGE("number 5 of `du`");
     CHECK(surface == NULL);
 }
 

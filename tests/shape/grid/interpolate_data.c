@@ -173,7 +173,7 @@ TEST(K8_weights_that_swing_too_much_are_refused_by_name)
     CHECK_STATUS(batten_surface_interpolate((batten_grid){3, NU, NV, points}, &options, NULL,
                                             (batten_uv_out){NULL, NULL}, NULL, &s),
                  BATTEN_BAD_WEIGHT);
-    CHECK_MESSAGE("the weight of point 9 is 0");
+    CHECK_MESSAGE("the weight of point 10 is 0");
     weights[9] = 1;
     options.du = points;
     CHECK_STATUS(batten_surface_interpolate((batten_grid){3, NU, NV, points}, &options, NULL,

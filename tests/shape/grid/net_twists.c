@@ -257,7 +257,7 @@ TEST(nets_that_cannot_be_are_refused)
                           &(batten_net){1, N, M, wrong, across, values, values, values}, NULL,
                           NULL, twists),
         BATTEN_NOT_INCREASING);
-    CHECK_MESSAGE("parameter 2 in u is 1, after 1");
+    CHECK_MESSAGE("parameter 3 in u is 1, after 1");
     CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI,
                                    &(batten_net){1, 1, M, even, across, values, values, values},
                                    NULL, NULL, twists),

@@ -316,7 +316,7 @@ TEST(a_method_that_is_not_linear_is_refused)
                                        (const batten_line_method *const[2]){&method, &method},
                                        NULL, NULL, &surface),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("along u, line 1");
+    CHECK_MESSAGE("along u, line 2");
     CHECK_MESSAGE("other knots");
 }
 
@@ -328,7 +328,7 @@ TEST(bad_grids_are_refused_by_name) /* G5 G6 K7 */
     points[20] = NAN;
     CHECK_STATUS(batten_surface_nu((batten_grid){3, NU, NV, points}, NULL, NULL, &surface),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("6");
+    CHECK_MESSAGE("coordinate 3 of point 7 is nan");
     hills(points);
     memcpy(points + 3 * NV, points, 3 * NV * sizeof *points);
     CHECK_STATUS(batten_surface_tension((batten_grid){3, NU, NV, points}, NULL, &surface),
@@ -347,7 +347,7 @@ TEST(bad_grids_are_refused_by_name) /* G5 G6 K7 */
     o.tension_v = -1;
     CHECK_STATUS(batten_surface_tension((batten_grid){3, NU, NV, points}, &o, &surface),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("along v, line 0: the tension of span 0 is -1");
+    CHECK_MESSAGE("along v, line 1: the tension of span 1 is -1");
 }
 
 /* A line of the grid that is a single point: a pole of the surface. */
@@ -404,7 +404,7 @@ TEST(a_free_uniform_surface_is_coons_matrix_form)
     CHECK_STATUS(batten_surface_uniform((batten_grid){1, 4, 3, V}, 3, 3, BATTEN_POLYGON_CLAMPED,
                                         BATTEN_POLYGON_CLAMPED, &surface),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_MESSAGE("along v, line 0");
+    CHECK_MESSAGE("along v, line 1");
 }
 
 TEST(parameters_of_a_grid_do_not_depend_on_what_stood_there)

@@ -309,7 +309,7 @@ TEST(g9_constraints_that_contradict_each_other_are_named)
     CHECK_STATUS(
         batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
         BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("constraint 1 (value, from point 2 to 4)");
+    CHECK_MESSAGE("constraint 2 (value, from point 3 to 5)");
     /* Too few control points for the points. */
     options = of_step(0, NULL);
     options.pieces = 0;
@@ -317,14 +317,14 @@ TEST(g9_constraints_that_contradict_each_other_are_named)
     CHECK_STATUS(
         batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
         BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("cannot pass point 4");
+    CHECK_MESSAGE("cannot pass point 5");
     const batten_constraint twice[] = {{BATTEN_CONSTRAINT_DIRECTION, 2, 0, {1}, 0, 0},
                                        {BATTEN_CONSTRAINT_DIRECTION, 2, 0, {2}, 0, 0}};
     options = of_step(2, twice);
     CHECK_STATUS(
         batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
         BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("constraint 1 (direction, from point 2");
+    CHECK_MESSAGE("constraint 2 (direction, from point 3");
     options = of_step(0, NULL);
     options.order = 3;
     CHECK_STATUS(
@@ -353,7 +353,7 @@ TEST(n1_g1_s1_constrained_curves_refuse_what_they_cannot_use)
         CHECK_STATUS(
             batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
             BATTEN_BAD_ARGUMENT);
-        CHECK_MESSAGE("constraint 0");
+        CHECK_MESSAGE("constraint 1");
     }
     batten_curve_constrained_options options = of_step(0, NULL);
     options.degree = 26;
@@ -375,6 +375,6 @@ TEST(n1_g1_s1_constrained_curves_refuse_what_they_cannot_use)
     CHECK_STATUS(
         batten_curve_constrained((batten_points){1, 7, step}, &options, NULL, NULL, &curve),
         BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("weight 1");
+    CHECK_MESSAGE("weight 2");
     CHECK(!curve);
 }

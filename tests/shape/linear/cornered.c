@@ -148,13 +148,13 @@ TEST(n4_corners_outside_the_points_are_refused)
     o.corners = corners;
     CHECK_STATUS(batten_curve_cornered((batten_points){2, 8, key}, &o, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("corner 1");
+    CHECK_MESSAGE("corner 2");
     o = batten_curve_cornered_defaults();
     o.line_count = 1;
     o.lines = &far;
     CHECK_STATUS(batten_curve_cornered((batten_points){2, 8, key}, &o, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("line 0");
+    CHECK_MESSAGE("line 1");
     o = batten_curve_cornered_defaults();
     o.ends = BATTEN_END_CLAMPED;
     CHECK_STATUS(batten_curve_cornered((batten_points){2, 8, key}, &o, NULL, &made),

@@ -551,7 +551,7 @@ TEST(G1_coincident_points_are_named)
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_curve_interpolate((batten_points){2, 3, points}, NULL, NULL, &curve),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2");
+    CHECK_MESSAGE("points 2 and 3");
     CHECK(curve == NULL);
 }
 
@@ -612,7 +612,7 @@ TEST(N1_what_is_not_finite_is_refused)
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_curve_interpolate((batten_points){2, 2, bad}, NULL, NULL, &curve),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 0 of point 1 is inf");
+    CHECK_MESSAGE("coordinate 1 of point 2 is inf");
     batten_curve_interpolate_options options = given(t);
     CHECK_STATUS(
         batten_curve_interpolate((batten_points){2, 3, points}, &options, NULL, &curve),
@@ -669,7 +669,7 @@ TEST(requests_that_make_no_sense_are_refused)
     CHECK_STATUS(
         batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
         BATTEN_NOT_INCREASING);
-    CHECK_MESSAGE("parameter 2 is 1, not above the one before, 2");
+    CHECK_MESSAGE("parameter 3 is 1, not above the one before, 2");
     options = given(NULL);
     CHECK_STATUS(
         batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
@@ -696,7 +696,7 @@ TEST(requests_that_make_no_sense_are_refused)
     CHECK_STATUS(
         batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
         BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("derivative 1 at point 0 is given twice");
+    CHECK_MESSAGE("derivative 1 at point 1 is given twice");
     options.knots_at_data = true;
     CHECK_STATUS(
         batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),

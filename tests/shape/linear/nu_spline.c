@@ -341,7 +341,7 @@ TEST(g1_coincident_points_are_named_by_weighted_splines)
     batten_curve *none = NULL;
     CHECK_STATUS(batten_curve_weighted((batten_points){2, 3, points}, NULL, NULL, &none),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("1");
+    CHECK_MESSAGE("points 2 and 3 coincide");
 }
 
 TEST(n1_weighted_splines_refuse_what_is_not_finite)
@@ -355,12 +355,12 @@ TEST(n1_weighted_splines_refuse_what_is_not_finite)
     o.nus = nus;
     CHECK_STATUS(batten_curve_weighted((batten_points){2, 3, points}, &o, NULL, &none),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 1");
+    CHECK_MESSAGE("point 2");
     o.nus = NULL;
     o.weights = weights;
     CHECK_STATUS(batten_curve_weighted((batten_points){2, 3, points}, &o, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("span 1");
+    CHECK_MESSAGE("span 2");
     o.weights = NULL;
     o.end.kind = BATTEN_END_FAIR;
     CHECK_STATUS(batten_curve_weighted((batten_points){2, 3, points}, &o, NULL, &none),

@@ -259,7 +259,7 @@ TEST(g1_coincident_points_are_named_by_quadratic_splines)
     o.kind = BATTEN_QUADRATIC_SEQUENTIAL;
     CHECK_STATUS(batten_curve_quadratic((batten_points){2, 4, points}, &o, NULL, &none),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("1");
+    CHECK_MESSAGE("points 2 and 3 coincide");
     CHECK(none == NULL);
 }
 
@@ -294,7 +294,7 @@ TEST(g9_parameters_that_are_no_mid_points_are_refused)
     batten_curve *none = NULL;
     CHECK_STATUS(batten_curve_quadratic((batten_points){1, 4, y}, &o, NULL, &none),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("knot 2 would be 1");
+    CHECK_MESSAGE("knot 3 would be 1");
     o.given = late;
     CHECK_STATUS(batten_curve_quadratic((batten_points){1, 4, y}, &o, NULL, &none),
                  BATTEN_NOT_COMPATIBLE);

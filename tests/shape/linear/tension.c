@@ -258,7 +258,7 @@ TEST(g1_coincident_points_are_named_by_splines_in_tension)
     batten_chain *none = NULL;
     CHECK_STATUS(batten_chain_tension((batten_points){2, 4, points}, NULL, NULL, &none),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("1");
+    CHECK_MESSAGE("points 2 and 3 coincide");
     CHECK_MESSAGE("2");
     CHECK(none == NULL);
 }
@@ -277,7 +277,7 @@ TEST(n1_splines_in_tension_refuse_what_is_not_finite)
     o.tensions = tensions;
     CHECK_STATUS(batten_chain_tension((batten_points){2, 3, good}, &o, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("span 1");
+    CHECK_MESSAGE("span 2");
     o = batten_chain_tension_defaults();
     o.slack = 0;
     CHECK_STATUS(batten_chain_tension((batten_points){2, 3, good}, &o, NULL, &none),

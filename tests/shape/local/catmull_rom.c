@@ -470,7 +470,7 @@ TEST(g1_coincident_neighbours_are_refused_but_for_equal_steps)
     CHECK_STATUS(
         batten_curve_catmull_rom((batten_points){2, 4, points[0]}, NULL, NULL, NULL, &curve),
         BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2 coincide");
+    CHECK_MESSAGE("points 2 and 3 coincide");
     CHECK(curve == NULL);
     options.alpha = 0;
     CHECK_OK(batten_curve_catmull_rom((batten_points){2, 4, points[0]}, &options, NULL, NULL,
@@ -524,7 +524,7 @@ TEST(n1_n2_bad_numbers_are_refused_and_large_ones_do_no_harm)
     CHECK_STATUS(
         batten_curve_catmull_rom((batten_points){2, 4, points[0]}, NULL, NULL, NULL, &curve),
         BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 1");
+    CHECK_MESSAGE("point 2");
     points[1][1] = 1;
     options.given = t;
     CHECK_STATUS(batten_curve_catmull_rom((batten_points){2, 4, points[0]}, &options, NULL,

@@ -137,7 +137,7 @@ TEST(n1_curvatures_and_tangents_that_cannot_be_are_refused)
                      &(batten_curved_points){{2, 3, points}, tangents, zero, false}, NULL, NULL,
                      NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("tangent at point 1");
+    CHECK_MESSAGE("tangent at point 2");
     CHECK_STATUS(
         batten_curve_from_curvatures(&(batten_curved_points){{2, 3, points}, good, k, false},
                                      NULL, NULL, NULL, &curve),

@@ -146,7 +146,7 @@ TEST(n1_s1_bad_numbers_and_few_points_are_refused)
         CHECK_STATUS(batten_tangents_kochanek_bartels((batten_points){2, N, points[0]},
                                                       &options, u, leaving[0], arriving[0]),
                      BATTEN_NOT_FINITE);
-        CHECK_MESSAGE("at point 2 is inf");
+        CHECK_MESSAGE("at point 3 is inf");
         CHECK_BITS(u[0], 7);
     }
     batten_tangents_kochanek_bartels_options closed =

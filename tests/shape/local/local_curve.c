@@ -83,15 +83,15 @@ TEST(n1_bad_tangents_and_parameters_are_refused)
     CHECK_STATUS(
         batten_curve_from_tangents((batten_points){1, 3, y}, t, y, NULL, false, &curve),
         BATTEN_NOT_INCREASING);
-    CHECK_MESSAGE("parameter 2");
+    CHECK_MESSAGE("parameter 3");
     CHECK_STATUS(
         batten_curve_from_tangents((batten_points){1, 3, y}, good, bad, NULL, false, &curve),
         BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("tangent 1");
+    CHECK_MESSAGE("tangent 2");
     CHECK_STATUS(
         batten_curve_from_tangents((batten_points){1, 3, y}, good, y, bad, false, &curve),
         BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("arriving tangent 1");
+    CHECK_MESSAGE("arriving tangent 2");
     CHECK_STATUS(
         batten_curve_from_tangents((batten_points){1, 1, y}, good, y, NULL, false, &curve),
         BATTEN_TOO_FEW_POINTS);

@@ -154,7 +154,7 @@ TEST(n1_directions_that_are_none_are_refused)
     o.directions = at;
     CHECK_STATUS(batten_curve_directed((batten_points){2, 3, points}, &o, NULL, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("point 1");
+    CHECK_MESSAGE("point 2");
     at[0].vector[1] = NAN;
     CHECK_STATUS(batten_curve_directed((batten_points){2, 3, points}, &o, NULL, NULL, &made),
                  BATTEN_NOT_FINITE);

@@ -193,12 +193,12 @@ TEST(k3_abscissae_that_do_not_rise_are_named_by_slopes)
     const double good[] = {0, 1, 2, 3}, near[] = {0, 1e-300, 1, 2}, far[] = {0, 1e300, 1, 2};
     double slopes[4] = {7};
     CHECK_STATUS(batten_slopes(4, x, y, BATTEN_SLOPE_AKIMA, slopes), BATTEN_NOT_INCREASING);
-    CHECK_MESSAGE("parameter 2");
+    CHECK_MESSAGE("parameter 3");
     CHECK_STATUS(batten_slopes(4, good, bad, BATTEN_SLOPE_AKIMA, slopes), BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_slopes(1, x, y, BATTEN_SLOPE_AKIMA, slopes), BATTEN_TOO_FEW_POINTS);
     CHECK_STATUS(batten_slopes(4, good, y, (batten_slope_rule)17, slopes), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_slopes(4, near, far, BATTEN_SLOPE_AKIMA, slopes), BATTEN_OVERFLOW);
-    CHECK_MESSAGE("points 0 and 1");
+    CHECK_MESSAGE("points 1 and 2");
     CHECK_NEAR(slopes[0], 7, 0);
 }
 

@@ -285,12 +285,12 @@ TEST(g1_coincident_points_are_named_by_tangents)
     double t[5], T[8];
     CHECK_STATUS(batten_tangents((batten_points){2, 4, points}, NULL, t, NULL, T, NULL),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2 coincide");
+    CHECK_MESSAGE("points 2 and 3 coincide");
     batten_tangents_options options = batten_tangents_defaults();
     options.closed = true;
     CHECK_STATUS(batten_tangents((batten_points){2, 4, ring}, &options, t, NULL, T, NULL),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 3 and 0 coincide");
+    CHECK_MESSAGE("points 4 and 1 coincide");
 }
 
 TEST(n1_what_is_not_finite_is_named_by_tangents)
@@ -299,7 +299,7 @@ TEST(n1_what_is_not_finite_is_named_by_tangents)
     const double points[] = {0, 0, 1, NAN, 1, 0, 2, 0}, fine[] = {0, 0, 1, 1};
     CHECK_STATUS(batten_tangents((batten_points){2, 4, points}, NULL, t, NULL, T, NULL),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 1 of point 1");
+    CHECK_MESSAGE("coordinate 2 of point 2");
     CHECK_NEAR(t[0], 7, 0);
     CHECK_STATUS(batten_tangents((batten_points){2, 1, points}, NULL, t, NULL, T, NULL),
                  BATTEN_TOO_FEW_POINTS);
@@ -378,7 +378,7 @@ TEST(given_tangents_are_taken_with_the_length_that_is_asked)
     options.given = zero;
     CHECK_STATUS(batten_tangents((batten_points){2, 3, points}, &options, t, NULL, T, NULL),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("tangent at point 1");
+    CHECK_MESSAGE("tangent at point 2");
     options.given = bad;
     CHECK_STATUS(batten_tangents((batten_points){2, 3, points}, &options, t, NULL, T, NULL),
                  BATTEN_NOT_FINITE);

@@ -343,7 +343,7 @@ TEST(G9_a_control_point_without_data_is_named_by_least_squares)
     CHECK_STATUS(
         batten_curve_least_squares((batten_points){1, 10, y}, &options, NULL, NULL, &fit),
         BATTEN_SINGULAR_SYSTEM);
-    CHECK_MESSAGE("control point 4 of 9");
+    CHECK_MESSAGE("control point 5 of 9");
     CHECK(fit == NULL);
     options.regularise = true;
     batten_fit_report report;
@@ -376,13 +376,13 @@ TEST(N1_what_is_not_finite_is_named_by_least_squares)
     batten_curve *fit = NULL;
     CHECK_STATUS(batten_curve_least_squares((batten_points){2, 4, q}, NULL, NULL, NULL, &fit),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("2");
+    CHECK_MESSAGE("coordinate 1 of point 3 is nan");
     q[4] = 1.5;
     options.weights = w;
     CHECK_STATUS(
         batten_curve_least_squares((batten_points){2, 4, q}, &options, NULL, NULL, &fit),
         BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("weight of point 2");
+    CHECK_MESSAGE("weight of point 3");
     w[2] = -1;
     CHECK_STATUS(
         batten_curve_least_squares((batten_points){2, 4, q}, &options, NULL, NULL, &fit),
@@ -472,14 +472,14 @@ TEST(parameters_that_fall_or_lie_outside_the_knots_are_named)
     CHECK_STATUS(
         batten_curve_least_squares((batten_points){1, 5, y}, &options, NULL, NULL, &fit),
         BATTEN_NOT_INCREASING);
-    CHECK_MESSAGE("parameter 2");
+    CHECK_MESSAGE("parameter 3");
     t[2] = 1.5;
     options.knots = BATTEN_KNOTS_GIVEN;
     options.given_knots = knots;
     CHECK_STATUS(
         batten_curve_least_squares((batten_points){1, 5, y}, &options, NULL, NULL, &fit),
         BATTEN_OUT_OF_DOMAIN);
-    CHECK_MESSAGE("point 4");
+    CHECK_MESSAGE("point 5");
 }
 
 /* ---- published data ---- */

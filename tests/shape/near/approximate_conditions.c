@@ -445,7 +445,7 @@ TEST(G9_conditions_that_cannot_hold_together_are_named)
         {{{BATTEN_CONDITION_EQUAL, -1, 0.25, 0, {1}},
           {BATTEN_CONDITION_EQUAL, -1, 0.25, 0, {2}}},
          0,
-         "condition 1, that the curve must be 2 at 0.25, cannot hold together with the "
+         "condition 2, that the curve must be 2 at 0.25, cannot hold together with the "
          "others: "
          "it is missed by 1"},
         {{{BATTEN_CONDITION_AT_LEAST, -1, 0.25, 0, {3}},
@@ -457,7 +457,7 @@ TEST(G9_conditions_that_cannot_hold_together_are_named)
          "the shape between"},
         {{{BATTEN_CONDITION_EQUAL, -1, 0.5, 4, {3}}, {BATTEN_CONDITION_EQUAL, -1, 1, 0, {2}}},
          0,
-         "condition 0, that derivative 4 must be 3 at 0.5, cannot hold"},
+         "condition 1, that derivative 4 must be 3 at 0.5, cannot hold"},
     };
     double t[MANY], y[MANY];
     noisy("refused", MANY, t, y);
@@ -495,7 +495,7 @@ TEST(N1_conditions_of_no_sense_are_named)
         {{BATTEN_CONDITION_EQUAL, -1, 0.25, 0, {NAN}}, 1, BATTEN_NOT_FINITE, "is nan"},
         {{BATTEN_CONDITION_EQUAL, -1, NAN, 0, {1}}, 1, BATTEN_NOT_FINITE, "is at nan"},
         {{BATTEN_CONDITION_EQUAL, -1, 2, 0, {1}}, 1, BATTEN_OUT_OF_DOMAIN, "outside 0 .. 1"},
-        {{BATTEN_CONDITION_EQUAL, 60, 0, 0, {1}}, 1, BATTEN_BAD_ARGUMENT, "point 60 of 60"},
+        {{BATTEN_CONDITION_EQUAL, 60, 0, 0, {1}}, 1, BATTEN_BAD_ARGUMENT, "point 61 of 60"},
         {{BATTEN_CONDITION_EQUAL, -1, 0, 5, {1}}, 1, BATTEN_BAD_ARGUMENT, "order 5"},
         {{BATTEN_CONDITION_DIRECTION, -1, 0, 1, {1}}, 1, BATTEN_BAD_ARGUMENT, "for a curve"},
         {{BATTEN_CONDITION_AT_LEAST, -1, 0, 0, {1}}, 2, BATTEN_BAD_ARGUMENT, "for a function"},
@@ -514,7 +514,7 @@ TEST(N1_conditions_of_no_sense_are_named)
         CHECK_STATUS(batten_curve_least_squares((batten_points){rows[i].dimension, MANY, y},
                                                 &options, NULL, NULL, &fit),
                      rows[i].status);
-        CHECK_MESSAGE("condition 0");
+        CHECK_MESSAGE("condition 1");
         CHECK_MESSAGE(rows[i].says);
     }
 }

@@ -235,7 +235,7 @@ TEST(N1_N6_K9_bad_input_is_refused)
     options.tolerance = 0.1;
     CHECK_STATUS(batten_curve_within((batten_points){2, 4, bad}, &options, NULL, NULL, &curve),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 1");
+    CHECK_MESSAGE("point 2");
     with = options;
     with.degree = 26;
     CHECK_STATUS(batten_curve_within((batten_points){2, 4, q}, &with, NULL, NULL, &curve),
@@ -250,7 +250,7 @@ TEST(N1_N6_K9_bad_input_is_refused)
     with.corner_count = 2;
     CHECK_STATUS(batten_curve_within((batten_points){2, 4, q}, &with, NULL, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("corner 1 is point 1");
+    CHECK_MESSAGE("corner 2 is point 2");
     with.corners = far;
     with.corner_count = 1;
     CHECK_STATUS(batten_curve_within((batten_points){2, 4, q}, &with, NULL, NULL, &curve),

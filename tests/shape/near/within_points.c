@@ -100,7 +100,7 @@ TEST(named_corners_rise_and_are_points_of_the_row)
         options.corners = bad[i];
         CHECK_STATUS(batten_curve_within((batten_points){2, n, q}, &options, u, NULL, &curve),
                      BATTEN_BAD_ARGUMENT);
-        CHECK_MESSAGE(i == 0 ? "corner 0 is point -1" : "corner 1 is point");
+        CHECK_MESSAGE(i == 0 ? "corner 1 is point 0" : "corner 2 is point");
     }
     CHECK(!curve);
     options.corners = good; /* the ends of an open row, which are none */

@@ -415,7 +415,7 @@ TEST(curves_that_go_on_are_cut_or_refused)
     surface = NULL;
     options.cut = false;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("profile 1 extends 0.");
+    CHECK_MESSAGE("profile 2 extends 0.");
     network_end(&n);
 }
 
@@ -470,7 +470,7 @@ TEST(a_curve_that_crosses_another_twice_is_refused)
     const batten_surface_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("profile 1 and guide 1 meet twice, at (2, 1, 0) and (4, 1, 0)");
+    CHECK_MESSAGE("profile 2 and guide 2 meet twice, at (2, 1, 0) and (4, 1, 0)");
     network_end(&n);
 }
 
@@ -484,7 +484,7 @@ TEST(another_order_of_crossings_is_refused)
     const batten_surface_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("profile 1 meets guide 1 and guide 2 in another order than profile 0 does");
+    CHECK_MESSAGE("profile 2 meets guide 2 and guide 3 in another order than profile 1 does");
     network_end(&n);
 }
 
@@ -499,7 +499,7 @@ TEST(two_guides_through_one_point_are_refused)
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_COINCIDENT);
     CHECK_MESSAGE(
-        "guide 1 and guide 2 meet profile 0 in the same point, (2, 0, 0): they are 0 apart");
+        "guide 2 and guide 3 meet profile 1 in the same point, (2, 0, 0): they are 0 apart");
     network_end(&n);
 }
 

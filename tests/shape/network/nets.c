@@ -156,7 +156,7 @@ TEST(G7_a_leading_edge_that_misses_a_profile_is_named_with_the_gap)
     const batten_surface_gordon_options options = within(3e-4);
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("profile 4 misses guide 1 by 0.000384351");
+    CHECK_MESSAGE("profile 5 misses guide 2 by 0.000384351");
     network_end(&n);
 }
 

@@ -84,7 +84,7 @@ TEST(a_polygon_that_turns_back_on_itself_is_refused_at_that_point)
         CHECK_OK(bat_chord_polygon_check_turn(&c, 2));
         CHECK_STATUS(bat_chord_polygon_check_turn(&c, 1), k ? BATTEN_OK : BATTEN_SINGULAR_HERE);
         if (!k)
-            CHECK_MESSAGE("point 1");
+            CHECK_MESSAGE("point 2");
         bat_chord_polygon_end(&c);
     }
     /* Far from the origin coordinates are rounded: a back turn within that is one. */
@@ -102,10 +102,10 @@ TEST(chords_without_length_or_beyond_numbers_are_named)
     CHECK_OK(make_polygon(4, same, false, &c));
     bat_chord_polygon_end(&c);
     CHECK_STATUS(make_polygon(4, same, true, &c), BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 3 and 0");
+    CHECK_MESSAGE("points 4 and 1");
     bat_chord_polygon_end(&c);
     CHECK_STATUS(make_polygon(3, huge, false, &c), BATTEN_OVERFLOW);
-    CHECK_MESSAGE("points 0 and 1");
+    CHECK_MESSAGE("points 1 and 2");
     bat_chord_polygon_end(&c);
 }
 

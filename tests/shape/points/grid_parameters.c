@@ -121,7 +121,7 @@ TEST(lines_that_coincide_or_are_too_far_apart_are_named)
     CHECK_MESSAGE("all columns coincide");
     const bat_family apart = {"columns", 1, 3, 1, 1, 3, true, far, NULL};
     CHECK_STATUS(bat_family_parametrize(&apart, BATTEN_CHORD, u, &spread), BATTEN_OVERFLOW);
-    CHECK_MESSAGE("columns 0 and 1");
+    CHECK_MESSAGE("columns 1 and 2");
     /* 0.45e-6 of the length, times three steps, is a step of more than a millionth of the mean;
      * a third of it is not. */
     bat_family together = {"columns", 1, 4, 1, 1, 4, false, near, NULL};
@@ -130,10 +130,10 @@ TEST(lines_that_coincide_or_are_too_far_apart_are_named)
     together.points = nearer;
     CHECK_STATUS(bat_family_parametrize(&together, BATTEN_CHORD, u, &spread),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("columns 1 and 2 coincide");
+    CHECK_MESSAGE("columns 2 and 3 coincide");
     /* The last step of a closed line leads to the first point. */
     const double back[] = {0, 0, 1, 0, 0, 1e-9};
     const bat_family round = {"columns", 2, 3, 1, 2, 6, true, back, NULL};
     CHECK_STATUS(bat_family_parametrize(&round, BATTEN_CHORD, u, &spread), BATTEN_COINCIDENT);
-    CHECK_MESSAGE("columns 2 and 0 coincide");
+    CHECK_MESSAGE("columns 3 and 1 coincide");
 }

@@ -101,14 +101,14 @@ TEST(G1_coincident_neighbours_are_named)
         CHECK_STATUS(batten_parametrize((batten_points){2, 4, points},
                                         (batten_parametrization)kind, false, t),
                      BATTEN_COINCIDENT);
-        CHECK_MESSAGE("points 1 and 2 coincide");
+        CHECK_MESSAGE("points 2 and 3 coincide");
         CHECK(t[0] == 7 && t[3] == 7);
     }
     const double closed[] = {0, 0, 1, 1, 0, 0};
     double t[4];
     CHECK_STATUS(batten_parametrize((batten_points){2, 3, closed}, BATTEN_CHORD, true, t),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 2 and 0 coincide");
+    CHECK_MESSAGE("points 3 and 1 coincide");
     const double zigzag[] = {0x1p60, 0, 1};
     CHECK_STATUS(batten_parametrize((batten_points){1, 3, zigzag}, BATTEN_CHORD, false, t),
                  BATTEN_COINCIDENT);
@@ -121,7 +121,7 @@ TEST(N1_points_that_are_not_finite_are_refused)
     double t[2];
     CHECK_STATUS(batten_parametrize((batten_points){2, 2, points}, BATTEN_CHORD, false, t),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 1 of point 1 is nan");
+    CHECK_MESSAGE("coordinate 2 of point 2 is nan");
 }
 
 TEST(N2_tiny_and_huge_points_have_right_chords)

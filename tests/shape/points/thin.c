@@ -135,7 +135,7 @@ TEST(N1_N6_bad_points_and_tolerances_are_refused)
     int kept[3], count = -1;
     CHECK_STATUS(batten_points_thin((batten_points){2, 3, q}, 1, false, NULL, kept, &count),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 1");
+    CHECK_MESSAGE("point 2");
     CHECK_STATUS(batten_points_thin((batten_points){2, 1, q}, -1, false, NULL, kept, &count),
                  BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_points_thin((batten_points){2, 1, q}, NAN, false, NULL, kept, &count),

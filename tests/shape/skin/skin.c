@@ -363,7 +363,7 @@ TEST(G1_sections_that_coincide_are_named)
     CHECK_STATUS(
         batten_surface_skin((batten_curve_row){3, sections}, NULL, NULL, NULL, NULL, &surface),
         BATTEN_COINCIDENT);
-    CHECK_MESSAGE("sections 1 and 2 coincide");
+    CHECK_MESSAGE("sections 2 and 3 coincide");
     batten_curve_unref(two);
     batten_curve_unref(one);
 }

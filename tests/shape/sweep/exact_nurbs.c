@@ -233,7 +233,7 @@ TEST(exact_sweeps_refuse_what_they_cannot_do)
     batten_curve *circle = arc(1, 2), *curve = bow();
     batten_surface *none = NULL;
     CHECK_STATUS(batten_surface_swung(curve, circle, 1, NULL, &none), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("control point 0 of the profile has y = 0.2");
+    CHECK_MESSAGE("control point 1 of the profile has y = 0.2");
     CHECK_STATUS(batten_surface_swung(circle, curve, 1, NULL, &none), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("of the trajectory has z");
     CHECK_STATUS(batten_surface_swung(circle, circle, 0, NULL, &none), BATTEN_BAD_ARGUMENT);

@@ -227,7 +227,7 @@ TEST(n1_a_chain_refuses_what_is_not_finite)
         CHECK_STATUS(
             batten_chain_create(&(batten_chain_parts){2, 4, bad, NULL, false}, 1, &none),
             BATTEN_NOT_FINITE);
-        CHECK_MESSAGE("span 2");
+        CHECK_MESSAGE("span 3");
     }
     const double breaks[] = {0, 1, NAN, 3, 4};
     CHECK_STATUS(
@@ -264,12 +264,12 @@ TEST(a_chain_names_the_gap_it_refuses)
     CHECK_STATUS(
         batten_chain_create(&(batten_chain_parts){2, 4, spans, NULL, false}, 9e-4, &chain),
         BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("span 1 ends 0.001 from where span 2 begins");
+    CHECK_MESSAGE("span 2 ends 0.001 from where span 3 begins");
     spans[2].start[0] -= 1e-3;
     CHECK_STATUS(
         batten_chain_create(&(batten_chain_parts){2, 4, spans, NULL, true}, 1e-3, &chain),
         BATTEN_NOT_COMPATIBLE); /* it is not closed */
-    CHECK_MESSAGE("span 0 begins");
+    CHECK_MESSAGE("span 1 begins");
     CHECK_OK(
         batten_chain_create(&(batten_chain_parts){2, 4, spans, NULL, true}, INFINITY, &chain));
     batten_chain_unref(chain);

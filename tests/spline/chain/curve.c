@@ -221,7 +221,7 @@ TEST(a_conversion_says_when_a_tolerance_cannot_be_met)
     batten_curve *none = NULL;
     double error = 7;
     CHECK_STATUS(batten_chain_to_curve(chain, 1e-300, &error, &none), BATTEN_TOLERANCE_NOT_MET);
-    CHECK_MESSAGE("span 0 of the chain comes within");
+    CHECK_MESSAGE("span 1 of the chain comes within");
     CHECK_STATUS(batten_chain_to_curve(chain, NAN, &error, &none), BATTEN_BAD_ARGUMENT);
     CHECK_NEAR(error, 7, 0);
     CHECK(none == NULL);

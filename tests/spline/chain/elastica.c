@@ -143,7 +143,7 @@ TEST(n1_an_elastica_of_too_many_waves_is_refused)
     CHECK_STATUS(
         batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
         BATTEN_TOO_LARGE);
-    CHECK_MESSAGE("span 0");
+    CHECK_MESSAGE("span 1");
     span.length = 1;
     span.curvature[1] = NAN;
     CHECK_STATUS(

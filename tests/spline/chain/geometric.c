@@ -134,7 +134,7 @@ TEST(n1_a_geometric_span_that_turns_over_is_refused)
     CHECK_STATUS(
         batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
         BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("span 0 begins at 1.6 radians");
+    CHECK_MESSAGE("span 1 begins at 1.6 radians");
     /* Steepest between its ends. */
     span.angle = 0.5;
     span.curvature[0] = 4;

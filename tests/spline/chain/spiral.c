@@ -68,7 +68,7 @@ TEST(n1_spirals_that_wind_too_often_are_refused)
     CHECK_STATUS(
         batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),
         BATTEN_TOO_LARGE);
-    CHECK_MESSAGE("span 0 turns by up to 5e+11 radians");
+    CHECK_MESSAGE("span 1 turns by up to 5e+11 radians");
     span.curvature[1] = 1e300;
     CHECK_STATUS(
         batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1, &chain),

@@ -54,7 +54,7 @@ TEST(N2_batches_of_cubics_report_overflow_and_bad_parameters)
     CHECK_STATUS(batten_curve_evaluate_many(curve, 3, u, 2, NULL, out), BATTEN_OVERFLOW);
     CHECK_OK(batten_curve_evaluate_many(curve, 3, u, 0, NULL, out));
     CHECK_STATUS(batten_curve_evaluate_many(curve, 4, u, 0, NULL, out), BATTEN_OUT_OF_DOMAIN);
-    CHECK_MESSAGE("parameter 3 of the batch");
+    CHECK_MESSAGE("parameter 4 of the batch");
     batten_curve_unref(curve);
 }
 

@@ -40,7 +40,7 @@ TEST(K8_weights_must_be_positive)
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_curve_create((batten_points){2, 4, square}, 1, weights, knots, &curve),
                  BATTEN_BAD_WEIGHT);
-    CHECK_MESSAGE("weight 2 is 0");
+    CHECK_MESSAGE("weight 3 is 0");
     weights[2] = INFINITY;
     CHECK_STATUS(batten_curve_create((batten_points){2, 4, square}, 1, weights, knots, &curve),
                  BATTEN_NOT_FINITE);
@@ -52,7 +52,7 @@ TEST(N1_coordinates_that_are_no_numbers_are_refused)
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_curve_create((batten_points){2, 2, points}, 1, NULL, knots, &curve),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 1 of control point 1");
+    CHECK_MESSAGE("coordinate 2 of control point 2");
 }
 
 TEST(a_curve_shows_what_it_was_made_of)

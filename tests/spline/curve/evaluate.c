@@ -53,7 +53,7 @@ TEST(N1_N7_parameters_at_and_beyond_the_ends)
     CHECK_OK(batten_curve_evaluate_many(curve, 3, u, 0, NULL, many));
     CHECK_BITS(many[2], 5);
     CHECK_STATUS(batten_curve_evaluate_many(curve, 4, u, 0, NULL, many), BATTEN_OUT_OF_DOMAIN);
-    CHECK_MESSAGE("parameter 3 of the batch");
+    CHECK_MESSAGE("parameter 4 of the batch");
     CHECK_STATUS(batten_curve_evaluate_many(curve, 2, bad, 0, NULL, many), BATTEN_NOT_FINITE);
     CHECK_OK(batten_curve_evaluate_many(curve, 0, NULL, 0, NULL, NULL));
     CHECK_BITS(out, 77);
@@ -77,7 +77,7 @@ TEST(N2_what_is_too_large_is_an_overflow_and_what_is_tiny_is_right)
     const double largest[] = {1.7e308, -1.7e308};
     curve = small(1, largest, NULL, 0, 1);
     CHECK_STATUS(batten_curve_evaluate_many(curve, 2, u, 1, NULL, many), BATTEN_OVERFLOW);
-    CHECK_MESSAGE("parameter 0 of the batch");
+    CHECK_MESSAGE("parameter 1 of the batch");
     CHECK_OK(batten_curve_evaluate_many(curve, 2, u, 0, NULL, many));
     CHECK_BITS(many[0], 0);
     batten_curve_unref(curve);

@@ -143,7 +143,7 @@ TEST(forms_refuse_bad_numbers)
                  BATTEN_TOO_LARGE);
     CHECK_STATUS(batten_curve_from_power(1, (batten_pieces){1, 2, rising}, values, 0.1, &none),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("pieces 0 and 1 are 1 apart");
+    CHECK_MESSAGE("pieces 1 and 2 are 1 apart");
     CHECK_STATUS(batten_curve_from_power(1, (batten_pieces){1, 2, falling}, values, 0.1, &none),
                  BATTEN_NOT_INCREASING);
     CHECK_STATUS(batten_curve_from_power(1, (batten_pieces){26, 2, rising}, values, 0.1, &none),

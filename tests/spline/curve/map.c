@@ -85,7 +85,7 @@ TEST(K6_knots_that_would_fall_together_are_refused)
     batten_curve *curve = NULL, *none = NULL;
     CHECK_OK(batten_curve_create((batten_points){1, 4, points}, 1, NULL, knots, &curve));
     CHECK_STATUS(batten_curve_set_domain(curve, 1e6, 1e6 + 1, &none), BATTEN_BAD_KNOTS);
-    CHECK_MESSAGE("knots 1 and 2");
+    CHECK_MESSAGE("knots 2 and 3");
     CHECK_STATUS(batten_curve_set_domain(curve, 1, 1, &none), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_set_domain(curve, 2, 1, &none), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_set_domain(curve, 2, INFINITY, &none), BATTEN_NOT_FINITE);

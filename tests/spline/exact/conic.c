@@ -305,7 +305,7 @@ TEST(five_points_that_are_no_arc_are_refused)
                  BATTEN_SINGULAR_SYSTEM);
     CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, twice}, &none),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 3 coincide");
+    CHECK_MESSAGE("points 2 and 4 coincide");
     CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, bad}, &none), BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, branches}, &none),
                  BATTEN_SINGULAR_SYSTEM);
@@ -376,7 +376,7 @@ TEST(G1_a_polyline_names_the_points_that_coincide)
     batten_curve *none = NULL;
     CHECK_STATUS(batten_curve_polyline((batten_points){2, 3, points}, &none),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("points 1 and 2 coincide");
+    CHECK_MESSAGE("points 2 and 3 coincide");
     CHECK_STATUS(batten_curve_polyline((batten_points){2, 1, points}, &none),
                  BATTEN_TOO_FEW_POINTS);
     CHECK_STATUS(batten_curve_polyline((batten_points){4, 3, points}, &none),

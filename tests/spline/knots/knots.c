@@ -13,7 +13,7 @@ TEST(K3_a_decreasing_knot_is_refused_by_its_index)
 {
     const double knots[] = {0, 0, 2, 1, 3, 3};
     CHECK_STATUS(bat_knots_check(1, 4, knots, "knot in u"), BATTEN_BAD_KNOTS);
-    CHECK_MESSAGE("knot in u 3 is 1, below knot in u 2, which is 2");
+    CHECK_MESSAGE("knot in u 4 is 1, below knot in u 3, which is 2");
 }
 
 TEST(K4_multiplicity_is_limited_inside_and_at_the_ends)
@@ -21,7 +21,7 @@ TEST(K4_multiplicity_is_limited_inside_and_at_the_ends)
     const double inside[] = {0, 0, 0, 1, 1, 1, 2, 2, 2}, fine[] = {0, 0, 0, 1, 1, 2, 2, 2};
     const double ends[] = {0, 0, 0, 0, 1, 2, 2};
     CHECK_STATUS(bat_knots_check(2, 6, inside, "knot"), BATTEN_BAD_KNOTS);
-    CHECK_MESSAGE("knot 5, 1, stands more than 2 times");
+    CHECK_MESSAGE("knot 6, 1, stands more than 2 times");
     CHECK_OK(bat_knots_check(2, 5, fine, "knot"));
     CHECK_STATUS(bat_knots_check(1, 5, ends, "knot"), BATTEN_BAD_KNOTS);
 }
@@ -31,7 +31,7 @@ TEST(N1_knots_that_are_no_numbers_are_refused)
     double knots[] = {0, 0, 1, 1};
     knots[2] = NAN;
     CHECK_STATUS(bat_knots_check(1, 2, knots, "knot"), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("knot 2");
+    CHECK_MESSAGE("knot 3");
     const double wide[] = {-1e308, -1e308, 1e308, 1e308};
     CHECK_STATUS(bat_knots_check(1, 2, wide, "knot"), BATTEN_BAD_KNOTS);
 }

@@ -168,7 +168,7 @@ TEST(N7_many_points_with_one_outside_write_nothing)
     double uv[] = {0, 0, nextafter(2, 3), 3, 1, 3.5}, out[9] = {7};
     CHECK_STATUS(batten_surface_evaluate_many(surface, 3, uv, 0, NULL, out),
                  BATTEN_OUT_OF_DOMAIN);
-    CHECK_MESSAGE("point 2: v");
+    CHECK_MESSAGE("point 3: v");
     CHECK(out[0] == 7);
     CHECK_OK(batten_surface_evaluate_many(surface, 2, uv, 0, NULL, out));
     CHECK_BITS(out[3], 2);

@@ -72,7 +72,7 @@ TEST(N1_numbers_that_are_not_finite_are_refused_with_their_place)
     memcpy(p, points, sizeof p);
     p[10] = NAN;
     CHECK_STATUS(make(&good_u, p, NULL, &surface), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 1 of control point (1, 1)");
+    CHECK_MESSAGE("coordinate 2 of control point (1, 1)");
     weights[5] = INFINITY;
     CHECK_STATUS(make(&good_u, points, weights, &surface), BATTEN_NOT_FINITE);
     CHECK_MESSAGE("weight (2, 1)");
@@ -81,7 +81,7 @@ TEST(N1_numbers_that_are_not_finite_are_refused_with_their_place)
     knots[3] = NAN;
     const batten_axis axis = {2, 4, knots, false}, periodic = {2, 4, knots, true};
     CHECK_STATUS(make(&axis, points, NULL, &surface), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("knot in u 3");
+    CHECK_MESSAGE("knot in u 4");
     CHECK_STATUS(make(&periodic, points, NULL, &surface), BATTEN_NOT_FINITE);
     CHECK(surface == NULL);
 }

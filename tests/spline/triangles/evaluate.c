@@ -189,7 +189,7 @@ TEST(each_coordinate_of_a_place_is_checked)
     const double middle[3] = {0.5, 0.25, 0.25};
     CHECK_STATUS(batten_triangles_evaluate(triangles, -1, middle, 0, table),
                  BATTEN_OUT_OF_DOMAIN);
-    CHECK_MESSAGE("triangle -1 does not exist; there are 1");
+    CHECK_MESSAGE("triangle 0 does not exist; there are 1");
     CHECK_STATUS(batten_triangles_normal(triangles, 0, middle, NULL, &(batten_vec3){0}),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("dimension 1 have no normal");

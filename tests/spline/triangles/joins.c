@@ -150,7 +150,7 @@ TEST(joints_that_cannot_be_are_refused)
                                                 (batten_triangle_edge){1, 0}, 1e-12, NULL,
                                                 &none),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("edge 0 of triangle 0 and edge 0 of triangle 1");
+    CHECK_MESSAGE("edge 1 of triangle 1 and edge 1 of triangle 2");
     CHECK_STATUS(batten_triangles_join_smoothly(triangles, 0, 1, 1, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
     batten_triangles_unref(triangles);
@@ -236,7 +236,7 @@ TEST(smooth_joins_take_polynomials_over_a_domain_that_share_an_edge)
                  BATTEN_NOT_COMPATIBLE);
     CHECK_STATUS(batten_triangles_join_smoothly(set, 0, 2, 1, NULL, &made),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("triangles 0 and 2 share no edge");
+    CHECK_MESSAGE("triangles 1 and 3 share no edge");
     CHECK(!made);
     /* All values of the first are 0, and so becomes the far corner of the second. */
     CHECK_OK(batten_triangles_join_smoothly(set, 0, 1, 1, NULL, &made));
@@ -266,7 +266,7 @@ TEST(tangent_planes_are_made_equal_where_there_are_some)
         batten_triangles_create(&(batten_triangles_parts){3, 1, 2, line, NULL, NULL}, &set));
     CHECK_STATUS(batten_triangles_join_tangents(set, kept, changed, 0, NULL, &made),
                  BATTEN_SINGULAR_HERE);
-    CHECK_MESSAGE("triangle 0 has no tangent plane at one end of edge 0");
+    CHECK_MESSAGE("triangle 1 has no tangent plane at one end of edge 1");
     batten_triangles_unref(set);
     CHECK_OK(
         batten_triangles_create(&(batten_triangles_parts){3, 1, 2, flat, weights, NULL}, &set));

@@ -76,13 +76,13 @@ TEST(N1_numbers_that_are_none_are_refused_with_their_place)
     CHECK_STATUS(
         batten_triangles_create(&(batten_triangles_parts){3, 2, 1, points, NULL, NULL}, &none),
         BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 1 of control point 2 of triangle 0");
+    CHECK_MESSAGE("coordinate 2 of control point 3 of triangle 1");
     points[7] = 0;
     weights[4] = 0;
     CHECK_STATUS(batten_triangles_create(
                      &(batten_triangles_parts){3, 2, 1, points, weights, NULL}, &none),
                  BATTEN_BAD_WEIGHT);
-    CHECK_MESSAGE("weight 4 of triangle 0 is 0");
+    CHECK_MESSAGE("weight 5 of triangle 1 is 0");
     weights[4] = INFINITY;
     CHECK_STATUS(batten_triangles_create(
                      &(batten_triangles_parts){3, 2, 1, points, weights, NULL}, &none),
@@ -121,8 +121,8 @@ TEST(a_domain_without_area_or_order_is_refused_by_triangle)
               absent[] = {0, 1, 3, 0, 1, 4};
     const batten_triangulation domains[] = {
         {4, plane, flat}, {4, plane, clockwise}, {4, plane, absent}};
-    const char *messages[] = {"triangle 1 of the domain, at vertices 0, 1 and 2, has no area",
-                              "goes round clockwise", "corner 2 of triangle 1 is vertex 4"};
+    const char *messages[] = {"triangle 2 of the domain, at vertices 1, 2 and 3, has no area",
+                              "goes round clockwise", "corner 3 of triangle 2 is vertex 5"};
     batten_triangles *none = NULL;
     for (int i = 0; i < 3; i++) {
         CHECK_STATUS(batten_triangles_create(
@@ -225,7 +225,7 @@ TEST(sizes_of_sets_are_checked_before_their_numbers)
                {{3, 1, 0, points, NULL, NULL}, BATTEN_TOO_FEW_POINTS, "there are 0 triangles"},
                {{1, 1, 1, points, NULL, &few}, BATTEN_BAD_ARGUMENT, "has 2 vertices"},
                {{1, 1, 1, points, NULL, &many}, BATTEN_BAD_ARGUMENT, "vertices; 3 to"},
-               {{1, 1, 1, points, NULL, &low}, BATTEN_BAD_ARGUMENT, "corner 1 of triangle 0"}};
+               {{1, 1, 1, points, NULL, &low}, BATTEN_BAD_ARGUMENT, "corner 2 of triangle 1"}};
     for (int i = 0; i < COUNT(bad); i++) {
         batten_triangles *triangles = NULL;
         CHECK_STATUS(batten_triangles_create(&bad[i].parts, &triangles), bad[i].status);

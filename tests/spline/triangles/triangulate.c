@@ -143,7 +143,7 @@ TEST(N1_a_coordinate_that_is_no_number_is_refused)
     batten_triangulate_options options = batten_triangulate_defaults();
     CHECK_STATUS(batten_triangulate((batten_points){2, 3, points}, NULL, &made),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point 2");
+    CHECK_MESSAGE("point 3");
     options.tolerance = -1;
     CHECK_STATUS(batten_triangulate((batten_points){2, 2 + 1, points + 0}, &options, &made),
                  BATTEN_NOT_FINITE);

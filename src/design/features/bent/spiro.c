@@ -10,9 +10,9 @@ static const batten_parameter parameters[] = {
      "a table of offsets, rows of points, or curves that have points"},
     BAT_EACH,
     {"curvature", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "points at which only direction and curvature continue, counted from 0"},
+     "points at which only direction and curvature continue, counted from 1"},
     {"corners", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "points where the direction may jump, counted from 0"},
+     "points where the direction may jump, counted from 1"},
     {"left", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
      "one-way points: what comes before is not affected by what follows"},
     {"right", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
@@ -49,10 +49,10 @@ static batten_status set_point_kind(const char *list, batten_spiro_kind kind, in
                                     batten_spiro_kind *kinds)
 {
     if (i >= count)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' names point %d of %d", list, i, count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' names point %d of %d", list, i + 1, count);
     if (kinds[i] != BATTEN_SPIRO_SMOOTH && kinds[i] != kind)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "'%s' names point %d, which another list names too", list, i);
+                        "'%s' names point %d, which another list names too", list, i + 1);
     kinds[i] = kind;
     return BATTEN_OK;
 }
@@ -127,7 +127,7 @@ const bat_feature bat_feature_spiro = {
          "there.",
          "features:\n"
          "  points: {points: [[0, 0], [3, 0], [4.5, 0.5], [5, 2], [4, 3.2], [1, 4]]}\n"
-         "  handle: {spiro: points, left: [1], right: [4]}\n",
+         "  handle: {spiro: points, left: [2], right: [5]}\n",
          "[Levien09]", "batten_chain_spiro", BAT_PARAMETERS(parameters), false,
          .also = "Levien, Raph Levien, G4 spline, font outlines, type design",
          .formula =

@@ -1,5 +1,6 @@
 /* The feature 'blend': a curve between two curves, or a surface between two surfaces,
  * smooth at both. */
+#include "base/plural.h"
 #include "design/shared/pair.h"
 
 #include <batten/blend.h>
@@ -89,9 +90,10 @@ static void report_blend(const bat_run *run, const batten_surfaces_blend_report 
     const double degrees = 180 / 3.14159265358979323846;
     bat_remark(
         run,
-        "the edges run %s; normals jump by %.2g and %.2g degrees, curvatures by %.2g and %.2g",
+        "the edges run %s; normals jump by %.2g and %.2g degree%s, curvatures by %.2g and %.2g",
         report->reversed ? "against each other" : "alike", report->angle[0] * degrees,
-        report->angle[1] * degrees, report->curvature[0], report->curvature[1]);
+        report->angle[1] * degrees, bat_plural_real(report->angle[1] * degrees, 2),
+        report->curvature[0], report->curvature[1]);
     if (report->folded)
         bat_note(run, "the blend folds at (%.3g, %.3g); smaller bulges may help",
                  report->fold[0], report->fold[1]);

@@ -1,4 +1,5 @@
 /* The feature 'extend': curves made longer at their ends, surfaces at their edges. */
+#include "base/plural.h"
 #include "design/feature.h"
 
 #include <batten/extend.h>
@@ -69,12 +70,12 @@ static void report_extend(const bat_run *run, const batten_object *object, const
     const double degrees = 180 / 3.14159265358979323846;
     bat_remark(run,
                "%s: %s is longer by %.6g to %.6g; over the old edge the normal jumps by %.2g "
-               "degrees, curvature by %.2g",
+               "degree%s, curvature by %.2g",
                object->name, edge, report->least, report->most, report->angle * degrees,
-               report->curvature);
+               bat_plural_real(report->angle * degrees, 2), report->curvature);
     if (report->turn * degrees > 90)
-        bat_note(run, "%s: beyond %s the surface turns by %.3g degrees", object->name, edge,
-                 report->turn * degrees);
+        bat_note(run, "%s: beyond %s the surface turns by %.3g degree%s", object->name, edge,
+                 report->turn * degrees, bat_plural_real(report->turn * degrees, 3));
 }
 
 static batten_status change_surface(bat_run *run, const batten_object *object)

@@ -1,5 +1,6 @@
 /* The feature 'fillet-surfaces': the surface that a rolling ball leaves between two
  * surfaces. */
+#include "base/plural.h"
 #include "design/feature.h"
 
 #include <batten/blend.h>
@@ -52,8 +53,10 @@ static void report_fillet_surfaces(const bat_run *run, const batten_surface_fill
                                        "at a border of the second surface",
                                        "where the ball finds no place", "where it began"};
     const double degrees = 180 / 3.14159265358979323846;
-    bat_remark(run, "arcs of %.4g to %.4g degrees; it ends %s, and %s", fillet->least * degrees,
-               fillet->most * degrees, ends[fillet->ends[0]], ends[fillet->ends[1]]);
+    bat_remark(run, "arcs of %.4g to %.4g degree%s; it ends %s, and %s",
+               fillet->least * degrees, fillet->most * degrees,
+               bat_plural_real(fillet->most * degrees, 4), ends[fillet->ends[0]],
+               ends[fillet->ends[1]]);
 }
 
 static batten_status run_fillet_surfaces(bat_run *run)

@@ -1,5 +1,6 @@
 /* The feature 'match': two curves or surfaces made to join smoothly by moving control
  * points. */
+#include "base/plural.h"
 #include "design/feature.h"
 
 #include <batten/continuity.h>
@@ -60,8 +61,9 @@ static batten_status match_surfaces(bat_run *run, const bat_objects *all)
         bat_report_error(run, report.moved, report.moved);
         bat_remark(run,
                    "along the edge the surfaces are %.3g apart, their tangent planes %.3g "
-                   "degrees, their curvatures %.3g",
-                   report.gap, report.angle * 180 / BAT_PI, report.curvature);
+                   "degree%s, their curvatures %.3g",
+                   report.gap, report.angle * 180 / BAT_PI,
+                   bat_plural_real(report.angle * 180 / BAT_PI, 3), report.curvature);
     }
     for (int k = 0; k < 2; k++)
         status = bat_put_surface_like(run, status, made[k], all->at[k]);

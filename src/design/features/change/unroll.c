@@ -1,4 +1,5 @@
 /* The feature 'unroll': a plate laid flat. */
+#include "base/plural.h"
 #include "design/feature.h"
 #include "design/shared/outline.h"
 
@@ -253,9 +254,10 @@ static void report_unroll(bat_run *run, const batten_unrolled *flat)
     bat_remark(run,
                "edges %.8g and %.8g long, flat %.8g and %.8g; area %.8g, flat "
                "%.8g; turned by "
-               "%.6g degrees",
+               "%.6g degree%s",
                flat->length_first[0], flat->length_second[0], flat->length_first[1],
-               flat->length_second[1], flat->area[0], flat->area[1], flat->turn * 180 / BAT_PI);
+               flat->length_second[1], flat->area[0], flat->area[1], flat->turn * 180 / BAT_PI,
+               bat_plural_real(flat->turn * 180 / BAT_PI, 6));
     bat_remark(run,
                "strain at most %.2e at (%.6g, %.6g), rms %.2e; outline within "
                "%.1e, rulings "

@@ -42,9 +42,10 @@ static void remark_arcs(bat_run *run, const char *name, const batten_arcs_report
     bat_remark(
         run,
         "'%s': %d arc%s and %d line%s, %g beside it to the left and %g to the right; least "
-        "radius %g, largest corner %.3g degrees",
+        "radius %g, largest corner %.3g degree%s",
         name, report->arcs, bat_plural(report->arcs), report->lines, bat_plural(report->lines),
-        report->left, report->right, report->least_radius, report->largest_turn * 180 / BAT_PI);
+        report->left, report->right, report->least_radius, report->largest_turn * 180 / BAT_PI,
+        bat_plural_real(report->largest_turn * 180 / BAT_PI, 3));
 }
 
 /* ---- points ---- */

@@ -14,22 +14,12 @@ static const batten_parameter parameters[] = {
     {"corner", BATTEN_VALUE_ANGLE, false, false, "0", NULL,
      "where the points turn by more, the curve has a corner; 0: nowhere"},
     {"corners", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "points that are corners, counted from 0"},
+     "points that are corners, counted from 1"},
     BAT_PARAMETRIZATION,
     BAT_CLOSED,
     BAT_AS,
     BAT_EACH,
 };
-
-static batten_status corners_of(const bat_run *run, int *count, int **out)
-{
-    const bat_argument *corners = bat_argument_of(run, "corners");
-    *count = corners->count;
-    *out = bat_array((size_t)corners->count + 1, sizeof **out);
-    for (int i = 0; *out && i < corners->count; i++)
-        (*out)[i] = corners->items[i].count;
-    return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-}
 
 static batten_status make_fit_within(bat_run *run, const bat_data *data, bat_made *made)
 {
@@ -43,7 +33,7 @@ static batten_status make_fit_within(bat_run *run, const bat_data *data, bat_mad
     options.closed = bat_yes(run, "closed");
     options.parameters = bat_parametrization_of(run, data);
     options.given = data->abscissae;
-    batten_status status = corners_of(run, &options.corner_count, &corners);
+    batten_status status = bat_indices(run, "corners", &options.corner_count, &corners);
     options.corners = corners;
     if (status == BATTEN_OK)
         status =

@@ -26,9 +26,10 @@ static batten_status make_sequential_arcs(bat_run *run, const bat_data *data, ba
         return status;
     bat_note(
         run,
-        "'%s' begins at %g degrees; each degree more changes the curvature of arc %d by %g, "
+        "'%s' begins at %g degree%s; each degree more changes the curvature of arc %d by %g, "
         "and swings on to the end; curvature jumps by %g at most",
-        data->name, report.start_angle / degree, report.sensitive_at,
+        data->name, report.start_angle / degree,
+        bat_plural_real(report.start_angle / degree, 6), report.sensitive_at + 1,
         report.sensitivity * degree, report.jump);
     if (report.long_arcs > 0)
         bat_note(run, "'%s' has %d arc%s turning by more than 180 degrees", data->name,

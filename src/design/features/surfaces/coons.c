@@ -1,4 +1,5 @@
 /* The feature 'coons': the Coons patch between four sides. */
+#include "base/plural.h"
 #include "design/shared/boundary.h"
 #include "design/shared/smooth.h"
 
@@ -17,7 +18,7 @@ static const batten_parameter parameters[] = {
     {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
      "surfaces beside it that it continues smoothly; found by where they are"},
     {"twists", BATTEN_VALUE_POINT, true, false, NULL, NULL,
-     "one for all corners, or four: at the ends of the first side, then across"},
+     "one for all corners, or four: corners 1 to 4, around it from the start of the first side"},
     {"policy", BATTEN_VALUE_WORD, false, false, "gregory", "refuse keep-u keep-v mean gregory",
      "what to do where slopes of two sides ask for different twists"},
     {"repair", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
@@ -63,11 +64,9 @@ static batten_status choose_twists(work *w)
     if (w->options.order < 2)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "a patch of the first kind takes no twists; 'kind: twists' does");
-    /* Given around the patch, wanted as (0,0), (0,1), (1,0), (1,1). */
-    static const int places[4] = {0, 2, 3, 1};
     for (int c = 0; c < 4; c++)
         for (int x = 0; x < 3; x++)
-            w->twists[3 * places[c] + x] = given->items[given->count == 4 ? c : 0].number[x];
+            w->twists[3 * c + x] = given->items[given->count == 4 ? c : 0].number[x];
     w->options.twists = w->twists;
     return BATTEN_OK;
 }
@@ -93,7 +92,7 @@ static batten_status take_function(const batten_curve *graph, const char *name,
                 bat_fail(BATTEN_NOT_COMPATIBLE,
                          "'%s' is not a graph over its parameter: control point %d is at %g, "
                          "not %g",
-                         name, i, points[i * d], x);
+                         name, i + 1, points[i * d], x);
     }
     if (status == BATTEN_OK)
         status = batten_curve_create((batten_points){1, n, values}, batten_curve_degree(graph),
@@ -146,10 +145,12 @@ static batten_status advise(const work *w, const batten_surface_coons_report *fo
 /* The slopes that gave way; how far from smooth the joins are now is measured later. */
 static void report_repair(const work *w, const batten_surface_coons_report *found)
 {
-    bat_note(w->run,
-             "slope and boundary curve differ by %.3g per unit of the parameter at corner %d, "
-             "where the curve leaves the tangent plane at %.3g degrees; the slope is corrected",
-             found->slope_gap, found->slope_corner, found->slope_angle * DEGREES);
+    bat_note(
+        w->run,
+        "slope and boundary curve differ by %.3g per unit of the parameter at corner %d, "
+        "where the curve leaves the tangent plane at %.3g degree%s; the slope is corrected",
+        found->slope_gap, found->slope_corner, found->slope_angle * DEGREES,
+        bat_plural_real(found->slope_angle * DEGREES, 3));
 }
 
 /* What did not fit, and what became of it. */

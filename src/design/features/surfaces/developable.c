@@ -1,4 +1,5 @@
 /* The feature 'developable': a plate that bends from flat sheet. */
+#include "base/plural.h"
 #include "design/feature.h"
 
 #include <batten/plate.h>
@@ -20,15 +21,17 @@ static const batten_parameter parameters[] = {
 static void report_developable(bat_run *run, const batten_developable *made)
 {
     const double degree = BAT_PI / 180;
-    bat_remark(run, "%s: warp at most %.4g degrees, at u = %.4g; %d rulings%s%s",
+    bat_remark(run, "%s: warp at most %.4g degree%s, at u = %.4g; %d rulings%s%s",
                made->is_developable ? "developable" : "not developable", made->warp / degree,
-               made->warp_at, made->count, made->cone[0] ? ", begins with a cone" : "",
+               bat_plural_real(made->warp / degree, 4), made->warp_at, made->count,
+               made->cone[0] ? ", begins with a cone" : "",
                made->cone[1] ? ", ends with a cone" : "");
     if (!made->is_developable)
         bat_note(run,
-                 "warped by %.4g degrees at u = %.4g: more than the %.4g that counts as "
+                 "warped by %.4g degree%s at u = %.4g: more than the %.4g that counts as "
                  "developable",
-                 made->warp / degree, made->warp_at, bat_number(run, "warp") / degree);
+                 made->warp / degree, bat_plural_real(made->warp / degree, 4), made->warp_at,
+                 bat_number(run, "warp") / degree);
     if (made->has_regression)
         bat_note(run, "rulings meet between the edges, at %.4g of the ruling at u = %.4g",
                  made->regression_share, made->regression_at);

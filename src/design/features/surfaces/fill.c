@@ -134,8 +134,9 @@ static void remark_worst(const bat_run *run, const bat_objects *curves, const ch
         char name[160];
         name_edge(curves, worst->angle, name);
         snprintf(text[0], sizeof text[0],
-                 "; tangent planes differ by up to %.2g degrees (%s, at %g, %g, %g)",
-                 worst->angle->angle * DEGREES, name, at[0], at[1], at[2]);
+                 "; tangent planes differ by up to %.2g degree%s (%s, at %g, %g, %g)",
+                 worst->angle->angle * DEGREES,
+                 bat_plural_real(worst->angle->angle * DEGREES, 2), name, at[0], at[1], at[2]);
     }
     if (worst->curvature) {
         const double *at = worst->curvature->curvature_at;
@@ -159,9 +160,9 @@ static void remark_excess(const bat_run *run, const bat_objects *curves, const b
         bat_remark(run, "%s: a gap of %.3g %s at (%g, %g, %g), more than %g", name, edge->gap,
                    most->unit, edge->gap_at[0], edge->gap_at[1], edge->gap_at[2], most->gap);
     if (edge->has_slope && edge->angle > most->angle)
-        bat_remark(run, "%s: tangent planes differ by %.3g degrees at (%g, %g, %g)", name,
-                   edge->angle * DEGREES, edge->angle_at[0], edge->angle_at[1],
-                   edge->angle_at[2]);
+        bat_remark(run, "%s: tangent planes differ by %.3g degree%s at (%g, %g, %g)", name,
+                   edge->angle * DEGREES, bat_plural_real(edge->angle * DEGREES, 3),
+                   edge->angle_at[0], edge->angle_at[1], edge->angle_at[2]);
     if (edge->has_curvature && edge->curvature > most->curvature)
         bat_remark(run, "%s: curvatures across differ by %.3g per %s at (%g, %g, %g)", name,
                    edge->curvature, most->unit, edge->curvature_at[0], edge->curvature_at[1],
@@ -225,9 +226,10 @@ static void report(const bat_run *run, const bat_objects *curves,
     if (reached->corner_angle > 1e-4)
         bat_note(run,
                  "in the corner between '%.100s' and '%.100s' the surfaces around have planes "
-                 "that differ by %.3g degrees",
+                 "that differ by %.3g degree%s",
                  curve_name(curves, reached, reached->corner + reached->count - 1),
-                 curve_name(curves, reached, reached->corner), reached->corner_angle * DEGREES);
+                 curve_name(curves, reached, reached->corner), reached->corner_angle * DEGREES,
+                 bat_plural_real(reached->corner_angle * DEGREES, 3));
     if (reached->twisted > 0)
         bat_remark(run, "at %d corner%s the surfaces around twist against each other",
                    reached->twisted, bat_plural(reached->twisted));

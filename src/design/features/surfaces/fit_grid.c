@@ -83,14 +83,15 @@ static batten_status find_lines(const bat_grid *grid, int k, double *lines)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
                                 "point %d of row %d has %c = %.9g, and the first of its %s "
                                 "%.9g: this is not a grid over x and y",
-                                u, v, k ? 'y' : 'x', at, k ? "row" : "column", lines[i]);
+                                u + 1, v + 1, k ? 'y' : 'x', at, k ? "row" : "column",
+                                lines[i]);
         }
     for (int i = 1; i < n; i++)
         if ((lines[i] > lines[i - 1]) != (lines[1] > lines[0]) || lines[i] == lines[i - 1])
             return bat_fail(
                 BATTEN_NOT_COMPATIBLE,
                 "%c goes from %.9g to %.9g at line %d: this is not a grid over x and y",
-                k ? 'y' : 'x', lines[i - 1], lines[i], i);
+                k ? 'y' : 'x', lines[i - 1], lines[i], i + 1);
     return BATTEN_OK;
 }
 

@@ -22,7 +22,7 @@ static const batten_parameter parameters[] = {
     {"weights", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
      "of the points in their order, above 0, or one for all: a rational surface"},
     {"gaps", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "missing points, counted from 0: the numbers given there are ignored"},
+     "missing points, counted from 1: the numbers given there are ignored"},
     {"du", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "derivatives along the rows: at the start of each row, then at the end of each"},
     {"dv", BATTEN_VALUE_POINT, true, false, NULL, NULL,
@@ -80,10 +80,10 @@ static batten_status find_gaps(const bat_run *run, const bat_grid *grid, bool **
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < given->count; i++) {
         const int index = given->items[i].count;
-        if (index < 0 || index >= count)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "gap %d: the points are counted 0 to %d",
-                            index, count - 1);
-        (*out)[turned(grid, index)] = true;
+        if (index < 1 || index > count)
+            return bat_fail(BATTEN_BAD_ARGUMENT, "gap %d: the points are counted 1 to %d",
+                            index, count);
+        (*out)[turned(grid, index - 1)] = true;
     }
     return BATTEN_OK;
 }

@@ -1,5 +1,6 @@
 /* The feature 'join-triangles': two Bezier triangles with one tangent plane along their
  * edge. */
+#include "base/plural.h"
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
@@ -69,9 +70,10 @@ static batten_status run_join_triangles(bat_run *run)
     if (status == BATTEN_OK)
         bat_remark(
             run,
-            "normals turned by %.3g degrees at most; control points of triangle %d moved "
+            "normals turned by %.3g degree%s at most; control points of triangle %d moved "
             "by up to %g",
-            edge.angle * 180 / BAT_PI, edge.triangle[1] + 1, moved);
+            edge.angle * 180 / BAT_PI, bat_plural_real(edge.angle * 180 / BAT_PI, 3),
+            edge.triangle[1] + 1, moved);
     batten_triangles_unref(all);
     return bat_put_triangles(run, status, joined);
 }

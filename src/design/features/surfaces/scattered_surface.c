@@ -23,10 +23,12 @@ static const batten_parameter parameters[] = {
 static void remark(bat_run *run, const batten_triangles_scattered_report *report)
 {
     bat_report_error(run, report->error, report->rms);
-    bat_remark(run, "%d triangles between %d vertices, in %d pieces; distance at most %.3g",
-               report->triangles, report->vertices, report->pieces, report->error);
+    bat_remark(run, "%d triangle%s between %d vertices, in %d piece%s; distance at most %.3g",
+               report->triangles, bat_plural(report->triangles), report->vertices,
+               report->pieces, bat_plural(report->pieces), report->error);
     if (report->slivers > 0)
-        bat_remark(run, "%d slivers on the rim are left out", report->slivers);
+        bat_remark(run, "%d sliver%s on the rim %s left out", report->slivers,
+                   bat_plural(report->slivers), bat_one_or_many(report->slivers, "is", "are"));
     if (report->swaps > 0)
         bat_remark(run, "%d edge%s %s swapped", report->swaps, bat_plural(report->swaps),
                    bat_one_or_many(report->swaps, "was", "were"));
@@ -42,7 +44,7 @@ static void remark(bat_run *run, const batten_triangles_scattered_report *report
                  "their means are taken",
                  report->merged, bat_plural(report->merged),
                  bat_one_or_many(report->merged, "lies", "lie"), report->conflict,
-                 report->conflicting);
+                 report->conflicting + 1);
     if (report->planes > 0)
         bat_note(run, "near %d %s only planes are determined, no quadratics", report->planes,
                  bat_one_or_many(report->planes, "vertex", "vertices"));

@@ -169,14 +169,16 @@ static void report_skin(const bat_run *run, const batten_surface_skin_report *fo
         bat_note(run, "section %d crosses the next, as do %d in all: the surface folds there",
                  found->crossing + 1, found->crossing_count);
     if (found->disorder_count > 0)
-        bat_note(run, "sections %d and %d seem to be in the wrong order; %d pairs do",
-                 found->disorder + 1, found->disorder + 2, found->disorder_count);
+        bat_note(run, "sections %d and %d seem to be in the wrong order; %d pair%s",
+                 found->disorder + 1, found->disorder + 2, found->disorder_count,
+                 bat_one_or_many(found->disorder_count, " does", "s do"));
     if (found->cure != BATTEN_CURE_NONE)
         bat_remark(run, "%s", cures[found->cure]);
     /* Less than a ten-thousandth of a radian is not seen, and comes from rounding in files. */
     if (found->crease > 1e-4)
-        bat_note(run, "the surface has a crease of %.3g degrees that no section has; %s",
+        bat_note(run, "the surface has a crease of %.3g degree%s that no section has; %s",
                  found->crease * 90 / bat_acos(0),
+                 bat_plural_real(found->crease * 90 / bat_acos(0), 3),
                  bat_has(run, "within") ? "a smaller 'within' makes it less"
                                         : "'creases: cure' or 'within' may cure it");
 }

@@ -29,8 +29,8 @@ static void report_mesh(bat_run *run, const batten_object *object, const batten_
                         const batten_mesh_report *report)
 {
     const int count = batten_mesh_view(mesh)->triangle_count;
-    bat_remark(run, "'%.60s': %d triangles, at most %g from the shape", object->name, count,
-               report->chord);
+    bat_remark(run, "'%.60s': %d triangle%s, at most %g from the shape", object->name, count,
+               bat_plural(count), report->chord);
     bat_report_error(run, report->chord, report->chord);
     if (report->failed > 0)
         bat_note(run, "'%.60s': %d face%s not in the mesh", object->name, report->failed,

@@ -1,4 +1,5 @@
 /* The feature 'select': some objects of a feature, by name. */
+#include "base/plural.h"
 #include "design/feature.h"
 
 #include <string.h>
@@ -14,8 +15,10 @@ static batten_status select_object(bat_run *run, const batten_model *model, cons
     const int at = batten_model_find(model, name);
     if (at < 0)
         return bat_fail(BATTEN_NOT_FOUND,
-                        "'%s' has no object '%s'; its %d objects begin with '%s'",
+                        "'%s' has no object '%s'; its %d object%s begin%s with '%s'",
                         bat_text(run, "select"), name, batten_model_count(model),
+                        bat_plural(batten_model_count(model)),
+                        bat_one_or_many(batten_model_count(model), "s", ""),
                         batten_model_object(model, 0)->name);
     return bat_add(run, batten_model_object(model, at));
 }

@@ -14,7 +14,7 @@ static const batten_parameter parameters[] = {
     {"sides", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "one for each of these: at right angles to it, towards the side of the curve"},
     {"from", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "one for each of these: the point from which it applies, counted from 0"},
+     "one for each of these: the point from which it applies, counted from 1"},
     {"to", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
      "one for each of these: the point up to which it applies; 0: the last"},
     {"forward", BATTEN_VALUE_POINT, true, false, NULL, NULL,
@@ -22,7 +22,7 @@ static const batten_parameter parameters[] = {
     {"bent", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "directions towards which the second derivative points everywhere"},
     {"at", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "points with a given direction, counted from 0"},
+     "points with a given direction, counted from 1"},
     {"directions", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "one for each of these; their lengths do not matter"},
     {"speed", BATTEN_VALUE_NUMBER, false, false, "0.5", NULL,
@@ -87,13 +87,33 @@ static batten_constraint along(const gathering *g, batten_constraint_kind kind,
     return c;
 }
 
+/* The points that 'from' and 'to' name, as indices; of 'to' 0 is the last point, in both. */
+static batten_status limits_of(const gathering *g, int **first, int **last)
+{
+    const bat_argument *to = bat_argument_of(g->run, "to");
+    int count = 0;
+    batten_status status = bat_indices(g->run, "from", &count, first);
+    if (status == BATTEN_OK && !(*last = bat_array((size_t)to->count, sizeof **last)))
+        status = BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; status == BATTEN_OK && i < to->count; i++) {
+        const int point = to->items[i].count;
+        (*last)[i] = point > 1 ? point - 1 : 0;
+        if (point < 0 || point == 1)
+            status = bat_fail(
+                BATTEN_BAD_ARGUMENT,
+                "'to' names point %d; it takes points after the first, or 0 for the last",
+                point);
+    }
+    return status;
+}
+
 static batten_status gather_lines(gathering *g)
 {
     const int d = g->data->dimension == 3 ? 3 : 2;
     const bat_argument *from = bat_argument_of(g->run, "from"),
                        *to = bat_argument_of(g->run, "to");
     double *lines = NULL, *sides = NULL;
-    int line_count = 0, side_count = 0;
+    int line_count = 0, side_count = 0, *first = NULL, *last = NULL;
     batten_status status = vectors_of(g, "lines", &line_count, &lines);
     if (status == BATTEN_OK)
         status = vectors_of(g, "sides", &side_count, &sides);
@@ -103,14 +123,18 @@ static batten_status gather_lines(gathering *g)
         status = need_as_many("lines", line_count, "from", from->count);
     if (status == BATTEN_OK && to->count > 0)
         status = need_as_many("lines", line_count, "to", to->count);
+    if (status == BATTEN_OK)
+        status = limits_of(g, &first, &last);
     for (int i = 0; i < line_count && status == BATTEN_OK; i++) {
         batten_constraint *c = &g->list[g->count++];
         *c = along(g, BATTEN_CONSTRAINT_VALUE, sides + i * d);
         for (int k = 0; k < d; k++)
             c->bound += sides[i * d + k] * lines[i * d + k];
-        c->from = from->count > 0 ? from->items[i].count : 0;
-        c->to = to->count > 0 ? to->items[i].count : 0;
+        c->from = from->count > 0 ? first[i] : 0;
+        c->to = to->count > 0 ? last[i] : 0;
     }
+    bat_release(first);
+    bat_release(last);
     bat_release(lines);
     bat_release(sides);
     return status;
@@ -133,15 +157,19 @@ static batten_status gather_directions(gathering *g)
     const int before = g->count;
     const bat_argument *at = bat_argument_of(g->run, "at");
     batten_status status = gather_whole(g, "directions", BATTEN_CONSTRAINT_DIRECTION);
+    int count = 0, *points = NULL;
     if (status == BATTEN_OK)
         status = need_as_many("at", at->count, "directions", g->count - before);
+    if (status == BATTEN_OK)
+        status = bat_indices(g->run, "at", &count, &points);
     for (int i = before; i < g->count && status == BATTEN_OK; i++) {
-        g->list[i].from = at->items[i - before].count;
+        g->list[i].from = points[i - before];
         if (!isfinite(g->list[i].normal[0]))
             status = bat_fail(BATTEN_BAD_ARGUMENT,
                               "direction %d is upright, which that of a function cannot be",
-                              i - before);
+                              i - before + 1);
     }
+    bat_release(points);
     return status;
 }
 

@@ -7,9 +7,9 @@ static const batten_parameter parameters[] = {
      "rows of points, a table of offsets, or curves that have points"},
     BAT_EACH,
     {"corners", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "points where the direction may jump, counted from 0"},
+     "points where the direction may jump, counted from 1"},
     {"lines", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "points from which the curve is straight to the next, counted from 0"},
+     "points from which the curve is straight to the next, counted from 1"},
     {"transition", BATTEN_VALUE_WORD, false, false, "tangent", "tangent curvature",
      "how a curve passes into a straight run: with its direction, and with curvature 0"},
     {"parameters", BATTEN_VALUE_WORD, false, false, "chord",
@@ -61,7 +61,7 @@ const bat_feature bat_feature_cornered_spline = {
          "bend: one span alone between two corners is straight.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 1], [5, 0.5], [6, 0.6], [6.6, 1.2]]}\n"
-         "  keel: {cornered-spline: ducks, lines: [3], corners: [1], transition: curvature}\n",
+         "  keel: {cornered-spline: ducks, lines: [4], corners: [2], transition: curvature}\n",
          "[SL section III.7]", "batten_curve_cornered", BAT_PARAMETERS(parameters), false,
          .also = "corners, knuckles, straight runs, piecewise spline",
          .formula =

@@ -63,7 +63,8 @@ static batten_status correct(const bat_run *run, const batten_curve *curve, batt
     if (status != BATTEN_OK)
         return status;
     if (report.corrected > 0)
-        bat_remark(run, "%d of %d spans corrected", report.corrected, report.span_count);
+        bat_remark(run, "%d of %d span%s corrected", report.corrected, report.span_count,
+                   bat_plural(report.span_count));
     if (report.incurable > 0)
         bat_note(run,
                  "%d span%s %s too far to be corrected, the first of them span %d; more "

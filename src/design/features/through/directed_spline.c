@@ -9,7 +9,7 @@ static const batten_parameter parameters[] = {
      "rows of points, a table of offsets, or curves that have points"},
     BAT_EACH,
     {"at", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "points with a given direction, counted from 0"},
+     "points with a given direction, counted from 1"},
     {"directions", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "one for each of these; their lengths do not matter"},
     {"tension", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
@@ -26,17 +26,20 @@ static batten_status find_directions(const bat_run *run, batten_curve_directed_o
     if (at->count != directions->count)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "'at' names %d point%s and 'directions' has %d",
                         at->count, bat_plural(at->count), directions->count);
+    int count = 0, *points = NULL;
+    const batten_status status = bat_indices(run, "at", &count, &points);
+    if (status != BATTEN_OK)
+        return status;
     batten_direction_at *made = bat_array((size_t)at->count, sizeof *made);
-    if (!made)
-        return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < at->count; i++) {
-        made[i].index = at->items[i].count;
+    for (int i = 0; made && i < at->count; i++) {
+        made[i].index = points[i];
         for (int k = 0; k < 3; k++)
             made[i].vector[k] = directions->items[i].number[k];
     }
+    bat_release(points);
     options->direction_count = at->count;
     options->directions = *out = made;
-    return BATTEN_OK;
+    return made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
 static batten_status find_tension(const bat_run *run, int count,
@@ -74,7 +77,7 @@ static batten_status make_directed_spline(bat_run *run, const bat_data *data, ba
         bat_note(run,
                  "%d of the directions of '%s' lead against the points, the first at point %d; "
                  "the curve is slow there",
-                 report.clamped, data->name, report.first_clamped);
+                 report.clamped, data->name, report.first_clamped + 1);
     bat_release(directions);
     bat_release(tension);
     return status;
@@ -98,7 +101,7 @@ const bat_feature bat_feature_directed_spline = {
          "the order of the points are passed slowly, which is noted.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 0.6], [4, 0]]}\n"
-         "  crown: {directed-spline: ducks, at: [0, 2], directions: [[0, 1], [1, 0]]}\n",
+         "  crown: {directed-spline: ducks, at: [1, 3], directions: [[0, 1], [1, 0]]}\n",
          "[SL section III.7] [Utah74 paper 10] [Nielson74]", "batten_curve_directed",
          BAT_PARAMETERS(parameters), false,
          .also = "clamped spline, given tangents, tangent constraint, direction constraint",

@@ -202,11 +202,11 @@ static batten_status note_convexity(bat_run *run, const bat_data *data,
         return status;
     char because[64] = "";
     if (known && found.at >= 0)
-        snprintf(because, sizeof because, " because point %d stands out", found.at);
+        snprintf(because, sizeof because, " because point %d stands out", found.at + 1);
     bat_note(run,
              "'%s': its points are %s, but the curve bends back at point %d%s; 'tension' with "
              "'rule: convex' does not",
-             data->name, found.points > 0 ? "convex" : "concave", at, because);
+             data->name, found.points > 0 ? "convex" : "concave", at + 1, because);
     return BATTEN_OK;
 }
 

@@ -67,7 +67,7 @@ static batten_status make_tangents_and_curvatures(bat_run *run, const bat_data *
                      "in %d span%s '%s' has no cubic with these curvatures and keeps the "
                      "tangents alone; the first is after point %d",
                      report.fallen_back, bat_plural(report.fallen_back), data->name,
-                     report.first_fallen_back);
+                     report.first_fallen_back + 1);
     }
     bat_release(t);
     bat_release(tangents);

@@ -1,4 +1,5 @@
 /* 108 and 190 - 198: planes, cylinders, cones, spheres, tori without bounds of their own. */
+#include "base/plural.h"
 #include "exchange/iges/read/references.h"
 #include "exchange/iges/read/surfaces.h"
 
@@ -107,8 +108,8 @@ static batten_status check_sizes(const layout *at, const bat_elementary *e)
     if (at->kind == BAT_TORUS && !(e->b > 0))
         return bat_fail(BATTEN_BAD_FORMAT, "a radius of %g", e->b);
     if (at->kind == BAT_CONE && !(e->b > 0 && e->b < BAT_PI / 2))
-        return bat_fail(BATTEN_BAD_FORMAT, "a cone with half the angle %g degrees",
-                        e->b * 180 / BAT_PI);
+        return bat_fail(BATTEN_BAD_FORMAT, "a cone with half the angle %g degree%s",
+                        e->b * 180 / BAT_PI, bat_plural_real(e->b * 180 / BAT_PI, 6));
     return BATTEN_OK;
 }
 

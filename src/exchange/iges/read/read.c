@@ -1,4 +1,5 @@
 /* Reads an IGES file: its units and sender, then its entities. */
+#include "base/plural.h"
 #include "exchange/iges/iges.h"
 #include "exchange/iges/read/attributes.h"
 #include "exchange/iges/read/bodies.h"
@@ -232,8 +233,8 @@ static batten_status read_entities(bat_iges_reading *reading)
     bat_census_note(input, &reading->census);
     if (batten_model_count(reading->model) > 0 || input->left_out == 0)
         return BATTEN_OK;
-    return bat_input_fail(input, BATTEN_UNSUPPORTED, 0, "none of its %d entities could be read",
-                          input->left_out);
+    return bat_input_fail(input, BATTEN_UNSUPPORTED, 0, "its %d entit%s could not be read",
+                          input->left_out, bat_one_or_many(input->left_out, "y", "ies"));
 }
 
 static batten_status read_all(bat_iges_reading *reading)

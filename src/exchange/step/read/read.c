@@ -1,4 +1,5 @@
 /* Reading STEP: the whole of it. */
+#include "base/plural.h"
 #include "exchange/step/read/import.h"
 #include "exchange/step/step.h"
 
@@ -179,8 +180,8 @@ static batten_status read_all(bat_step_import *import, batten_model **out)
                          import->annotations);
     if (batten_model_count(model) == 0 && input->left_out > 0) {
         batten_model_unref(model);
-        return bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
-                              "none of its %d entities could be read", input->left_out);
+        return bat_input_fail(input, BATTEN_UNSUPPORTED, 0, "its %d entit%s could not be read",
+                              input->left_out, bat_one_or_many(input->left_out, "y", "ies"));
     }
     *out = model;
     return BATTEN_OK;

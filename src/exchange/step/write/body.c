@@ -258,7 +258,7 @@ static int put_face(writing *w, int f)
         loops[l] = put_loop(w, &w->parts->loops[face->first + l], face->count == 1);
     if (face->count == 0 || !loops[0]) {
         batten_notes_add(step->notes, "", 0, face->name,
-                         "face %d: the border of the surface is one point; left out", f);
+                         "face %d: the border of the surface is one point; left out", f + 1);
         return 0;
     }
     /* The first loop is known to be the outer one when it is alone, or the body traced. */

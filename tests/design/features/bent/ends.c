@@ -106,15 +106,17 @@ TEST(spiro_has_the_ends_that_are_given)
          BATTEN_OK,
          "within 1e-8;heads 1 0.8660254037844386 -0.5 0;bends 1 0.25;heads 0 0.984807753012208 "
          "0.17364817766693033 0"},
-        {"{spiro: p, corners: [1, 2]}", BATTEN_OK, "passes;within 1e-9;spans 4"},
-        {"{spiro: p, corners: [5]}", BATTEN_BAD_ARGUMENT, "'corners' names point 5 of 5"},
-        {"{spiro: p, left: [4], right: [9]}", BATTEN_BAD_ARGUMENT,
-         "'right' names point 9 of 5"},
-        {"{spiro: p, corners: [2], left: [1, 2]}", BATTEN_BAD_ARGUMENT,
-         "'left' names point 2, which another list names too"},
-        {"{spiro: p, corners: [2, 2]}", BATTEN_OK, "passes"},
-        {"{spiro: p, curvature: [2, 1]}", BATTEN_OK, "passes;spans 4"},
-        {"{spiro: p, curvature: [7]}", BATTEN_BAD_ARGUMENT, "'curvature' names point 7 of 5"},
+        {"{spiro: p, corners: [2, 3]}", BATTEN_OK, "passes;within 1e-9;spans 4"},
+        {"{spiro: p, corners: [0]}", BATTEN_BAD_ARGUMENT,
+         "'corners' names point 0; points are counted from 1"},
+        {"{spiro: p, corners: [6]}", BATTEN_BAD_ARGUMENT, "'corners' names point 6 of 5"},
+        {"{spiro: p, left: [5], right: [10]}", BATTEN_BAD_ARGUMENT,
+         "'right' names point 10 of 5"},
+        {"{spiro: p, corners: [3], left: [2, 3]}", BATTEN_BAD_ARGUMENT,
+         "'left' names point 3, which another list names too"},
+        {"{spiro: p, corners: [3, 3]}", BATTEN_OK, "passes"},
+        {"{spiro: p, curvature: [3, 2]}", BATTEN_OK, "passes;spans 4"},
+        {"{spiro: p, curvature: [8]}", BATTEN_BAD_ARGUMENT, "'curvature' names point 8 of 5"},
     };
     EXPECT(points, rows);
 }
@@ -140,7 +142,7 @@ TEST(sharp_turns_and_added_inflections_are_noted)
     static const char sharp[] = "  z: {points: [[0, 0], [4, 0], [1, 0.8], [5, 1.5]]}\n"
                                 "  soft: {points: [[0, 0], [1, 0.2], [2, 0.2], [3, 0]]}\n";
     static const expect_row rows[] = {
-        {"{euler-spiral: z}", BATTEN_OK, "notes degrees at point 1: look at the curve there"},
+        {"{euler-spiral: z}", BATTEN_OK, "notes degrees at point 2: look at the curve there"},
         {"{euler-spiral: soft}", BATTEN_OK, "silent"},
     };
     EXPECT(sharp, rows);

@@ -53,7 +53,7 @@ TEST(spiro_takes_the_kinds_of_its_points_and_conditions_at_its_ends)
     const char *track =
         "  t: {points: [[0, 1, 0], [4, 1, 0], [5, 1, 1], [4, 1, 2], [0, 1, 2]]}\n";
     batten_design *design = NULL;
-    CHECK_OK(evaluate(track, "{spiro: t, left: [1], right: [3]}", &design, NULL));
+    CHECK_OK(evaluate(track, "{spiro: t, left: [2], right: [4]}", &design, NULL));
     const batten_object *object =
         batten_model_object(batten_design_result(design, "a")->value, 0);
     CHECK_INT(batten_chain_span_count(object->chain), 4);
@@ -68,7 +68,7 @@ TEST(spiro_takes_the_kinds_of_its_points_and_conditions_at_its_ends)
     }
     batten_design_free(design);
     CHECK_OK(evaluate(ducks,
-                      "{spiro: p, curvature: [2], start: both, start-angle: 40 deg, "
+                      "{spiro: p, curvature: [3], start: both, start-angle: 40 deg, "
                       "start-curvature: -0.2, end: natural}",
                       &design, NULL));
     object = batten_model_object(batten_design_result(design, "a")->value, 0);
@@ -84,10 +84,10 @@ TEST(spiro_takes_the_kinds_of_its_points_and_conditions_at_its_ends)
 TEST(spiro_names_lists_that_do_not_fit_and_rows_out_of_a_plane)
 {
     batten_design *design = NULL;
-    CHECK_STATUS(evaluate(ducks, "{spiro: p, corners: [5]}", &design, NULL),
+    CHECK_STATUS(evaluate(ducks, "{spiro: p, corners: [6]}", &design, NULL),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("'corners' names point 5 of 5");
-    CHECK_STATUS(evaluate(ducks, "{spiro: p, left: [2], corners: [2]}", &design, NULL),
+    CHECK_MESSAGE("'corners' names point 6 of 5");
+    CHECK_STATUS(evaluate(ducks, "{spiro: p, left: [3], corners: [3]}", &design, NULL),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("another list");
     CHECK_STATUS(evaluate(ducks, "{spiro: q}", &design, NULL), BATTEN_NOT_COMPATIBLE);
@@ -112,7 +112,7 @@ TEST(nonlinear_splines_stay_in_a_plane_and_name_what_they_cannot)
     CHECK_MESSAGE("must lie in a plane");
     const char *back = "  p: {points: [[0, 0], [2, 0], [1, 0], [1, 3]]}\n";
     CHECK_STATUS(evaluate(back, "{euler-spiral: p}", &design, NULL), BATTEN_SINGULAR_HERE);
-    CHECK_MESSAGE("turns back on itself at point 1");
+    CHECK_MESSAGE("turns back on itself at point 2");
     const char *sharp = "  p: {points: [[0, 0], [2, 0], [0.5, 0.5], [2, 3]]}\n";
     CHECK_STATUS(evaluate(sharp, "{local-cubic: p}", &design, NULL), BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("use an Euler spiral");
@@ -130,7 +130,7 @@ TEST(sharp_turns_are_noted)
     bool noted = batten_notes_dropped(notes) > 0;
     for (int i = 0; i < batten_notes_count(notes); i++)
         noted |=
-            strstr(batten_notes_at(notes, i)->text, "turns by 162 degrees at point 1") != NULL;
+            strstr(batten_notes_at(notes, i)->text, "turns by 162 degrees at point 2") != NULL;
     CHECK(noted);
     batten_notes_free(notes);
 }

@@ -66,7 +66,7 @@ TEST(the_same_curve_is_kept_with_another_degree_or_knots)
         {"{refine: sheet, knots: [0.5]}", BATTEN_OK, "count 3 2"},
         {"{refine: sheet, knots: [0.5], direction: v}", BATTEN_OK, "count 2 3"},
         {"{refine: bow, knots: [7]}", BATTEN_OUT_OF_DOMAIN,
-         "knot 0 to insert is 7, not in the domain"},
+         "knot 1 to insert is 7, not in the domain"},
         {"{swap: sheet}", BATTEN_OK, "at 1 0 0 1 0;at 0 1 1 0 0"},
         {"{swap: bow}", BATTEN_BAD_ARGUMENT, "bow"},
     };

@@ -77,7 +77,7 @@ TEST(operators_say_what_they_cannot_do)
         const char *feature, *says;
     } rows[] = {
         {"{schoenberg: p, degree: 26}", "the degree is 26"},
-        {"{schoenberg: twice}", "twice: points 1 and 2 coincide"},
+        {"{schoenberg: twice}", "twice: points 2 and 3 coincide"},
         {"{schoenberg: s, as: function}", "must lie in a plane"},
         {"{schoenberg: s, closed: yes, knots: none}", "makes no closed curves"},
         {"{quasi-interpolant: p, degree: 10}", "the degree is 10; it must be in 1..9"},

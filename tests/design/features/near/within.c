@@ -20,7 +20,7 @@ TEST(curves_within_a_bound_pass_their_points_and_tell_how_far)
     static const char *const features[] = {
         "{fit-within: p, within: 10 cm}",
         "{fit-within: p, within: 1 cm, corner: 60 deg}",
-        "{fit-within: p, within: 1 cm, corners: [4], by: bezier}",
+        "{fit-within: p, within: 1 cm, corners: [5], by: bezier}",
         "{fit-within: q, within: 30 cm, by: remove, degree: 2}",
         "{fit-within: q, within: 10 cm, closed: yes, by: insert}",
         "{fit-within: f, within: 20 cm, as: function}"};
@@ -54,7 +54,7 @@ TEST(curves_within_a_bound_say_what_they_cannot_do)
         {"{fit-within: p, within: -1}", "it must be above 0"},
         {"{fit-within: few, within: 1}", "no row has 2 points"},
         {"{fit-within: one, within: 1 cm}", "same parameter"},
-        {"{fit-within: p, within: 1 cm, corners: [7]}", "corner 0 is point 7"},
+        {"{fit-within: p, within: 1 cm, corners: [8]}", "corner 1 is point 8"},
         {"{fit-within: p, within: 1 cm, degree: 5, by: bezier}", "cubics"},
         {"{fit-within: p, within: 1 cm, as: function}", "rising abscissae"},
     };

@@ -69,7 +69,7 @@ TEST(a_coons_patch_is_made_of_four_curves_in_any_order)
 TEST(what_a_coons_patch_cannot_use_is_said)
 {
     static const char *const rows[][2] = {
-        {"{coons: [s, e, n2, w]}", "corner 3, between curves 3 and 4, is open by 0.5"},
+        {"{coons: [s, e, n2, w]}", "corner 4, between curves 3 and 4, is open by 0.5"},
         {"{coons: [s, e, n, w], kind: third, blend: cubic}", "no H"},
         {"{coons: [s, e1, n, w, e2]}", "the number on each side is given"},
         {"{coons: [s, e, n, w], sides: [1, 1, 2]}", "'sides' has 3 counts"},

@@ -56,7 +56,7 @@ TEST(features_of_skins_say_what_they_cannot_do)
          "'marks' has 1 value, not as many for each of 2 sections"},
         {"{skin: [frame, frame2], match: marks, within: 1 mm}", "there are no marks"},
         {"{skin: [frame, frame2], match: arc-length}", "a tolerance is needed"},
-        {"{skin: [wall, wall, wall2]}", "sections 0 and 1 coincide"},
+        {"{skin: [wall, wall, wall2]}", "sections 1 and 2 coincide"},
         {"{skin-rows: [e, one, g]}", "row 2 has 1 point, and needs 2"},
         {"{skin-rows: [e, g], margin: 0.6}", "the margin of knots is 0.6"},
     };

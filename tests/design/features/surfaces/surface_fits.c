@@ -113,7 +113,7 @@ TEST(what_is_no_function_over_a_grid_is_refused)
     } rows[] = {
         {"{fit-grid: grid, as: function, periodic-u: yes}", "does not close"},
         {"{fit-grid: [disc, disc], as: function}", "this is not a grid over x and y"},
-        {"{fit-grid: [grid, grid], as: function}", "y goes from 6 to 0 at line 7"},
+        {"{fit-grid: [grid, grid], as: function}", "y goes from 6 to 0 at line 8"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;

@@ -86,7 +86,7 @@ TEST(nets_that_are_none_are_refused_with_their_numbers)
         {"{bezier-triangle: net, degree: 0}", "the degree is 0"},
         {"{bezier-triangle: net, weights: [1, 2]}", "2 weights for 6 points"},
         {"{bezier-triangle: net, weights: [1, 2, -3, 1, 1, 1]}",
-         "weight 2 of triangle 0 is -3"},
+         "weight 3 of triangle 1 is -3"},
         {"{bezier-triangle: s}", "points are needed"},
         {"{bezier-triangle: net, halve: 12}", "more than"},
         {"{join-triangles: sail}", "0 edges are shared"},

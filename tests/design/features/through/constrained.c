@@ -19,7 +19,7 @@ TEST(constrained_keeps_to_its_side_of_lines_as_curve_and_as_function)
         batten_design *design = NULL;
         snprintf(feature, sizeof feature,
                  "{constrained: p, as: %s, lines: [[0, 1, 0], [5, 1, 1.1]], sides: [[0, 0, 1], "
-                 "[0.02, 0, -1]], forward: [[0, 0, 1]], to: [0, 4], from: [0, 1]}",
+                 "[0.02, 0, -1]], forward: [[0, 0, 1]], to: [0, 5], from: [1, 2]}",
                  ways[i]);
         CHECK_OK(evaluate(feature, &design));
         const batten_object *object =
@@ -45,12 +45,12 @@ TEST(constrained_names_what_contradicts_and_lists_that_do_not_fit)
     CHECK_STATUS(
         evaluate("{constrained: p, lines: [[0, 1, 0.5]], sides: [[0, 0, 1]]}", &design),
         BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("constraint 0 (value, from point 0 to 5) cannot hold");
+    CHECK_MESSAGE("constraint 1 (value, from point 1 to 6) cannot hold");
     CHECK_STATUS(evaluate("{constrained: p, lines: [[0, 1, 0.5]]}", &design),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("'lines' has 1 and 'sides' 0");
     CHECK_STATUS(
-        evaluate("{constrained: p, as: function, at: [1], directions: [[0, 0, 1]]}", &design),
+        evaluate("{constrained: p, as: function, at: [2], directions: [[0, 0, 1]]}", &design),
         BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("upright");
 }

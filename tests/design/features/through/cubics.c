@@ -81,18 +81,18 @@ TEST(a_correction_says_what_it_did)
 TEST(directions_against_the_points_are_noted)
 {
     check_said("batten: 1\nfeatures:\n  p: {points: [[0, 0], [1, 0], [2, 0]]}\n"
-               "  d: {directed-spline: p, at: [1], directions: [[-1, 0.1]]}\n",
-               BATTEN_OK, "lead against the points, the first at point 1");
+               "  d: {directed-spline: p, at: [2], directions: [[-1, 0.1]]}\n",
+               BATTEN_OK, "lead against the points, the first at point 2");
     check_said("batten: 1\nfeatures:\n  p: {points: [[0, 0], [1, 0], [2, 0]]}\n"
-               "  d: {directed-spline: p, at: [1, 2], directions: [[-1, 0.1]]}\n",
+               "  d: {directed-spline: p, at: [2, 3], directions: [[-1, 0.1]]}\n",
                BATTEN_NOT_COMPATIBLE, "names 2 points");
 }
 
 TEST(n4_corners_that_are_no_points_are_refused)
 {
     check_said("batten: 1\nfeatures:\n  p: {points: [[0, 0], [1, 0], [2, 1]]}\n"
-               "  d: {cornered-spline: p, corners: [5]}\n",
-               BATTEN_BAD_ARGUMENT, "corner 0 is point 5");
+               "  d: {cornered-spline: p, corners: [6]}\n",
+               BATTEN_BAD_ARGUMENT, "corner 1 is point 6");
 }
 
 #define QUINTIC                                                                             \

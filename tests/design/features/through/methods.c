@@ -77,10 +77,10 @@ TEST(curves_in_space_leave_the_plane_and_others_say_that_they_need_one)
 TEST(functions_need_rising_abscissae_and_keep_straight_lines)
 {
     static const expect_row rows[] = {
-        {"{@: back}", BATTEN_NOT_INCREASING, "point 2 is at 1, point 1 before it at 2"}};
+        {"{@: back}", BATTEN_NOT_INCREASING, "point 3 is at 1, point 2 before it at 2"}};
     static const expect_row asked[] = {
         {"{@: back, as: function}", BATTEN_NOT_INCREASING,
-         "point 2 is at 1, point 1 before it at 2"},
+         "point 3 is at 1, point 2 before it at 2"},
         {"{@: straight, as: function}", BATTEN_OK, "passes;within 1e-9;on -2 1 0 1;domain 0 4"},
         {"{@: upright, as: function}", BATTEN_OK, "passes;domain 0 4;on 1 0 0 7"}};
     static const expect_row monotone[] = {
@@ -208,23 +208,23 @@ TEST(slopes_of_local_methods_come_from_their_rule)
 TEST(corners_and_directions_are_where_they_are_asked_for)
 {
     static const expect_row rows[] = {
-        {"{cornered-spline: p, lines: [1]}", BATTEN_OK, "passes"},
-        {"{cornered-spline: p, lines: [0, 1, 2, 3]}", BATTEN_OK,
+        {"{cornered-spline: p, lines: [2]}", BATTEN_OK, "passes"},
+        {"{cornered-spline: p, lines: [1, 2, 3, 4]}", BATTEN_OK,
          "passes;within 1e-8;length 4.211082852644094"},
-        {"{cornered-spline: p, corners: [1, 2, 3]}", BATTEN_OK,
+        {"{cornered-spline: p, corners: [2, 3, 4]}", BATTEN_OK,
          "within 1e-8;length 4.211082852644094"},
-        {"{cornered-spline: p, corners: [2], ends: natural}", BATTEN_OK, "bends 0 0;bends 1 0"},
+        {"{cornered-spline: p, corners: [3], ends: natural}", BATTEN_OK, "bends 0 0;bends 1 0"},
         {"{cornered-spline: p, ends: not-a-knot}", BATTEN_OK, "passes"},
         {"{cornered-spline: straight, ends: parabolic}", BATTEN_OK, "passes"},
-        {"{cornered-spline: p, corners: [9]}", BATTEN_BAD_ARGUMENT, "p: "},
-        {"{cornered-spline: p, lines: [4]}", BATTEN_BAD_ARGUMENT, "p: "},
-        {"{directed-spline: p, at: [0, 4], directions: [[0, 2, 0], [1, 0, 0]]}", BATTEN_OK,
+        {"{cornered-spline: p, corners: [10]}", BATTEN_BAD_ARGUMENT, "p: "},
+        {"{cornered-spline: p, lines: [5]}", BATTEN_BAD_ARGUMENT, "p: "},
+        {"{directed-spline: p, at: [1, 5], directions: [[0, 2, 0], [1, 0, 0]]}", BATTEN_OK,
          "heads 0 0 1 0;heads 1 1 0 0;passes"},
-        {"{directed-spline: p, at: 4, directions: [[-1, 0, 0]]}", BATTEN_OK,
+        {"{directed-spline: p, at: 5, directions: [[-1, 0, 0]]}", BATTEN_OK,
          "notes against the points"},
-        {"{directed-spline: p, at: [0], directions: [[0, 1], [1, 0]]}", BATTEN_NOT_COMPATIBLE,
+        {"{directed-spline: p, at: [1], directions: [[0, 1], [1, 0]]}", BATTEN_NOT_COMPATIBLE,
          "'at' names 1 point and 'directions' has 2"},
-        {"{directed-spline: p, at: [0, 1], directions: [[0, 1]]}", BATTEN_NOT_COMPATIBLE,
+        {"{directed-spline: p, at: [1, 2], directions: [[0, 1]]}", BATTEN_NOT_COMPATIBLE,
          "'at' names 2 points and 'directions' has 1"},
         {"{directed-spline: p, tension: [1, 2]}", BATTEN_NOT_COMPATIBLE,
          "'tension' has 2 numbers for 5 points; it takes 1 or one for each"},

@@ -105,14 +105,14 @@ TEST(splines_as_operations_say_what_they_cannot_do)
         const char *feature, *says;
     } rows[] = {
         {"{tension: p, amount: [1, 2]}", "'amount' has 2 numbers for 4 spans"},
-        {"{tension: p, amount: -1}", "the tension of span 0 is -1"},
+        {"{tension: p, amount: -1}", "the tension of span 1 is -1"},
         {"{tension: p, ends: fair}", "the start asks for one"},
         {"{tension: p, as: function, closed: yes}", "a function cannot be closed"},
         {"{tension: s, as: function}", "must lie in a plane"},
         {"{tension: one}", "no row has 2 points"},
         {"{nu-spline: p, nu: [1, 2]}", "'nu' has 2 numbers for 5 points"},
         {"{nu-spline: p, nu: -100}", "negative nu"},
-        {"{weighted-spline: p, weights: 0}", "the weight of span 0 is 0"},
+        {"{weighted-spline: p, weights: 0}", "the weight of span 1 is 0"},
         {"{weighted-spline: p, as: function, closed: yes}", "a function cannot be closed"},
         {"{beta-spline: p, beta1: 0}", "beta1 is 0"},
         {"{quadratic-spline: p, knots: midpoints, as: function}", "are not mid-points"},
