@@ -102,8 +102,8 @@ const bat_feature bat_feature_check = {
          "may occur except the free edges of sheets; so meshes must be closed. The verdict says\n"
          "for what it is made: a curve, a family of curves, a hull or a free surface. Not fair are\n"
          "corners and cusps of curves, creases where edges of surfaces meet (both beyond 'angle'),\n"
-         "jumps of curvature (beyond 'curvature') and inflections in excess. As JSON, with all\n"
-         "digits, when the file ends in .json.",
+         "jumps of curvature (beyond 'curvature'), inflections in excess, and surfaces that fold\n"
+         "over. As JSON, with all digits, when the file ends in .json.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"

@@ -40,9 +40,23 @@ static batten_status add_edge(bat_checked *checked, batten_direction direction, 
 
 /* ---- objects ---- */
 
+/* A surface that folds over needs no points to be judged. */
+static batten_status find_fold(bat_check *check, bat_checked *checked)
+{
+    const batten_surface *surface = checked->object->surface;
+    if (batten_surface_dimension(surface) != 3)
+        return BATTEN_OK;
+    const batten_status status = batten_surface_find_fold(surface, &checked->fold);
+    check->unfairness.folds += checked->fold.found;
+    check->judged_count += checked->fold.found;
+    return status;
+}
+
 static batten_status check_surface(bat_check *check, bat_checked *checked)
 {
     batten_status status = bat_check_add_distance(check, checked, checked->given);
+    if (status == BATTEN_OK)
+        status = find_fold(check, checked);
     if (status == BATTEN_OK)
         status = bat_check_add_distance(check, checked, checked->faired);
     if (status == BATTEN_OK)
@@ -114,7 +128,7 @@ bool bat_check_is_fair(const bat_check *check)
 {
     const bat_unfairness *u = &check->unfairness;
     return u->corners == 0 && u->curvature_jumps == 0 && u->inflections == 0 &&
-           u->unbounded == 0 && u->creases == 0 && u->edge_jumps == 0;
+           u->unbounded == 0 && u->creases == 0 && u->edge_jumps == 0 && u->folds == 0;
 }
 
 /* Whole edges of surfaces that meet. A knuckle that the bound allows has no common curvature. */

@@ -5,6 +5,7 @@
 #include "design/shared/solids.h"
 #include "design/text/document.h"
 #include <batten/curvature.h>
+#include <batten/measure.h>
 #include <batten/text.h>
 
 /* How far the points of an earlier feature lie from a surface, or the nearest of those that
@@ -48,6 +49,7 @@ typedef struct {
     int triangle_joins;                    /* inner edges of a set of triangles */
     double triangle_gap, triangle_angle;   /* the largest at these; the angle in radians */
     bat_solid_faults faults;               /* of a body or mesh */
+    batten_surface_fold fold;              /* of a surface */
     int distance_count, section_count, edge_count;
     bat_data_distance distances[2]; /* from the points given, from those after fairing */
     bat_section *sections;
@@ -76,6 +78,7 @@ typedef struct {
     double largest_turn;          /* the sharpest corner, radians */
     int creases, edge_jumps;      /* edges of surfaces with a turn or a curvature step */
     double largest_crease;        /* radians */
+    int folds;                    /* surfaces that fold over */
 } bat_unfairness;
 
 /* Edges of surfaces that turn by less are smooth, unless a bound is stated: 0.1 degrees. */

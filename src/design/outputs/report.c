@@ -111,6 +111,14 @@ static void text_distances(batten_text *out, const bat_check *check, const bat_c
             batten_text_add(out, k < 2 ? ", " : "\n");
         }
     }
+    if (c->fold.found) {
+        const double at[3] = {c->fold.point.x, c->fold.point.y, c->fold.point.z};
+        batten_text_add(out, "    it folds over near ");
+        for (int k = 0; k < 3; k++) {
+            add_rounded(out, at[k]);
+            batten_text_add(out, k < 2 ? ", " : "\n");
+        }
+    }
     for (int i = 0; i < c->edge_count; i++)
         if (c->edges[i].is_near) {
             batten_text_add(out, "    the edge '%s' is at the centre plane within ",
@@ -268,6 +276,8 @@ static void text_reasons(batten_text *out, const bat_check *check)
         batten_text_add(out, " with a crease");
         text_turn(out, u->creases, u->largest_crease);
     }
+    if (text_reason(out, &separator, u->folds, "surface"))
+        batten_text_add(out, u->folds > 1 ? " that fold over" : " that folds over");
     if (text_reason(out, &separator, u->curvature_jumps, "jump"))
         batten_text_add(out, " of curvature");
     if (text_reason(out, &separator, u->unbounded, "place"))

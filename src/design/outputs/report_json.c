@@ -256,8 +256,9 @@ void bat_report_json(const bat_check *check, batten_text *out)
         batten_text_add(out, i ? ",\n" : "\n");
         json_object(out, &check->objects[i]);
     }
-    batten_text_add(out, "\n  ],\n  \"creases\": %d, \"edge_jumps\": %d,\n  \"joins\": [",
-                    check->unfairness.creases, check->unfairness.edge_jumps);
+    batten_text_add(
+        out, "\n  ],\n  \"creases\": %d, \"edge_jumps\": %d, \"folds\": %d,\n  \"joins\": [",
+        check->unfairness.creases, check->unfairness.edge_jumps, check->unfairness.folds);
     json_joins(out, check);
     batten_text_add(out, "],\n  \"messages\": [");
     json_messages(out, check->run->notes);

@@ -45,6 +45,29 @@ TEST(inflections_of_a_curve_in_tension_are_those_of_its_chain)
     }
 }
 
+TEST(a_surface_that_folds_over_is_not_fair_and_the_place_is_named)
+{
+    /* two opposed lines: the ruled surface between them crosses itself in a plane */
+    static const char *const names[] = {"r.txt", "r.json"};
+    static const char *const said[2][2] = {
+        {"it folds over near ", "not fair as a free surface: 1 surface that folds over"},
+        {"\"folds\": 1", "\"fair\": false"}};
+    for (int i = 0; i < 2; i++) {
+        char text[300], *out = NULL;
+        snprintf(
+            text, sizeof text,
+            "batten: 1\nfeatures:\n  s: {bilinear: [[0, 0, 0], [4, 0, 0], [0, 3, 0], [4, 3, "
+            "0]]}\noutputs:\n  %s: {check: s}\n",
+            names[i]);
+        const batten_status status = report(text, &out);
+        if (test_memory_failed(status, BATTEN_OK))
+            continue;
+        CHECK_OK(status);
+        CHECK(out && strstr(out, said[i][0]) && strstr(out, said[i][1]));
+        batten_release(out);
+    }
+}
+
 #define CYLINDER                                                           \
     "batten: 1\nfeatures:\n"                                               \
     "  a: {arc: 1 m, angle: 180 deg, axis: x, from: y}\n"                  \
