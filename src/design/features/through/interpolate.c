@@ -69,27 +69,39 @@ typedef struct {
     int count;          /* of curves that go far */
 } excursion;
 
-/* A table of offsets ends at keel, deck and side: a smooth curve goes a little beyond its
- * points where it turns, and a tenth at corners. */
-static batten_status look_beyond(const bat_row *row, const batten_curve *curve, excursion *e)
+/* How far a box reaches beyond the points, and the size of the points. */
+static double reach_beyond(const bat_row *row, batten_box box, double *size)
 {
-    static const double far = 0.03;
-    batten_box box;
-    const batten_status status = batten_curve_bounds(curve, &box);
-    if (status != BATTEN_OK)
-        return status;
     const double low[] = {box.low.x, box.low.y, box.low.z},
                  high[] = {box.high.x, box.high.y, box.high.z};
-    double size = 0, reach = 0;
+    double reach = 0;
+    *size = 0;
     for (int k = 0; k < 3; k++) {
         double least = HUGE_VAL, most = -HUGE_VAL;
         for (int i = 0; i < row->count; i++) {
             least = fmin(least, row->points[3 * i + k]);
             most = fmax(most, row->points[3 * i + k]);
         }
-        size = fmax(size, most - least);
+        *size = fmax(*size, most - least);
         reach = fmax(reach, fmax(least - low[k], high[k] - most));
     }
+    return reach;
+}
+
+/* A table of offsets ends at keel, deck and side: a smooth curve goes a little beyond its
+ * points where it turns, and a tenth at corners. The control points, which enclose the curve,
+ * are asked first: the curve itself costs several times its construction. */
+static batten_status look_beyond(const bat_row *row, const batten_curve *curve, excursion *e)
+{
+    static const double far = 0.03;
+    batten_box box = batten_curve_box(curve);
+    double size = 0;
+    if (reach_beyond(row, box, &size) <= far * size)
+        return BATTEN_OK;
+    const batten_status status = batten_curve_bounds(curve, &box);
+    if (status != BATTEN_OK)
+        return status;
+    const double reach = reach_beyond(row, box, &size);
     e->count += reach > far * size;
     if (reach > far * size && reach > e->part * size)
         *e = (excursion){row->name, reach, reach / size, e->count};
@@ -117,7 +129,10 @@ static batten_status fit_row(bat_run *run, const bat_row *row, const batten_obje
     bat_note_spacing(run, row->name, row->count, row->points);
     const batten_status status = batten_curve_interpolate(
         (batten_points){3, row->count, row->points}, &run->result->fit, parameters_of, &curve);
-    const batten_status looked = status == BATTEN_OK ? look_beyond(row, curve, e) : BATTEN_OK;
+    /* Points that are no table may go where they like. */
+    const bool is_table = from->kind == BATTEN_OBJECT_OFFSET_TABLE;
+    const batten_status looked =
+        status == BATTEN_OK && is_table ? look_beyond(row, curve, e) : BATTEN_OK;
     const batten_object like = {.name = row->name,
                                 .layer = from->layer,
                                 .point_count = row->count,
@@ -148,7 +163,7 @@ static batten_status fit_object(bat_run *run, const batten_object *object)
             bat_note(run, "'%s' has %d point%s and is left out; a curve needs 2",
                      rows.rows[i].name, rows.rows[i].count, bat_plural(rows.rows[i].count));
     }
-    if (status == BATTEN_OK && object->kind == BATTEN_OBJECT_OFFSET_TABLE)
+    if (status == BATTEN_OK)
         note_excursion(run, &e);
     bat_rows_release(&rows);
     return status;
