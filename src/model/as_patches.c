@@ -1,6 +1,6 @@
 /* Triangles as tensor patches, for formats and pictures that know no others. */
-#include "model/rebuild.h"
 #include "model/definitions.h"
+#include "model/rebuild.h"
 
 #include <batten/model.h>
 #include <stdio.h>
@@ -84,10 +84,10 @@ batten_status batten_model_with_patches(const batten_model *model, batten_patche
     bool has_triangles;
     assert(model && out);
     const batten_status status = find_triangles(model, &has_triangles);
-    if (status == BATTEN_OK && !has_triangles)
+    if (status == BATTEN_OK && has_triangles)
+        return bat_model_change(model, batten_model_unit_metres(model), 1, add_patched,
+                                &patches, out);
+    if (status == BATTEN_OK)
         *out = batten_model_ref(model);
-    if (status != BATTEN_OK || !has_triangles)
-        return status;
-    return bat_model_change(model, batten_model_unit_metres(model), 1, add_patched, &patches,
-                            out);
+    return status;
 }

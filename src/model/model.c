@@ -1,5 +1,6 @@
 /* Models: named objects with a unit, shared by reference. */
 #include "base/base.h"
+#include "base/list.h"
 #include "model/extent.h"
 
 #include <batten/model.h>
@@ -189,13 +190,7 @@ static batten_status reserve(batten_model *model)
         return BATTEN_OK;
     if (model->count > INT_MAX / 2)
         return bat_fail(BATTEN_TOO_LARGE, "a model holds at most %d objects", INT_MAX / 2);
-    const int capacity = bat_max_int(8, 2 * model->count);
-    batten_object *objects = bat_resize(model->objects, (size_t)capacity, sizeof *objects);
-    if (!objects)
-        return BATTEN_OUT_OF_MEMORY;
-    model->objects = objects;
-    model->capacity = capacity;
-    return BATTEN_OK;
+    return BAT_LIST_GROW(model->objects, model->count, model->capacity, 1);
 }
 
 /* A copy of `count` items; also of none. NULL when memory is exhausted. */

@@ -3,16 +3,15 @@
 
 #include <batten/model.h>
 
+#include <string.h>
+
 static double *map_points(const batten_affine *map, int count, const double *points)
 {
     double *mapped = bat_array3((size_t)count, 3, sizeof *mapped);
     for (int i = 0; mapped && i < count; i++) {
         const double *p = &points[3 * (size_t)i];
-        double *made = &mapped[3 * (size_t)i];
         const batten_vec3 at = batten_affine_apply(*map, (batten_vec3){p[0], p[1], p[2]});
-        made[0] = at.x;
-        made[1] = at.y;
-        made[2] = at.z;
+        memcpy(&mapped[3 * (size_t)i], (const double[]){at.x, at.y, at.z}, 3 * sizeof *mapped);
     }
     return mapped;
 }

@@ -157,12 +157,10 @@ static bool spend(bat_wholes *pool, int rows, int columns)
 {
     bat_effort *effort = pool->effort;
     const uint64_t steps = CALL + (uint64_t)rows * (uint64_t)columns;
+    if (effort->status == BATTEN_OK && steps > effort->steps)
+        effort->status = BATTEN_INCOMPLETE;
     if (effort->status != BATTEN_OK)
         return false;
-    if (steps > effort->steps) {
-        effort->status = BATTEN_INCOMPLETE;
-        return false;
-    }
     effort->steps -= steps;
     return true;
 }

@@ -163,14 +163,14 @@ static bool chord_of(const bat_arcs_stretch *on, bat_arc_chord *chord, double un
 /* How much of the band each arc takes, as the larger of both sides. */
 static void shares_of(const batten_biarc *biarc, const bat_arcs_stretch *on, double shares[2])
 {
-    const bat_samples *samples = on->samples;
     const double middle = (on->band->high + on->band->low) / 2;
     bat_arcs_probe probe;
     bat_arcs_probe_make(biarc, &probe);
     shares[0] = shares[1] = 0;
-    for (int i = 0; i < samples->count; i++) {
-        const int k = arc_of(&probe, samples->rows[i]);
-        const double d = fabs(bat_arcs_beside(&probe, samples->rows[i]) - middle);
+    for (int i = 0; i < on->samples->count; i++) {
+        const double *row = on->samples->rows[i];
+        const int k = arc_of(&probe, row);
+        const double d = fabs(bat_arcs_beside(&probe, row) - middle);
         shares[k] = bat_max(shares[k], d);
     }
 }

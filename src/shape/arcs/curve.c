@@ -88,11 +88,11 @@ static batten_status nothing_fits(const bat_arc_fit *t, double u)
         batten_curve_local_at(t->path->curve, u, BATTEN_FROM_RIGHT, &local);
     if (status == BATTEN_OUT_OF_MEMORY)
         return status;
-    const double tolerance = t->band.high - t->band.low;
     return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                     "at %g, where the radius of the curve is %g, no arcs with radii of %g and "
                     "more stay within a band %g wide",
-                    u, 1 / fabs(local.curvature), t->options.least_radius, tolerance);
+                    u, 1 / fabs(local.curvature), t->options.least_radius,
+                    t->band.high - t->band.low);
 }
 
 /* A search for the longest part: the farthest end that was good, the nearest that was not. */

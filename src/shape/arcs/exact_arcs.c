@@ -85,11 +85,10 @@ static bool lies_on(const piece_part *part, const batten_span *arc, double toler
 /* A line where it is one within the tolerance, for then its radius is rounding. */
 static bool recognise(const piece_part *part, double tolerance, batten_span *out)
 {
-    const double from = part->from, to = part->to;
     double a[4], m[4], b[4];
-    piece_at(part->curve, part->piece, from, a);
-    piece_at(part->curve, part->piece, from + (to - from) / 2, m);
-    piece_at(part->curve, part->piece, to, b);
+    piece_at(part->curve, part->piece, part->from, a);
+    piece_at(part->curve, part->piece, part->from + (part->to - part->from) / 2, m);
+    piece_at(part->curve, part->piece, part->to, b);
     if (!(bat_distance(2, a, b) > 4 * tolerance))
         return false;
     line_between(a, b, out);

@@ -159,19 +159,26 @@ static batten_status find_corners(bat_arcs_path *p, double allowed)
     return status;
 }
 
+static batten_status measure_size(bat_arcs_path *p)
+{
+    const batten_box box = batten_curve_box(p->curve);
+    const double size =
+        bat_norm(2, (const double[]){box.high.x - box.low.x, box.high.y - box.low.y});
+    p->scale = bat_max(bat_max(fabs(box.low.x), fabs(box.high.x)),
+                       bat_max(fabs(box.low.y), fabs(box.high.y)));
+    p->speed = size / (p->domain.b - p->domain.a);
+    if (size <= 16 * DBL_EPSILON * p->scale)
+        return bat_fail(BATTEN_SINGULAR_HERE, "the curve is a point");
+    return isfinite(size) ? BATTEN_OK
+                          : bat_fail(BATTEN_OVERFLOW, "the curve is too large for a number");
+}
+
 batten_status bat_arcs_path_make(const batten_curve *curve, double corner, bat_arcs_path *p)
 {
     *p = (bat_arcs_path){.curve = curve, .domain = batten_curve_domain(curve)};
-    const batten_box box = batten_curve_box(curve);
-    const double span[2] = {box.high.x - box.low.x, box.high.y - box.low.y};
-    p->scale = bat_max(bat_max(fabs(box.low.x), fabs(box.high.x)),
-                       bat_max(fabs(box.low.y), fabs(box.high.y)));
-    p->speed = bat_norm(2, span) / (p->domain.b - p->domain.a);
-    if (bat_norm(2, span) <= 16 * DBL_EPSILON * p->scale)
-        return bat_fail(BATTEN_SINGULAR_HERE, "the curve is a point");
-    if (!isfinite(bat_norm(2, span)))
-        return bat_fail(BATTEN_OVERFLOW, "the curve is too large for a number");
-    batten_status status = find_stations(p);
+    batten_status status = measure_size(p);
+    if (status == BATTEN_OK)
+        status = find_stations(p);
     if (status == BATTEN_OK)
         status = add_rests(p);
     if (status == BATTEN_OK)

@@ -166,23 +166,33 @@ static double place_of(const batten_biarc *biarc, const double *point)
     return along(&biarc->arcs[0], point);
 }
 
+static void note_beside(double d, int at, batten_arcs_report *report)
+{
+    report->left = bat_max(report->left, d);
+    report->right = bat_max(report->right, -d);
+    if (fabs(d) > report->error) {
+        report->error = fabs(d);
+        report->at = at;
+    }
+}
+
+static void measure_part(const point_fit *t, const bat_arcs_part *part,
+                         batten_arcs_report *report)
+{
+    bat_arcs_probe probe;
+    bat_arcs_probe_make(&part->biarc, &probe);
+    for (int k = (int)part->from; k <= (int)part->to; k++)
+        note_beside(bat_arcs_beside(&probe, t->points + 2 * k), k, report);
+}
+
 static void measure_all(const point_fit *t, double *parameters, batten_arcs_report *report)
 {
     double length = 0;
     for (int i = 0; i < t->list.count; i++) {
         const bat_arcs_part *part = &t->list.parts[i];
-        bat_arcs_probe probe;
-        bat_arcs_probe_make(&part->biarc, &probe);
-        for (int k = (int)part->from; k <= (int)part->to; k++) {
-            const double d = bat_arcs_beside(&probe, t->points + 2 * k);
-            report->left = bat_max(report->left, d);
-            report->right = bat_max(report->right, -d);
-            if (fabs(d) > report->error) {
-                report->error = fabs(d);
-                report->at = k;
-            }
+        measure_part(t, part, report);
+        for (int k = (int)part->from; k <= (int)part->to; k++)
             parameters[k] = length + place_of(&part->biarc, t->points + 2 * k);
-        }
         for (int k = 0; k < part->biarc.count; k++)
             length += part->biarc.arcs[k].length;
         parameters[(int)part->to] = length;

@@ -36,12 +36,17 @@ static void fill_bins(const bat_scatter *s, size_t all, bins *b)
         b->order[b->first[bin_of(s, b, t) + 1]++] = t;
 }
 
-static batten_status sort_into_bins(const bat_scatter *s, bins *b)
+static void choose_counts(const bat_scatter *s, bins *b)
 {
     for (int k = 0; k < 2; k++) {
         const double wanted = sqrt((double)s->count / EACH * s->side[k] / s->side[1 - k]);
         b->counts[k] = (int)bat_min(MOST_BINS, bat_max(1, wanted));
     }
+}
+
+static batten_status sort_into_bins(const bat_scatter *s, bins *b)
+{
+    choose_counts(s, b);
     const size_t all = (size_t)b->counts[0] * (size_t)b->counts[1];
     b->first = bat_array(all + 2, sizeof *b->first);
     b->order = bat_array(s->count, sizeof *b->order);
@@ -55,13 +60,14 @@ typedef struct {
     double nearest, distance;
 } neighbour;
 
+enum { MOST_IN_BIN = 32 };
+
 static void look_into_bin(const bat_scatter *s, const bins *b, size_t bin, size_t t,
                           neighbour *found)
 {
-    enum { MOST_IN_BIN = 32 };
-    const size_t in = b->first[bin + 1] - b->first[bin];
-    for (size_t n = 0; n < in && n < MOST_IN_BIN; n++) {
-        const size_t other = b->order[b->first[bin] + n];
+    const size_t begin = b->first[bin];
+    for (size_t n = begin; n < b->first[bin + 1] && n < begin + MOST_IN_BIN; n++) {
+        const size_t other = b->order[n];
         const double off = bat_distance(2, s->uv + 2 * t, s->uv + 2 * other);
         if (other == t || off >= found->nearest)
             continue;

@@ -66,22 +66,24 @@ static int number(const corner_cutting *w, int corner)
     return (corner + w->shift) % w->corners + 1;
 }
 
-static batten_status cut_apart(corner_cutting *w, const batten_curve *curve,
-                               const corner_places *found)
+static bool reserve_parts(corner_cutting *w, size_t n)
 {
-    const batten_interval domain = batten_curve_domain(curve);
-    const size_t n = (size_t)found->count + 1;
-    w->corners = found->count;
     w->part = bat_array(n, sizeof(batten_curve *));
     w->piece = bat_array(2 * n, sizeof(batten_curve *));
     w->link = bat_array(n, sizeof(batten_curve *));
     w->from = bat_array(n, sizeof *w->from);
     w->to = bat_array(n, sizeof *w->to);
-    if (!w->part || !w->piece || !w->link || !w->from || !w->to)
-        return BATTEN_OUT_OF_MEMORY;
-    const int parts = found->count + !found->seam;
-    batten_status status = BATTEN_OK;
-    for (int k = 0; status == BATTEN_OK && k < parts; k++) {
+    return w->part && w->piece && w->link && w->from && w->to;
+}
+
+static batten_status cut_apart(corner_cutting *w, const batten_curve *curve,
+                               const corner_places *found)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    w->corners = found->count;
+    batten_status status =
+        reserve_parts(w, (size_t)found->count + 1) ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int k = 0; status == BATTEN_OK && k < found->count + !found->seam; k++) {
         w->from[k] = k ? found->at[k - 1] : domain.a;
         w->to[k] = k < found->count ? found->at[k] : domain.b;
         status = batten_curve_subrange(curve, w->from[k], w->to[k], &w->part[k]);
@@ -90,21 +92,25 @@ static batten_status cut_apart(corner_cutting *w, const batten_curve *curve,
     return status;
 }
 
+/* Says which corner cannot be cut, and where the curve behind it begins. */
+static batten_status refuse_corner(batten_status status, int number, const batten_curve *behind)
+{
+    double p[3] = {0};
+    if (status == BATTEN_OUT_OF_MEMORY ||
+        batten_curve_evaluate(behind, batten_curve_domain(behind).a, 0, p) != BATTEN_OK)
+        return status;
+    return bat_fail(status, "corner %d at (%g, %g, %g): %s", number, p[0], p[1], p[2],
+                    batten_message());
+}
+
 static batten_status cut_corner(corner_cutting *w, int k)
 {
     const int next = (k + 1) % w->parts;
     const bat_corner corner = {number(w, k) - 1, w->part[k], w->part[next]};
     bat_corner_cut cut = {{w->to[k], w->from[next]}, NULL};
     const batten_status status = w->cutter->cut(w->cutter->context, &corner, &cut);
-    if (status != BATTEN_OK) {
-        double p[3] = {0};
-        if (status == BATTEN_OUT_OF_MEMORY ||
-            batten_curve_evaluate(corner.behind, batten_curve_domain(corner.behind).a, 0, p) !=
-                BATTEN_OK)
-            return status;
-        return bat_fail(status, "corner %d at (%g, %g, %g): %s", number(w, k), p[0], p[1], p[2],
-                        batten_message());
-    }
+    if (status != BATTEN_OK)
+        return refuse_corner(status, number(w, k), corner.behind);
     w->to[k] = cut.u[0];
     w->from[next] = cut.u[1];
     w->link[k] = cut.link;

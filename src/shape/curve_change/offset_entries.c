@@ -1,4 +1,5 @@
 /* Where the runs of an offset enter what is nearer to the curve than the distance. */
+#include "base/list.h"
 #include "numeric/vector.h"
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
@@ -42,12 +43,8 @@ static batten_status make_rim(const bat_offset *o, bat_offset *rim)
 static batten_status take_entries(const bat_offset *o, const bat_crossings *found,
                                   bat_crossings *out)
 {
-    const int room = out->count + found->count;
-    bat_crossing *grown = bat_resize(out->at, (size_t)bat_max_int(1, room), sizeof *grown);
-    if (!grown)
+    if (BAT_LIST_GROW(out->at, out->count, out->room, found->count) != BATTEN_OK)
         return BATTEN_OUT_OF_MEMORY;
-    out->at = grown;
-    out->room = bat_max_int(1, room);
     for (int i = 0; i < found->count; i++) {
         const bat_crossing *c = &found->at[i];
         const bool first = c->curve[0] < o->count, second = c->curve[1] < o->count;

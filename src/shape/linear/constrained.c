@@ -148,11 +148,9 @@ static void count_rows(const bat_constrained_fit *t, size_t *equal, size_t *leas
     *least = 0;
     for (int i = 0; i < t->options->constraint_count; i++) {
         const batten_constraint *c = &t->options->constraints[i];
-        if (is_inequality(c->kind))
-            *least += rows_of_inequality(t, c);
-        else
-            *equal += (size_t)t->d;
-        *least += c->kind == BATTEN_CONSTRAINT_DIRECTION;
+        const bool along = is_inequality(c->kind);
+        *equal += along ? 0 : (size_t)t->d;
+        *least += along ? rows_of_inequality(t, c) : c->kind == BATTEN_CONSTRAINT_DIRECTION;
     }
 }
 

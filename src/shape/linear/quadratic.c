@@ -49,23 +49,36 @@ static void best_slope(const quadratic_spline *q, const double *chords, int c, d
         slopes[i * d + c] += change;
 }
 
-static void find_slopes(const quadratic_spline *q, const batten_curve_quadratic_options *o,
-                        double *chords, double *slopes)
+static void find_chords(const quadratic_spline *q, double *chords)
 {
-    const int d = q->dimension, n = q->spans;
-    for (int i = 0; i < n; i++)
+    const int d = q->dimension;
+    for (int i = 0; i < q->spans; i++)
         for (int c = 0; c < d; c++)
             chords[i * d + c] =
                 (q->points[(i + 1) * d + c] - q->points[i * d + c]) / (q->k[i + 1] - q->k[i]);
+}
+
+/* From the slope at one end to the other: each chord is the mean of the slopes at its ends. */
+static void run_slopes(const quadratic_spline *q, const double *chords, int c, bool from_end,
+                       double *slopes)
+{
+    const int d = q->dimension, n = q->spans;
+    for (int i = 0; i < n && !from_end; i++)
+        slopes[(i + 1) * d + c] = 2 * chords[i * d + c] - slopes[i * d + c];
+    for (int i = n - 1; i >= 0 && from_end; i--)
+        slopes[i * d + c] = 2 * chords[i * d + c] - slopes[(i + 1) * d + c];
+}
+
+static void find_slopes(const quadratic_spline *q, const batten_curve_quadratic_options *o,
+                        double *chords, double *slopes)
+{
     const bool from_end = o->slope == BATTEN_QUADRATIC_AT_END;
-    for (int c = 0; c < d; c++) {
+    find_chords(q, chords);
+    for (int c = 0; c < q->dimension; c++) {
         /* Without a given slope, that of the first chord to begin with. */
-        slopes[(from_end ? n : 0) * d + c] =
+        slopes[(from_end ? q->spans : 0) * q->dimension + c] =
             o->slope == BATTEN_QUADRATIC_BEST ? chords[c] : o->vector[c];
-        for (int i = 0; i < n && !from_end; i++)
-            slopes[(i + 1) * d + c] = 2 * chords[i * d + c] - slopes[i * d + c];
-        for (int i = n - 1; i >= 0 && from_end; i--)
-            slopes[i * d + c] = 2 * chords[i * d + c] - slopes[(i + 1) * d + c];
+        run_slopes(q, chords, c, from_end, slopes);
         if (o->slope == BATTEN_QUADRATIC_BEST)
             best_slope(q, chords, c, slopes);
     }

@@ -120,19 +120,24 @@ static void make_quasi(refinement *t)
     }
 }
 
+/* Greville's, of a ring in its first period. */
+static double abscissa_of(const refinement *t, int i)
+{
+    double u = 0;
+    for (int k = 1; k <= t->degree; k++)
+        u += (t->U[i + k] - t->U[i + 1]) / t->degree;
+    u += t->U[i + 1];
+    if (t->periodic && u < t->t[0])
+        u += t->t[t->count] - t->t[0];
+    if (t->periodic && u >= t->t[t->count])
+        u -= t->t[t->count] - t->t[0];
+    return u;
+}
+
 static void make_schoenberg(refinement *t)
 {
-    const int p = t->degree;
     for (int i = 0; i < t->values; i++) {
-        double u = 0;
-        for (int k = 1; k <= p; k++)
-            u += (t->U[i + k] - t->U[i + 1]) / p;
-        u += t->U[i + 1];
-        if (t->periodic && u < t->t[0])
-            u += t->t[t->count] - t->t[0];
-        if (t->periodic && u >= t->t[t->count])
-            u -= t->t[t->count] - t->t[0];
-        const double *q, *next;
+        const double u = abscissa_of(t, i), *q, *next;
         const int j = datum_before(t, u);
         const double a = place_at(t, j, &q), b = place_at(t, j + 1, &next);
         const double x = bat_max(0, bat_min(1, (u - a) / (b - a)));

@@ -105,24 +105,27 @@ static batten_status prepare(bat_tension *t, const batten_chain_tension_options 
     return status == BATTEN_OK ? fill(t, o) : status;
 }
 
+static void set_span(const bat_tension *t, int i, batten_span *span)
+{
+    const int d = t->dimension, next = bat_tension_next(t, i);
+    const size_t row = (size_t)d * sizeof(double);
+    span->kind = BATTEN_SPAN_TENSION;
+    span->length = t->u[i + 1] - t->u[i];
+    span->tension = t->sigma[i];
+    memcpy(span->start, t->points + i * d, row);
+    memcpy(span->end, t->points + next * d, row);
+    memcpy(span->bend[0], t->moments + i * d, row);
+    memcpy(span->bend[1], t->moments + next * d, row);
+}
+
 static batten_status make_chain(const bat_tension *t, batten_chain **out)
 {
     const int d = t->dimension;
     batten_span *spans = bat_array((size_t)t->spans, sizeof *spans);
     if (!spans)
         return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < t->spans; i++) {
-        const int next = bat_tension_next(t, i);
-        spans[i].kind = BATTEN_SPAN_TENSION;
-        spans[i].length = t->u[i + 1] - t->u[i];
-        spans[i].tension = t->sigma[i];
-        for (int k = 0; k < d; k++) {
-            spans[i].start[k] = t->points[i * d + k];
-            spans[i].end[k] = t->points[next * d + k];
-            spans[i].bend[0][k] = t->moments[i * d + k];
-            spans[i].bend[1][k] = t->moments[next * d + k];
-        }
-    }
+    for (int i = 0; i < t->spans; i++)
+        set_span(t, i, &spans[i]);
     const batten_status status =
         batten_chain_create(&(batten_chain_parts){d, t->spans, spans, t->u, t->closed}, 0, out);
     bat_release(spans);

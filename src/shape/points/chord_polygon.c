@@ -114,10 +114,9 @@ double bat_circle_angle(double before, double after, double turn)
     return bat_atan2(-bat_sin(turn) * after, bat_cos(turn) * after + before);
 }
 
-void bat_chord_put(const double *vector, const double *point, batten_span *span)
+/* By the angle with this cosine and sine. */
+static void turn_vectors(double c, double s, batten_span *span)
 {
-    const double l = bat_norm(2, vector);
-    const double c = vector[0] / l, s = vector[1] / l, turn = bat_atan2(vector[1], vector[0]);
     double *const vectors[] = {span->start, span->end, span->bend[0], span->bend[1]};
     for (int k = 0; k < 4; k++) {
         double *v = vectors[k];
@@ -125,16 +124,29 @@ void bat_chord_put(const double *vector, const double *point, batten_span *span)
         v[0] = c * x - s * y;
         v[1] = s * x + c * y;
     }
-    for (int k = 0; k < 2; k++) {
-        span->start[k] += point[k];
-        span->end[k] += point[k];
-    }
-    span->angle += turn;
-    span->chord += turn;
+}
+
+/* What a span of its kind has not is 0. */
+static void clear_unused(batten_span *span)
+{
     if (span->kind != BATTEN_SPAN_TENSION)
         span->end[0] = span->end[1] = 0;
     else
         span->angle = span->chord = 0;
     if (span->kind != BATTEN_SPAN_GEOMETRIC)
         span->chord = 0;
+}
+
+void bat_chord_put(const double *vector, const double *point, batten_span *span)
+{
+    const double l = bat_norm(2, vector);
+    const double c = vector[0] / l, s = vector[1] / l, turn = bat_atan2(vector[1], vector[0]);
+    turn_vectors(c, s, span);
+    for (int k = 0; k < 2; k++) {
+        span->start[k] += point[k];
+        span->end[k] += point[k];
+    }
+    span->angle += turn;
+    span->chord += turn;
+    clear_unused(span);
 }
