@@ -61,17 +61,28 @@ static bool is_inside(batten_interval interval, double value)
     return interval.a <= value && value <= interval.b;
 }
 
+static batten_table_point moved_point(const selected *work, batten_table_point point)
+{
+    point.x = new_x(work, point.x);
+    point.y *= work->selection->scale;
+    point.z = new_z(work, point.z);
+    return point;
+}
+
+static bool is_selected(const batten_offset_table_selection *selection,
+                        const batten_table_point *point)
+{
+    return is_inside(selection->x, point->x) && is_inside(selection->y, point->y) &&
+           is_inside(selection->z, point->z);
+}
+
 static int keep_points(const selected *work, const batten_table_station *station,
                        batten_table_point *kept)
 {
     int count = 0;
     for (int i = 0; i < station->point_count; i++) {
-        batten_table_point point = station->points[i];
-        point.x = new_x(work, point.x);
-        point.y *= work->selection->scale;
-        point.z = new_z(work, point.z);
-        if (is_inside(work->selection->x, point.x) && is_inside(work->selection->y, point.y) &&
-            is_inside(work->selection->z, point.z))
+        const batten_table_point point = moved_point(work, station->points[i]);
+        if (is_selected(work->selection, &point))
             kept[count++] = point;
     }
     return count;

@@ -154,11 +154,8 @@ static double quintic_error(const batten_chain *chain, int i, double a, double b
     const int d = batten_chain_dimension(chain);
     const double from = chain->breaks[i];
     const double scale = span->length / (chain->breaks[i + 1] - from);
-    double largest = 0;
-    for (int k = 0; k < 6 * d; k++)
-        largest = bat_max(largest, fabs(points[k]));
     /* A point of the piece, and one of the span, are sums of three terms or fewer. */
-    const double rounding = 2 * 3 * DBL_EPSILON * largest;
+    const double rounding = 2 * 3 * DBL_EPSILON * bat_largest(6 * d, points);
     return bat_span_quintic_bound(chain->dimension, span, (a - from) * scale,
                                   (b - from) * scale) +
            rounding;

@@ -83,6 +83,17 @@ static inline int slice(const bat_pieces *pieces, double u)
     return bat_min_int((int)((u - pieces->breaks[0]) * pieces->slices), pieces->count - 1);
 }
 
+/* From the breaks in each slice to those up to it; the most in one. */
+static int sum_guide(bat_pieces *pieces)
+{
+    int most = 0;
+    for (int j = 0; j < pieces->count; j++) {
+        most = bat_max_int(most, pieces->guide[j + 1]);
+        pieces->guide[j + 1] += pieces->guide[j];
+    }
+    return most;
+}
+
 /* guide[j]: how many inner breaks lie in slices before j. Pieces that reach into slice j are
  * those from guide[j] to guide[j + 1]. */
 static void fill_guide(bat_pieces *pieces)
@@ -91,11 +102,7 @@ static void fill_guide(bat_pieces *pieces)
     pieces->slices = isfinite(slices) ? slices : 0;
     for (int i = 1; i < pieces->count; i++)
         pieces->guide[slice(pieces, pieces->breaks[i]) + 1]++;
-    int most = 0;
-    for (int j = 0; j < pieces->count; j++) {
-        most = bat_max_int(most, pieces->guide[j + 1]);
-        pieces->guide[j + 1] += pieces->guide[j];
-    }
+    const int most = sum_guide(pieces);
     pieces->step = 1;
     while (2 * pieces->step <= most)
         pieces->step *= 2;

@@ -127,6 +127,12 @@ static void fill_arc(const ellipse *shape, double start, double angle, int piece
         memcpy(points + 2 * pieces * d, points, (size_t)d * sizeof *points);
 }
 
+static void set_ends(size_t d, int pieces, const double *ends, double *points)
+{
+    memcpy(points, ends, d * sizeof *points);
+    memcpy(points + 2 * (size_t)pieces * d, ends + d, d * sizeof *points);
+}
+
 /* ends: NULL, or the first and the last point, known better than by cos and sin. */
 static batten_status make_arc(const ellipse *shape, double start, double angle,
                               const double *ends, batten_curve **out)
@@ -135,10 +141,8 @@ static batten_status make_arc(const ellipse *shape, double start, double angle,
     const int pieces = bat_max_int(1, bat_min_int(4, (int)ceil(angle / HALF_PI)));
     const size_t d = (size_t)shape->dimension;
     fill_arc(shape, start, angle, pieces, points, weights, knots);
-    if (ends) {
-        memcpy(points, ends, d * sizeof *points);
-        memcpy(points + 2 * (size_t)pieces * d, ends + d, d * sizeof *points);
-    }
+    if (ends)
+        set_ends(d, pieces, ends, points);
     return batten_curve_create((batten_points){(int)d, 2 * pieces + 1, points}, 2, weights,
                                knots, out);
 }

@@ -59,6 +59,17 @@ static void insert_one(insertion *work, double u)
     work->done++;
 }
 
+static void insert_all(const bat_spline *spline, int count, const double *knots,
+                       bat_spline *made)
+{
+    insertion work = {spline, made, 0, 0};
+    for (int i = 0; i < count; i++) {
+        advance(&work, knots[i]);
+        insert_one(&work, knots[i]);
+    }
+    advance(&work, HUGE_VAL);
+}
+
 batten_status bat_spline_insert(const bat_spline *spline, int count, const double *knots,
                                 bat_spline *out)
 {
@@ -67,12 +78,7 @@ batten_status bat_spline_insert(const bat_spline *spline, int count, const doubl
         bat_spline_make(spline->degree, spline->count + count, spline->width, &made);
     if (status != BATTEN_OK)
         return status;
-    insertion work = {spline, &made, 0, 0};
-    for (int i = 0; i < count; i++) {
-        advance(&work, knots[i]);
-        insert_one(&work, knots[i]);
-    }
-    advance(&work, HUGE_VAL);
+    insert_all(spline, count, knots, &made);
     *out = made;
     return BATTEN_OK;
 }

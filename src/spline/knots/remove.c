@@ -75,6 +75,14 @@ static void solve_both(const removal *work, int r, int s, double *left, double *
     }
 }
 
+/* Of row i, when knot r goes and its neighbours are these. */
+static double residual_at(const removal *work, int r, int i, const double *next,
+                          const double *before)
+{
+    const bat_spline *spline = work->spline;
+    return residual(work, row_of(spline, i), alpha(spline, i, spline->knots[r]), next, before);
+}
+
 /* Take the left solution up to the equation that is left open, the right one beyond it; into
  * `left`. */
 static void meet(const removal *work, int r, int s, double *left, const double *right)
@@ -85,9 +93,8 @@ static void meet(const removal *work, int r, int s, double *left, const double *
     int open = 0;
     double least = HUGE_VAL;
     for (int k = 0; k <= count; k++) {
-        const double here = residual(work, row_of(spline, first + k),
-                                     alpha(spline, first + k, spline->knots[r]),
-                                     right + (size_t)(k + 1) * width, left + (size_t)k * width);
+        const double here = residual_at(work, r, first + k, right + (size_t)(k + 1) * width,
+                                        left + (size_t)k * width);
         if (here < least) {
             least = here;
             open = k;
@@ -108,10 +115,9 @@ static double removal_error(const removal *work, int r, int s)
     meet(work, r, s, left, right);
     double largest = 0;
     for (int k = 0; k <= count; k++)
-        largest = bat_max(largest,
-                          residual(work, row_of(spline, first + k),
-                                   alpha(spline, first + k, spline->knots[r]),
-                                   left + (size_t)(k + 1) * width, left + (size_t)k * width));
+        largest =
+            bat_max(largest, residual_at(work, r, first + k, left + (size_t)(k + 1) * width,
+                                         left + (size_t)k * width));
     return largest;
 }
 
@@ -312,22 +318,27 @@ batten_status bat_spline_thin(bat_spline *spline, size_t group, double tolerance
     return status;
 }
 
-batten_status bat_spline_removal_errors(const bat_spline *spline, size_t group, double *errors)
+static void list_errors(const removal *work, double *errors)
 {
-    const int p = spline->degree, n = spline->count;
-    const double *U = spline->knots;
-    bat_spline borrowed = *spline;
-    removal work;
-    const batten_status status = removal_begin(&work, &borrowed, group);
-    if (status != BATTEN_OK)
-        return status;
+    const int p = work->spline->degree, n = work->spline->count;
+    const double *U = work->spline->knots;
     for (int j = 0; j < n + p + 1; j++)
         errors[j] = HUGE_VAL;
     for (int r = p + 1, s = 1; r < n; r++) {
         s = U[r] == U[r - 1] ? s + 1 : 1;
         if (U[r] != U[r + 1] && U[r] != U[p])
-            errors[r] = removal_error(&work, r, s);
+            errors[r] = removal_error(work, r, s);
     }
+}
+
+batten_status bat_spline_removal_errors(const bat_spline *spline, size_t group, double *errors)
+{
+    bat_spline borrowed = *spline;
+    removal work;
+    const batten_status status = removal_begin(&work, &borrowed, group);
+    if (status != BATTEN_OK)
+        return status;
+    list_errors(&work, errors);
     bat_release(work.rows);
     return BATTEN_OK;
 }

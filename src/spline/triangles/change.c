@@ -200,21 +200,26 @@ static void halve_domain(const batten_triangles *triangles, const int *middles,
     }
 }
 
+static void halve_net(const batten_triangles *triangles, int t, double *work,
+                      batten_triangles *made)
+{
+    double middle[3][3] = {{0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}};
+    for (int e = 0; e < 3; e++) {
+        double corners[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        for (int c = 0; c < 3; c++)
+            if (c != e)
+                memcpy(corners[c], middle[3 - c - e], sizeof middle[0]);
+        set_part(triangles, t, corners, work, made, 4 * t + e);
+    }
+    set_part(triangles, t, middle, work, made, 4 * t + 3);
+}
+
 /* The parts at corners 0, 1, 2 and the inner one. Part e: corner e stays, corner c becomes the
  * middle of the edge from e to c, which is opposite 3 - c - e. */
 static void halve_nets(const batten_triangles *triangles, double *work, batten_triangles *made)
 {
-    double middle[3][3] = {{0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}};
-    for (int t = 0; t < triangles->count; t++) {
-        for (int e = 0; e < 3; e++) {
-            double corners[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-            for (int c = 0; c < 3; c++)
-                if (c != e)
-                    memcpy(corners[c], middle[3 - c - e], sizeof middle[0]);
-            set_part(triangles, t, corners, work, made, 4 * t + e);
-        }
-        set_part(triangles, t, middle, work, made, 4 * t + 3);
-    }
+    for (int t = 0; t < triangles->count; t++)
+        halve_net(triangles, t, work, made);
 }
 
 batten_status batten_triangles_halve(const batten_triangles *triangles, batten_triangles **out)

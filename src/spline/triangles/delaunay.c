@@ -198,6 +198,15 @@ static int compare_places(const void *a, const void *b)
     return (first->y > second->y) - (first->y < second->y);
 }
 
+static void take_apart(int count, const place *places, double *points, int *order)
+{
+    for (int i = 0; i < count; i++) {
+        points[2 * (size_t)i] = places[i].x;
+        points[2 * (size_t)i + 1] = places[i].y;
+        order[i] = places[i].point;
+    }
+}
+
 /* The points from left to right, side by side in memory, and which they are. */
 static batten_status sort(int count, const double *points, double *sorted, int *order)
 {
@@ -207,13 +216,19 @@ static batten_status sort(int count, const double *points, double *sorted, int *
     for (int i = 0; i < count; i++)
         places[i] = (place){points[2 * (size_t)i], points[2 * (size_t)i + 1], i};
     qsort(places, (size_t)count, sizeof *places, compare_places);
-    for (int i = 0; i < count; i++) {
-        sorted[2 * (size_t)i] = places[i].x;
-        sorted[2 * (size_t)i + 1] = places[i].y;
-        order[i] = places[i].point;
-    }
+    take_apart(count, places, sorted, order);
     bat_release(places);
     return BATTEN_OK;
+}
+
+/* How many parts are left. */
+static int merge_neighbours(bat_delaunay *edges, int count, part *parts)
+{
+    for (int i = 0; i < count / 2; i++)
+        parts[i] = merge(edges, parts[2 * i], parts[2 * i + 1]);
+    if (count % 2)
+        parts[count / 2] = parts[count - 1];
+    return (count + 1) / 2;
 }
 
 static void merge_all(bat_delaunay *edges, int count, part *parts)
@@ -222,13 +237,8 @@ static void merge_all(bat_delaunay *edges, int count, part *parts)
     for (int i = 0; i < left; i++)
         parts[i] = i == left - 1 && count % 2 ? part_of_three(edges, 2 * i)
                                               : part_of_two(edges, 2 * i);
-    while (left > 1) {
-        for (int i = 0; i < left / 2; i++)
-            parts[i] = merge(edges, parts[2 * i], parts[2 * i + 1]);
-        if (left % 2)
-            parts[left / 2] = parts[left - 1];
-        left = (left + 1) / 2;
-    }
+    while (left > 1)
+        left = merge_neighbours(edges, left, parts);
 }
 
 /* Origins as the caller counts points. */
