@@ -193,13 +193,31 @@ static batten_status section_corner(const bat_skin *t, const seam_line *line, do
     return status;
 }
 
-batten_status bat_skin_find_seam(bat_skin *t)
+/* The largest corner of a curve at its inner knots. */
+static batten_status inner_corner(const batten_curve *curve, double *corner)
+{
+    const int count = batten_curve_spans(curve, NULL);
+    double *knots = bat_array((size_t)count, sizeof *knots);
+    if (!knots)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_curve_spans(curve, knots);
+    batten_status status = BATTEN_OK;
+    for (int i = 1; i + 1 < count && status == BATTEN_OK; i++)
+        status = curve_corner(curve, &(seam_line){{knots[i], knots[i]}}, corner);
+    bat_release(knots);
+    return status;
+}
+
+batten_status bat_skin_find_corners(bat_skin *t)
 {
     batten_status status = BATTEN_OK;
-    for (int k = 0; k < t->count && status == BATTEN_OK && t->closed; k++) {
+    for (int k = 0; k < t->count && status == BATTEN_OK; k++) {
         const batten_interval domain = batten_curve_domain(t->placed[k]);
         const seam_line seam = {{domain.b, domain.a}};
-        if (!t->point[k])
+        if (t->point[k])
+            continue;
+        status = inner_corner(t->placed[k], &t->inner_corner);
+        if (status == BATTEN_OK && t->closed)
             status = curve_corner(t->placed[k], &seam, &t->seam_corner);
     }
     return status;
@@ -226,28 +244,27 @@ static int list_places(const bat_skin *t, double places[EVEN_PLACES + 2 * POLE_P
     return count;
 }
 
-/* The largest jumps over one line; the crease is 0 where a section has a corner. */
+/* The largest jumps over one line. A crease is what the sections have no corner for: `crease` by the sections as they
+ * are now, which a cure may help, `noted` by those that were given. */
 typedef struct {
-    double normal, speed, crease;
+    double normal, speed, crease, noted;
 } line_jumps;
 
 static batten_status find_line_jumps(const bat_skin *t, const batten_surface *surface,
                                      const seam_line *line, line_jumps *found)
 {
     const bool is_seam = line->sides[0] != line->sides[1];
-    double corner = t->seam_corner, places[EVEN_PLACES + 2 * POLE_PLACES];
+    const double given = is_seam ? t->seam_corner : t->inner_corner;
+    double corner = 0, places[EVEN_PLACES + 2 * POLE_PLACES];
     const int count = list_places(t, places);
-    batten_status status = BATTEN_OK;
+    batten_status status = section_corner(t, line, &corner);
     *found = (line_jumps){0};
-    /* At the seam the sections as given count: those within a tolerance may have a corner of their own there. */
-    if (!is_seam) {
-        corner = 0;
-        status = section_corner(t, line, &corner);
-    }
     for (int j = 0; status == BATTEN_OK && j < count; j++)
         status = jumps(surface, line, places[j], &found->normal, &found->speed);
     if (corner < bat_skin_corner)
         found->crease = bat_max(0, found->normal - corner);
+    /* Sections within a tolerance may have corners of their own where those given have none. */
+    found->noted = given < bat_skin_corner ? bat_max(0, found->normal - given) : found->crease;
     return status;
 }
 
@@ -267,11 +284,12 @@ static batten_status find_jumps(bat_skin *t, const batten_surface *surface, cons
         t->found.normal_jump = bat_max(t->found.normal_jump, here.normal);
         t->found.speed_jump = bat_max(t->found.speed_jump, here.speed);
         t->found.crease = bat_max(t->found.crease, here.crease);
+        t->noted_crease = bat_max(t->noted_crease, here.noted);
     }
     if (status == BATTEN_OK && t->closed && !t->periodic_u && t->dimension == 3) {
         const seam_line seam = {{knots[knot_count - 1], knots[0]}};
         status = find_line_jumps(t, surface, &seam, &here);
-        t->seam_crease = here.crease;
+        t->noted_crease = bat_max(t->noted_crease, here.noted);
     }
     return status;
 }
@@ -320,7 +338,7 @@ batten_status bat_skin_inspect(bat_skin *t, const batten_surface *surface)
         return BATTEN_OUT_OF_MEMORY;
     batten_surface_spans(surface, BATTEN_U, knots);
     t->found.knot_count = knot_count - 2;
-    t->found.normal_jump = t->found.speed_jump = t->found.crease = t->seam_crease = 0;
+    t->found.normal_jump = t->found.speed_jump = t->found.crease = t->noted_crease = 0;
     find_deviation(t);
     batten_status status = check_sections(t, surface);
     if (status == BATTEN_OK && (t->cures || t->reports))

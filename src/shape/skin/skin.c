@@ -104,7 +104,7 @@ static batten_status place_sections(bat_skin *t)
     if (status == BATTEN_OK)
         status = bat_skin_match(t);
     if (status == BATTEN_OK)
-        status = bat_skin_find_seam(t);
+        status = bat_skin_find_corners(t);
     return status == BATTEN_OK ? shape_tips(t) : status;
 }
 
@@ -196,7 +196,7 @@ static batten_status skin(bat_skin *t, batten_surface **out)
             status = cured == BATTEN_OK ? status : cured;
         }
     }
-    t->found.crease = bat_max(t->found.crease, t->seam_crease);
+    t->found.crease = bat_max(t->found.crease, t->noted_crease);
     if (status == BATTEN_OK && t->reports)
         status = bat_skin_order(t);
     if (status == BATTEN_OK)

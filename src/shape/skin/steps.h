@@ -23,10 +23,11 @@ typedef struct {
     bool cures;             /* creases are to be cured */
     bool reports;           /* somebody wants to know */
     batten_surface_skin_report found;
+    double inner_corner; /* the largest of the sections, as placed, at their inner knots */
     double
         seam_corner; /* the largest of the closed sections, as placed, where they begin and end */
     double
-        seam_crease; /* as found.crease, at the seam of closed sections, where nothing cures it */
+        noted_crease; /* as found.crease, by the sections as placed, and at the seam, where nothing cures it */
     int dimension, points; /* of a section; one period of a periodic one */
     size_t width;          /* dimension, one more when rational */
     bool rational, periodic_u;
@@ -98,8 +99,8 @@ batten_status bat_skin_surface(const bat_skin *t, batten_surface **surface);
  */
 static const double bat_skin_corner = 0.01;
 
-/* The seam of the sections as they are placed, before any cure: `seam_corner`. */
-batten_status bat_skin_find_seam(bat_skin *t);
+/* The corners of the sections as they are placed, before any cure: `inner_corner`, `seam_corner`. */
+batten_status bat_skin_find_corners(bat_skin *t);
 /* Does the surface pass its sections? TOLERANCE_NOT_MET when not. Fills in `found`. */
 batten_status bat_skin_inspect(bat_skin *t, const batten_surface *surface);
 

@@ -203,3 +203,22 @@ TEST(a_seam_that_a_tolerance_bends_is_noted)
     };
     EXPECT(rings, rows);
 }
+
+TEST(creases_that_a_tolerance_brings_into_circles_are_noted_whole)
+{
+    /* Circles and rings that take turns: within 1 mm the circles have small corners, and between sections these grow. */
+    static const char mixed[] =
+        "  s0: {circle: 0.4946, axis: x, at: [1, -0.0729, 0.0186]}\n"
+        "  p1: {points: [[2, 0.841, 0], [2, 0.36, 0.767], [2, -0.345, 0.744], [2, -0.701, 0],\n"
+        "      [2, -0.464, -0.696], [2, 0.342, -0.757]]}\n"
+        "  s1: {interpolate: p1, periodic: yes}\n"
+        "  s2: {circle: 0.8555, axis: x, at: [3, -0.0522, -0.0755]}\n"
+        "  p3: {points: [[4, 0.917, 0], [4, 0.475, 0.535], [4, -0.333, 0.647], [4, -0.668, 0],\n"
+        "      [4, -0.302, -0.652], [4, 0.357, -0.555]]}\n"
+        "  s3: {interpolate: p3, periodic: yes}\n  q0: {points: [[0.687, -0.173, -0.183]]}\n";
+    static const expect_row rows[] = {
+        {"{skin: [q0, s0, s1, s2, s3], poles: smooth, within: 1 mm}", BATTEN_OK,
+         "notes has a crease of 16."},
+    };
+    EXPECT(mixed, rows);
+}
