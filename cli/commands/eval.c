@@ -98,6 +98,11 @@ static batten_status evaluate(const batten_object *object, const double at[2], i
     return status;
 }
 
+static bool is_place(const arguments *given, int g)
+{
+    return strcmp(given->options[given->given[g].option].name, "at") == 0;
+}
+
 /* All places on all objects that have as many parameters. */
 static batten_status evaluate_all(const batten_model *model, const arguments *given,
                                   const request *asked, batten_text *text)
@@ -105,7 +110,7 @@ static batten_status evaluate_all(const batten_model *model, const arguments *gi
     bool first = true;
     const bool lone = batten_model_count(model) == 1;
     for (int g = 0; g < given->given_count; g++) {
-        if (strcmp(given->options[given->given[g].option].name, "at") != 0)
+        if (!is_place(given, g))
             continue;
         double at[2];
         const int at_count = read_at(given->given[g].value, at);
@@ -143,8 +148,7 @@ static bool check_places(const arguments *given)
 {
     for (int g = 0; g < given->given_count; g++) {
         double at[2];
-        if (strcmp(given->options[given->given[g].option].name, "at") == 0 &&
-            read_at(given->given[g].value, at) == 0) {
+        if (is_place(given, g) && read_at(given->given[g].value, at) == 0) {
             complain("batten eval: --at wants U or U,V, finite numbers, not '%s'",
                      given->given[g].value);
             return false;

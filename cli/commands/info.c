@@ -122,9 +122,8 @@ static void add_json(batten_text *text, const batten_object *object, const facts
     add_text(text, "layer", object->layer);
     add_text(text, "group", object->group);
     batten_text_add(text, ", \"hidden\": %s", object->is_hidden ? "true" : "false");
-    if (object->has_colour) {
+    if (object->has_colour)
         json_colour(text, object);
-    }
     json_box(text, f);
 }
 

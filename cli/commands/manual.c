@@ -138,9 +138,8 @@ static void add_feature(batten_text *text, const batten_feature *f)
     batten_text_add(text, ".\n.PP\n");
     add_escaped(text, f->manual);
     batten_text_add(text, "\n");
-    if (f->formula) {
+    if (f->formula)
         add_formula(text, f);
-    }
     for (int i = 0; i < f->parameter_count; i++) {
         const batten_parameter *p = &f->parameters[i];
         add_term(text, p->name, p->summary);

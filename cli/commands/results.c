@@ -35,12 +35,10 @@ static void feature_json(batten_text *text, const batten_feature_result *r)
     batten_text_json(text, r->operation);
     batten_text_add(text, ", \"status\": \"%s\", ", batten_status_name(r->status));
     add_member(text, "seconds", r->seconds);
-    if (r->has_error) {
+    if (r->has_error)
         error_json(text, r);
-    }
-    if (r->has_moves) {
+    if (r->has_moves)
         moves_json(text, r);
-    }
     if (r->fairing)
         batten_text_add(text, ", \"excess_inflections\": {\"before\": %d, \"after\": %d}",
                         r->fairing->before.excess_inflections,

@@ -50,9 +50,8 @@ static batten_status compose(const single *s, const arguments *given, const char
         batten_text_add(text, "units: %s\n", unit);
     batten_text_add(text, "features:\n");
     input_add(text, given->files[0]);
-    if (s->operation) {
+    if (s->operation)
         add_operation(s, given, text);
-    }
     batten_text_add(text, "outputs:\n  ");
     batten_text_json(text, output_name(s));
     if (s->output_operation) {

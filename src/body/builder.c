@@ -215,13 +215,12 @@ static void keep_edges(batten_body_parts *p, int *numbers)
 {
     batten_body_edge *edges = own(p->edges);
     int kept = 0;
-    for (int i = 0; i < p->edge_count; i++) {
+    for (int i = 0; i < p->edge_count; i++)
         if (numbers[i]) {
             numbers[i] = kept;
             edges[kept++] = edges[i];
         } else
             batten_curve_unref(own(edges[i].curve));
-    }
     p->edge_count = kept;
 }
 

@@ -57,9 +57,8 @@ static batten_status make_state(const batten_design *design, char *text, size_t 
     bat_design_state made = {.text = text, .length = length};
     batten_status status =
         bat_document_parse(text, length, &options, &bat_all_features, notes, &made.document);
-    if (status == BATTEN_OK) {
+    if (status == BATTEN_OK)
         status = make_results(&made);
-    }
     if (status == BATTEN_OK)
         *out = made;
     else

@@ -145,9 +145,8 @@ static batten_status ask_formats(bat_input *input, bool *is_such, batten_format 
     batten_status status = BATTEN_OK;
     for (size_t k = 0; status == BATTEN_OK && !*is_such && bat_format_at(k); k++) {
         const bat_format_row *row = bat_format_at(k);
-        if (!row->recognise)
-            continue;
-        status = row->recognise(input, is_such);
+        if (row->recognise)
+            status = row->recognise(input, is_such);
         if (status == BATTEN_OK && *is_such)
             *format = row->format;
     }

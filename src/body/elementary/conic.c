@@ -207,12 +207,18 @@ static batten_status hyperbola_between(const bat_conic *conic, double t0, double
     return status;
 }
 
+/* From the plane of the conic, with z upward, to where it stands. */
+static batten_affine place_of(const bat_conic *conic)
+{
+    const batten_vec3 x = conic->frame.x, y = side_axis(conic), z = conic->frame.z;
+    const batten_vec3 o = conic->frame.origin;
+    return (batten_affine){{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}},
+                           {o.x, o.y, o.z}};
+}
+
 static batten_status to_space(const bat_conic *conic, batten_curve *plane, batten_curve **out)
 {
-    const batten_vec3 x = conic->frame.x, y = side_axis(conic), z = conic->frame.z,
-                      o = conic->frame.origin;
-    const batten_affine place = {{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}},
-                                 {o.x, o.y, o.z}};
+    const batten_affine place = place_of(conic);
     batten_curve *raised = NULL;
     batten_status status = batten_curve_to_dimension(plane, 3, &raised);
     if (status == BATTEN_OK)

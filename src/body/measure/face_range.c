@@ -131,16 +131,22 @@ static int largest_loop(const finder *f)
     return outer;
 }
 
+/* The whole periods that bring a loop next to the main one. */
+static double shift_beside(const bat_chart *chart, int k, batten_interval own,
+                           batten_interval main)
+{
+    const double apart = (main.a + main.b - own.a - own.b) / 2;
+    return chart->closed[k] ? chart->period[k] * nearbyint(apart / chart->period[k]) : 0;
+}
+
 /* By the largest loop, and the others moved beside it by whole periods. */
 static void take_loops(const finder *f, int k, batten_interval over[2])
 {
     const int outer = largest_loop(f);
     over[k] = f->loops[outer].over[k];
     for (int i = 0; i < f->count; i++) {
-        const batten_interval own = f->loops[i].over[k], main = f->loops[outer].over[k];
-        const double apart = (main.a + main.b - own.a - own.b) / 2;
-        const double by =
-            f->chart.closed[k] ? f->chart.period[k] * nearbyint(apart / f->chart.period[k]) : 0;
+        const batten_interval own = f->loops[i].over[k];
+        const double by = shift_beside(&f->chart, k, own, f->loops[outer].over[k]);
         over[k].a = bat_min(over[k].a, own.a + by);
         over[k].b = bat_max(over[k].b, own.b + by);
     }

@@ -367,8 +367,7 @@ void bat_report_text(const bat_check *check, batten_text *out)
     for (int i = 0; i < check->join_count; i++)
         text_join(out, check, &check->joins[i]);
     text_verdict(out, check);
-    if (isfinite(check->within)) {
+    if (isfinite(check->within))
         text_bound(out, check);
-    }
     batten_text_add(out, ".\n");
 }

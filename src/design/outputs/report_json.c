@@ -101,9 +101,8 @@ static void json_feature(batten_text *out, const batten_feature_result *r)
     batten_text_add(out, "    {\"name\": ");
     batten_text_json(out, r->name);
     batten_text_add(out, ", \"operation\": \"%s\"", r->operation);
-    if (r->has_error) {
+    if (r->has_error)
         json_error(out, r);
-    }
     if (r->fairing)
         json_moves(out, r);
     if (r->skin)

@@ -122,17 +122,23 @@ static batten_status ask_band(const asking *a, batten_curve_least_squares_option
     return BATTEN_OK;
 }
 
-static batten_status ask_all(asking *a, batten_curve_least_squares_options *options)
+static batten_status ask_shape(const asking *a, batten_curve_least_squares_options *options)
 {
     const bat_argument *shape = bat_argument_of(a->run, "shape");
-    batten_status status = ask_places(a);
     for (int i = 0; i < shape->count; i++)
         options->shape |= 1u << shape->items[i].count;
     options->side = (batten_fit_side)bat_word(a->run, "side");
-    const bool of_function = options->shape || options->side != BATTEN_FIT_BOTH;
-    if (status == BATTEN_OK && a->data->dimension > 1 && of_function)
-        status = bat_fail(BATTEN_BAD_ARGUMENT, "'%s' is for functions: add 'as: function'",
-                          options->shape ? "shape" : "side");
+    if (a->data->dimension > 1 && (options->shape || options->side != BATTEN_FIT_BOTH))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' is for functions: add 'as: function'",
+                        options->shape ? "shape" : "side");
+    return BATTEN_OK;
+}
+
+static batten_status ask_all(asking *a, batten_curve_least_squares_options *options)
+{
+    batten_status status = ask_places(a);
+    if (status == BATTEN_OK)
+        status = ask_shape(a, options);
     return status == BATTEN_OK ? ask_band(a, options) : status;
 }
 

@@ -83,17 +83,21 @@ static const char *unit_of(writing *w, double metres)
 
 /* ---- meshes ---- */
 
-static void put_vertices(writing *w, const batten_mesh_parts *p)
+static void put_vertex(writing *w, const double point[3])
 {
     static const char *const names[] = {"<vertex x=\"", "\" y=\"", "\" z=\""};
-    put_xml(w, "<vertices>\n");
-    for (size_t i = 0; i < (size_t)p->vertex_count; i++) {
-        for (size_t k = 0; k < 3; k++) {
-            put_xml(w, names[k]);
-            put_number(w, w->scale * p->points[3 * i + k]);
-        }
-        put_xml(w, "\"/>\n");
+    for (int k = 0; k < 3; k++) {
+        put_xml(w, names[k]);
+        put_number(w, w->scale * point[k]);
     }
+    put_xml(w, "\"/>\n");
+}
+
+static void put_vertices(writing *w, const batten_mesh_parts *p)
+{
+    put_xml(w, "<vertices>\n");
+    for (size_t i = 0; i < (size_t)p->vertex_count; i++)
+        put_vertex(w, p->points + 3 * i);
     put_xml(w, "</vertices>\n");
 }
 

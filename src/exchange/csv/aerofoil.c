@@ -25,17 +25,22 @@ static bool is_point(const bat_separated *table)
     return bat_row_length(table) == 2 && bat_field_is_number(table, 0);
 }
 
-static batten_status read_name(reading *r)
+static bat_span without_blanks(bat_span raw)
 {
-    const bat_span raw = r->table.raw;
     size_t begin = 0, end = raw.length;
     while (begin < end && bat_is_blank(raw.bytes[begin]))
         begin++;
     while (end > begin && bat_is_blank(raw.bytes[end - 1]))
         end--;
-    batten_status status = bat_input_array(r->table.input, end - begin + 1, 1, &r->name);
+    return (bat_span){raw.bytes + begin, end - begin};
+}
+
+static batten_status read_name(reading *r)
+{
+    const bat_span name = without_blanks(r->table.raw);
+    batten_status status = bat_input_array(r->table.input, name.length + 1, 1, &r->name);
     if (status == BATTEN_OK)
-        memcpy(r->name, raw.bytes + begin, end - begin);
+        memcpy(r->name, name.bytes, name.length);
     return status;
 }
 

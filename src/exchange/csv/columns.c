@@ -68,16 +68,21 @@ static double cut_unit(char *name)
     return metres;
 }
 
+static void find_kind(const char *name, bat_column *column)
+{
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
+        if (strcmp(name, names[k].name) == 0) {
+            column->kind = names[k].kind;
+            column->is_of_hull = names[k].is_of_hull;
+        }
+}
+
 bat_column bat_column_of(const char *text)
 {
     char name[LONGEST];
     normalise(text, name);
     bat_column column = {.kind = BAT_COLUMN_OTHER, .unit_metres = cut_unit(name)};
-    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
-        if (strcmp(name, names[k].name) == 0) {
-            column.kind = names[k].kind;
-            column.is_of_hull = names[k].is_of_hull;
-        }
+    find_kind(name, &column);
     column.is_letter = column.kind != BAT_COLUMN_OTHER && name[1] == '\0';
     return column;
 }

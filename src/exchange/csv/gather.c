@@ -143,6 +143,14 @@ static size_t end_of_station(const bat_gather_table *t, size_t begin)
     return end;
 }
 
+/* The rank is then the place in the file. */
+static void rank_by_order(bat_gather_table *t)
+{
+    for (size_t i = 0; i < t->count; i++)
+        t->points[i].rank = (double)t->points[i].order;
+    qsort(t->points, t->count, sizeof *t->points, by_station);
+}
+
 /* Sort by stations. As listed: points of one line together while those that come twice are
  * sought. */
 static batten_status sort_stations(bat_gather_table *t)
@@ -153,9 +161,7 @@ static batten_status sort_stations(bat_gather_table *t)
         return BATTEN_OK;
     for (size_t i = 1; status == BATTEN_OK && i < t->count; i++)
         status = check_twice(t, &t->points[i - 1], &t->points[i]);
-    for (size_t i = 0; i < t->count; i++)
-        t->points[i].rank = (double)t->points[i].order;
-    qsort(t->points, t->count, sizeof *t->points, by_station);
+    rank_by_order(t);
     return status;
 }
 

@@ -100,9 +100,8 @@ static void add_needs(columns *needed, const batten_offset_table *offsets,
 static columns needed_columns(const batten_offset_table *offsets)
 {
     columns needed = {false, false, false};
-    for (int i = 0; i < batten_offset_table_station_count(offsets); i++) {
+    for (int i = 0; i < batten_offset_table_station_count(offsets); i++)
         add_needs(&needed, offsets, batten_offset_table_station(offsets, i));
-    }
     return needed;
 }
 
@@ -219,9 +218,8 @@ static void put_stations(rows *r, const batten_object *object, batten_notes *not
     const batten_offset_table *offsets = object->offset_table;
     const double own = batten_offset_table_unit_metres(offsets);
     const double scale = own > 0 && r->unit > 0 && own != r->unit ? own / r->unit : 1;
-    for (int i = 0; i < batten_offset_table_station_count(offsets); i++) {
+    for (int i = 0; i < batten_offset_table_station_count(offsets); i++)
         put_station(r, batten_offset_table_station(offsets, i), scale);
-    }
     batten_notes_remark(notes, "", 0, object->name,
                         "the format has no tables; its points are written, a row for each of "
                         "%d stations",

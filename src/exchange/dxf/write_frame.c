@@ -80,9 +80,8 @@ static void put_line_types(bat_dxf *dxf)
 {
     static const char *const names[] = {"ByBlock", "ByLayer", "Continuous"};
     const int table = begin_table(dxf, "LTYPE", 3);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         put_line_type(dxf, table, names[i]);
-    }
     end_table(dxf);
 }
 
@@ -163,9 +162,8 @@ static void put_block_records(bat_dxf *dxf)
     bat_dxf_reference(dxf, 330, OWNER_OF_TABLES);
     bat_dxf_text(dxf, 100, "AcDbSymbolTable");
     bat_dxf_integer(dxf, 70, 2);
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++)
         put_block_record(dxf, i);
-    }
     end_table(dxf);
 }
 
@@ -198,9 +196,8 @@ static void put_blocks(bat_dxf *dxf)
 {
     bat_dxf_text(dxf, 0, "SECTION");
     bat_dxf_text(dxf, 2, "BLOCKS");
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++)
         put_block(dxf, i);
-    }
     bat_dxf_text(dxf, 0, "ENDSEC");
 }
 

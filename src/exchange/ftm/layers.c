@@ -82,11 +82,10 @@ static int take_points(const bat_ftm_reading *r, const int *triangles, int count
 {
     const int *corners = r->corners.items;
     int used = 0;
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++) {
-            const int point = corners[3 * (size_t)triangles[i] + (size_t)k];
-            made[3 * (size_t)i + (size_t)k] = number_of_point(r, point, numbers, points, &used);
-        }
+    for (size_t i = 0; i < 3 * (size_t)count; i++) {
+        const int point = corners[3 * (size_t)triangles[i / 3] + i % 3];
+        made[i] = number_of_point(r, point, numbers, points, &used);
+    }
     forget_numbers(corners, triangles, count, numbers);
     return used;
 }

@@ -47,14 +47,13 @@ static bool read_index(bat_span word, size_t count, int64_t *index)
 static bool split_corner(bat_span word, bat_span parts[3])
 {
     int part = 0;
-    for (size_t i = 0; i < word.length; i++) {
+    for (size_t i = 0; i < word.length; i++)
         if (word.bytes[i] != '/')
             parts[part].length++;
         else if (++part < 3)
             parts[part].bytes = word.bytes + i + 1;
         else
             return false;
-    }
     return true;
 }
 

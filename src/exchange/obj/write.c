@@ -142,18 +142,24 @@ static batten_status put_mesh(writing *w, const batten_object *object)
 
 /* ---- points and curves ---- */
 
+/* Statements of at most 12 numbers. */
+static void put_point_numbers(writing *w, long long first, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (i % 12 == 0)
+            put_words(w, i ? "\np" : "p");
+        put_number(w, (double)(first + i));
+    }
+    put_words(w, count ? "\n" : "");
+}
+
 static void put_points(writing *w, const batten_object *object)
 {
     const long long first = w->vertices + 1;
     put_names(w, object, "points");
     for (size_t i = 0; i < (size_t)object->point_count; i++)
         put_point(w, object->points + 3 * i, NULL, NULL);
-    for (int i = 0; i < object->point_count; i++) {
-        if (i % 12 == 0)
-            put_words(w, i ? "\np" : "p");
-        put_number(w, (double)(first + i));
-    }
-    put_words(w, object->point_count ? "\n" : "");
+    put_point_numbers(w, first, object->point_count);
 }
 
 /* The knots that the statement "l" means, to the bit: -0 is another. */

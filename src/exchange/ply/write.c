@@ -39,9 +39,8 @@ static batten_status count_all(writing *w)
 {
     double vertices = 0, triangles = 0;
     const int count = batten_model_count(w->model);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         count_object(w, i, &vertices, &triangles);
-    }
     /* The colour of an object is that of its vertices, or of its faces where some have one. */
     for (int i = 0; i < count && !w->has_face_colours; i++)
         w->has_colours |= batten_model_object(w->model, i)->has_colour;
@@ -73,18 +72,23 @@ static bool gather(const batten_mesh_parts *p, double *normals, bool *seen)
     return true;
 }
 
-static bool have_normals(const writing *w)
+static int count_with_normals(const writing *w)
 {
-    bool some = false, all = true;
+    int count = 0;
     for (int i = 0; i < batten_model_count(w->model); i++) {
         const batten_mesh_parts *p = mesh_of(w, i);
-        some = some || (p && p->normals);
-        all = all && p && p->normals;
+        count += p && p->normals;
     }
-    if (some && !all)
+    return count;
+}
+
+static bool have_normals(const writing *w)
+{
+    const int count = count_with_normals(w), all = batten_model_count(w->model);
+    if (count > 0 && count < all)
         batten_notes_add(w->notes, "", 0, "",
                          "the normals are left out: not all objects have them");
-    return some && all;
+    return count > 0 && count == all;
 }
 
 static batten_status find_normals(writing *w)
@@ -247,9 +251,8 @@ static void put_faces(writing *w)
     for (int i = 0; i < batten_model_count(w->model); i++) {
         const batten_object *object = batten_model_object(w->model, i);
         const batten_mesh_parts *p = mesh_of(w, i);
-        for (size_t j = 0; p && j < (size_t)p->triangle_count; j++) {
+        for (size_t j = 0; p && j < (size_t)p->triangle_count; j++)
             put_face(w, object, p, first, j);
-        }
         first += p ? p->vertex_count : object->point_count;
     }
 }

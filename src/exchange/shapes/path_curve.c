@@ -68,18 +68,21 @@ static void add_line(tracing *t, const bat_vertex *a, const bat_vertex *b)
     add_piece(t, middle, 1, end, bat_hypot(b->x - a->x, b->y - a->y));
 }
 
+static void add_side(tracing *t, const bat_vertex *a, const bat_vertex *b)
+{
+    if (a->bulge != 0)
+        add_arc(t, a, b, pieces_of(a));
+    else
+        add_line(t, a, b);
+}
+
 static void trace(tracing *t)
 {
     const bat_path *path = t->path;
     const int sides = path->closed ? path->count : path->count - 1;
     put_point(t, 0, point_at(t, path->vertices[0].x, path->vertices[0].y), 1);
-    for (int i = 0; i < sides; i++) {
-        const bat_vertex *a = &path->vertices[i], *b = &path->vertices[(i + 1) % path->count];
-        if (a->bulge != 0)
-            add_arc(t, a, b, pieces_of(a));
-        else
-            add_line(t, a, b);
-    }
+    for (int i = 0; i < sides; i++)
+        add_side(t, &path->vertices[i], &path->vertices[(i + 1) % path->count]);
 }
 
 /* Without arcs the middle points say nothing. */

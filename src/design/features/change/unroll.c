@@ -223,15 +223,23 @@ static batten_status make_mark(const batten_unrolled *flat, const batten_curve *
     return status;
 }
 
+static batten_status mark_of(const batten_unrolled *flat, const batten_curve *curve,
+                             double tolerance, double *error, batten_curve **mark)
+{
+    batten_curve *space = NULL;
+    batten_status status = batten_curve_to_dimension(curve, 3, &space);
+    if (status == BATTEN_OK)
+        status = make_mark(flat, space, tolerance, error, mark);
+    batten_curve_unref(space);
+    return status;
+}
+
 static batten_status put_mark(bat_run *run, const batten_unrolled *flat, double tolerance,
                               const batten_object *object)
 {
-    batten_curve *space = NULL, *mark = NULL;
+    batten_curve *mark = NULL;
     double error = 0;
-    batten_status status = batten_curve_to_dimension(object->curve, 3, &space);
-    if (status == BATTEN_OK)
-        status = make_mark(flat, space, tolerance, &error, &mark);
-    batten_curve_unref(space);
+    const batten_status status = mark_of(flat, object->curve, tolerance, &error, &mark);
     if (status == BATTEN_OK)
         bat_report_error(run, error, error);
     return bat_put_flat(run, status, mark, object->name, "marks", blue);

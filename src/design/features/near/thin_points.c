@@ -89,18 +89,15 @@ static batten_status thin_polyline(bat_run *run, const batten_object *object)
     return bat_put_curve_like(run, status, made, object, false);
 }
 
+static batten_status thin_object(bat_run *run, const batten_object *object)
+{
+    return object->curve ? thin_polyline(run, object) : thin_rows(run, object);
+}
+
 static batten_status run_thin_points(bat_run *run)
 {
-    bat_objects objects;
-    batten_status status =
-        bat_gather(run, "thin-points", BAT_POINTS | BAT_OFFSETS | BAT_CURVES, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
-        status = objects.at[i]->curve ? thin_polyline(run, objects.at[i])
-                                      : thin_rows(run, objects.at[i]);
-    bat_objects_release(&objects);
-    return status;
+    return bat_for_objects(run, "thin-points", BAT_POINTS | BAT_OFFSETS | BAT_CURVES,
+                           thin_object);
 }
 
 const bat_feature bat_feature_thin_points = {

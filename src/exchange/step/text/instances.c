@@ -32,18 +32,22 @@ static bool begins_with(const bat_step_scanner *scan, size_t at, const char *wor
     return scan->size - at >= length && memcmp(scan->data + at, word, length) == 0;
 }
 
+static size_t past_all(const bat_step_scanner *scan, size_t at, int classes)
+{
+    while (at < scan->size && bat_step_in(scan->data[at], classes))
+        at++;
+    return at;
+}
+
 /* Does "#n =" stand there, or the end of a section? */
 static bool is_statement(const bat_step_scanner *scan, size_t at)
 {
     if (scan->data[at] != '#')
         return begins_with(scan, at, "ENDSEC") || begins_with(scan, at, "END-ISO");
-    const size_t begin = at + 1;
-    for (at = begin; at < scan->size && bat_step_in(scan->data[at], BAT_STEP_DIGIT);)
-        at++;
-    if (at == begin)
+    const size_t end = past_all(scan, at + 1, BAT_STEP_DIGIT);
+    if (end == at + 1)
         return false;
-    while (at < scan->size && bat_step_in(scan->data[at], BAT_STEP_BLANK))
-        at++;
+    at = past_all(scan, end, BAT_STEP_BLANK);
     return at < scan->size && scan->data[at] == '=';
 }
 
