@@ -367,19 +367,23 @@ static bool write_options(const arguments *given, batten_write_options *write,
     return true;
 }
 
+/* How long a name is without its ending and the object in it. */
+static size_t stem_length(const char *name)
+{
+    const char *hash = strchr(name, '#');
+    const size_t length = hash ? (size_t)(hash - name) : strlen(name);
+    for (size_t i = length; i-- > 1;)
+        if (name[i] == '.')
+            return i;
+    return length;
+}
+
 /* The name of a file without its folders, its ending and the object in it. */
 static batten_status stem_of(const char *argument, batten_text *name)
 {
     const char *slash = strrchr(argument, '/'), *begin = slash ? slash + 1 : argument;
-    const char *hash = strchr(begin, '#');
-    size_t length = hash ? (size_t)(hash - begin) : strlen(begin);
-    for (size_t i = length; i-- > 1;)
-        if (begin[i] == '.') {
-            length = i;
-            break;
-        }
     if (strcmp(argument, "-") != 0)
-        batten_text_bytes(name, begin, length);
+        batten_text_bytes(name, begin, stem_length(begin));
     return name->failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
 }
 

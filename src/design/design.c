@@ -159,19 +159,23 @@ const char *batten_design_parameter_name(const batten_design *design, int index)
     return design->now.document.parameters[index].name;
 }
 
+static void count_files(const bat_entry *entry, int index, int *count, const char **path)
+{
+    const batten_feature *f = &entry->feature->shown;
+    for (int k = 0; k < f->parameter_count; k++) {
+        const bat_argument *a = &entry->arguments[k];
+        for (int m = 0; f->parameters[k].kind == BATTEN_VALUE_FILE && m < a->count; m++)
+            if ((*count)++ == index)
+                *path = a->items[m].text;
+    }
+}
+
 /* How many files features name; `path` receives the one at `index`, as it is written. */
 static int find_file(const bat_document *d, int index, const char **path)
 {
     int count = 0;
-    for (int i = 0; i < d->feature_count; i++) {
-        const batten_feature *f = &d->features[i].feature->shown;
-        for (int k = 0; k < f->parameter_count; k++) {
-            const bat_argument *a = &d->features[i].arguments[k];
-            for (int m = 0; f->parameters[k].kind == BATTEN_VALUE_FILE && m < a->count; m++)
-                if (count++ == index)
-                    *path = a->items[m].text;
-        }
-    }
+    for (int i = 0; i < d->feature_count; i++)
+        count_files(&d->features[i], index, &count, path);
     return count;
 }
 

@@ -54,18 +54,25 @@ static batten_status foot_at(path *p, double t, const double guess[2], double uv
     return BATTEN_OK;
 }
 
+/* @param s  the surface and its derivatives at t */
+static batten_status velocity_from(const path *p, double t, batten_side side, const double *s,
+                                   double velocity[2])
+{
+    double c[6];
+    const batten_status status = batten_curve_evaluate_side(p->curve, t, side, 1, c);
+    if (status == BATTEN_OK)
+        bat_chart_velocity(s, c + 3, velocity);
+    return status;
+}
+
 static batten_status set_velocity(const path *p, node *n)
 {
-    double s[9], c[6];
+    double s[9];
     batten_status status = bat_chart_evaluate(p->chart, n->uv, 1, s);
     if (status == BATTEN_OK)
-        status = batten_curve_evaluate_side(p->curve, n->t, BATTEN_FROM_LEFT, 1, c);
+        status = velocity_from(p, n->t, BATTEN_FROM_LEFT, s, n->before);
     if (status == BATTEN_OK)
-        bat_chart_velocity(s, c + 3, n->before);
-    if (status == BATTEN_OK)
-        status = batten_curve_evaluate_side(p->curve, n->t, BATTEN_FROM_RIGHT, 1, c);
-    if (status == BATTEN_OK)
-        bat_chart_velocity(s, c + 3, n->after);
+        status = velocity_from(p, n->t, BATTEN_FROM_RIGHT, s, n->after);
     return status;
 }
 

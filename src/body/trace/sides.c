@@ -76,19 +76,25 @@ static void count_uses(const bat_trace *trace, const bat_trace_face *face, int s
             trace->balance[p->uses[i].edge] += p->uses[i].reversed ? -sign : sign;
 }
 
-/* Do the neighbours say that the loops are right, and so the side is wrong? Each of them that
- * uses an edge the other way is for it. */
-static bool side_is_wrong(const bat_trace *trace, const bat_trace_face *face)
+/* Each neighbour that uses an edge the other way is for it. */
+static int count_votes(const bat_trace *trace, const bat_trace_face *face)
 {
     const batten_body_parts *p = trace->from;
     const batten_body_face *f = &p->faces[face->from];
     int votes = 0;
-    count_uses(trace, face, -1);
     for (int l = f->first; l < f->first + f->count; l++)
         for (int i = p->loops[l].first; i < p->loops[l].first + p->loops[l].count; i++) {
             const int others = trace->balance[p->uses[i].edge];
             votes += p->uses[i].reversed ? others : -others;
         }
+    return votes;
+}
+
+/* Do the neighbours say that the loops are right, and so the side is wrong? */
+static bool side_is_wrong(const bat_trace *trace, const bat_trace_face *face)
+{
+    count_uses(trace, face, -1);
+    const int votes = count_votes(trace, face);
     count_uses(trace, face, 1);
     return votes > 0;
 }

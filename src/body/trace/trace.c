@@ -71,18 +71,24 @@ static batten_status begin_face(bat_trace *trace, int index, bat_trace_face *fac
     return status;
 }
 
+/* One that fails is left out. */
+static batten_status add_face(bat_trace *trace, int index)
+{
+    bat_trace_face *face = &trace->faces[trace->face_count++];
+    batten_status status = begin_face(trace, index, face);
+    if (status == BATTEN_OK)
+        status = bat_trace_pole_cuts(trace, face);
+    if (status != BATTEN_OK && bat_trace_fails(trace, face, status))
+        status = BATTEN_OK;
+    return status;
+}
+
 static batten_status begin_faces(bat_trace *trace)
 {
     trace->faces = bat_array((size_t)trace->from->face_count, sizeof *trace->faces);
     batten_status status = trace->faces ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; status == BATTEN_OK && i < trace->from->face_count; i++) {
-        bat_trace_face *face = &trace->faces[trace->face_count++];
-        status = begin_face(trace, i, face);
-        if (status == BATTEN_OK)
-            status = bat_trace_pole_cuts(trace, face);
-        if (status != BATTEN_OK && bat_trace_fails(trace, face, status))
-            status = BATTEN_OK;
-    }
+    for (int i = 0; status == BATTEN_OK && i < trace->from->face_count; i++)
+        status = add_face(trace, i);
     return status;
 }
 

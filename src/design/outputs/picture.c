@@ -90,16 +90,12 @@ static batten_draw_options options_of(const bat_run *run)
 
 static bool has_surfaces(const batten_model *model)
 {
-    for (int i = 0; i < batten_model_count(model); i++)
-        switch (batten_model_object(model, i)->kind) {
-        case BATTEN_OBJECT_SURFACE:
-        case BATTEN_OBJECT_TRIANGLES:
-        case BATTEN_OBJECT_BODY:
-        case BATTEN_OBJECT_MESH:
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object_kind kind = batten_model_object(model, i)->kind;
+        if (kind == BATTEN_OBJECT_SURFACE || kind == BATTEN_OBJECT_TRIANGLES ||
+            kind == BATTEN_OBJECT_BODY || kind == BATTEN_OBJECT_MESH)
             return true;
-        default:
-            break;
-        }
+    }
     return false;
 }
 

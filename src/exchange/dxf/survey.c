@@ -16,9 +16,7 @@ static batten_status read_header(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
     const bat_dxf_group *groups = pairs->groups.items;
     for (size_t i = 0; i + 1 < pairs->groups.count; i++) {
         double code = 0;
-        if (!is_unit(&groups[i]))
-            continue;
-        if (bat_dxf_number(pairs, &groups[i + 1], &code) == BATTEN_OK)
+        if (is_unit(&groups[i]) && bat_dxf_number(pairs, &groups[i + 1], &code) == BATTEN_OK)
             r->unit_metres = bat_dxf_unit_of((int)bat_max(0, bat_min(100, code)));
     }
     if (r->unit_metres == 0)

@@ -32,19 +32,23 @@ static batten_status add_objects(bat_gltf_writing *w, const batten_model *model)
     return status;
 }
 
+static batten_status add_children(bat_gltf_writing *w, int node)
+{
+    const int first = w->node_count;
+    const batten_status status = add_objects(w, w->nodes[node].object->definition);
+    w->nodes[node].first = first;
+    w->nodes[node].count = w->node_count - first;
+    return status;
+}
+
 /* Level by level, so that the children of a node follow each other. */
 static batten_status find_nodes(bat_gltf_writing *w)
 {
     batten_status status = add_objects(w, w->definitions.models[0]);
     w->root_count = w->node_count;
-    for (int i = 0; status == BATTEN_OK && i < w->node_count; i++) {
-        if (!w->nodes[i].object->definition)
-            continue;
-        const int first = w->node_count;
-        status = add_objects(w, w->nodes[i].object->definition);
-        w->nodes[i].first = first;
-        w->nodes[i].count = w->node_count - first;
-    }
+    for (int i = 0; status == BATTEN_OK && i < w->node_count; i++)
+        if (w->nodes[i].object->definition)
+            status = add_children(w, i);
     return status;
 }
 

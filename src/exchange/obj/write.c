@@ -56,16 +56,21 @@ static void put_point(writing *w, const double *point, const double *weight,
 
 /* ---- names ---- */
 
+/* A word that begins with # would begin a comment. */
+static char clean_character(char c, char before)
+{
+    if ((unsigned char)c < ' ')
+        return ' ';
+    return c == '#' && before == ' ' ? '_' : c;
+}
+
 static void put_name(writing *w, const char *statement, const char *name, const char *otherwise)
 {
     const bat_span core = bat_name_core(name, otherwise);
     char before = ' ';
     batten_text_add(w->text, "%s ", statement);
     for (size_t i = 0; i < core.length; i++) {
-        /* A word that begins with # would begin a comment. */
-        const char c = (unsigned char)core.bytes[i] < ' '      ? ' '
-                       : core.bytes[i] == '#' && before == ' ' ? '_'
-                                                               : core.bytes[i];
+        const char c = clean_character(core.bytes[i], before);
         batten_text_bytes(w->text, &c, 1);
         before = c;
     }
