@@ -41,17 +41,24 @@ static const char usual[] = "interpolate,akima,bessel,tension,nu-spline,local-cu
 
 /* ---- the list of methods ---- */
 
+static bool add_method(comparison *c, const char *word, size_t length)
+{
+    if (c->count == MAX_METHODS) {
+        complain("batten compare: more than %d methods", MAX_METHODS);
+        return false;
+    }
+    if (!method_choose("compare", word, length, &c->panels[c->count].choice))
+        return false;
+    c->panels[c->count++].works = true;
+    return true;
+}
+
 static bool add_list(comparison *c, const char *list)
 {
     for (const char *at = list; *at;) {
         const size_t length = value_span(at, ",");
-        if (c->count == MAX_METHODS) {
-            complain("batten compare: more than %d methods", MAX_METHODS);
+        if (!add_method(c, at, length))
             return false;
-        }
-        if (!method_choose("compare", at, length, &c->panels[c->count].choice))
-            return false;
-        c->panels[c->count++].works = true;
         at += length;
         at += *at == ',';
     }

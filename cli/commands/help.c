@@ -90,16 +90,21 @@ static void add_summary(batten_text *text, int width, const batten_feature *f)
     batten_text_add(text, "  %-*s %s\n", width, f->name, f->summary);
 }
 
+/* The title of a group stands before its first row. */
+static void add_operation(batten_text *text, int width, int i)
+{
+    if (i == 0 || strcmp(batten_feature_group(i), batten_feature_group(i - 1)) != 0)
+        batten_text_add(text, "%s%s\n\n", i ? "\n" : "", batten_feature_group(i));
+    add_summary(text, width, batten_feature_at(i));
+}
+
 static void add_features(batten_text *text)
 {
     const int width = widest_name();
     batten_text_add(text, "Operations of a design file:\n\n");
     for (int i = 0; i < batten_feature_count(); i++)
-        if (!batten_feature_at(i)->is_output) {
-            if (i == 0 || strcmp(batten_feature_group(i), batten_feature_group(i - 1)) != 0)
-                batten_text_add(text, "%s%s\n\n", i ? "\n" : "", batten_feature_group(i));
-            add_summary(text, width, batten_feature_at(i));
-        }
+        if (!batten_feature_at(i)->is_output)
+            add_operation(text, width, i);
     batten_text_add(text, "\nOutputs of a design file:\n\n");
     for (int i = 0; i < batten_feature_count(); i++)
         if (batten_feature_at(i)->is_output)

@@ -5,6 +5,16 @@
 #include <batten/text.h>
 #include <string.h>
 
+static void add_character(batten_text *text, const char *c)
+{
+    if (*c == '\\')
+        batten_text_add(text, "\\e");
+    else if (*c == '-')
+        batten_text_add(text, "\\-");
+    else
+        batten_text_bytes(text, c, 1);
+}
+
 /* Text as troff wants it: backslashes and leading dots made harmless. */
 static void add_escaped(batten_text *text, const char *words)
 {
@@ -12,12 +22,7 @@ static void add_escaped(batten_text *text, const char *words)
     for (const char *c = words; *c; c++) {
         if (at_start && (*c == '.' || *c == '\''))
             batten_text_add(text, "\\&");
-        if (*c == '\\')
-            batten_text_add(text, "\\e");
-        else if (*c == '-')
-            batten_text_add(text, "\\-");
-        else
-            batten_text_bytes(text, c, 1);
+        add_character(text, c);
         at_start = *c == '\n';
     }
 }

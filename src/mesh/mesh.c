@@ -17,6 +17,15 @@ static void release_array(const void *memory)
     bat_release((void *)(uintptr_t)memory);
 }
 
+static void release_attributes(const batten_mesh_parts *p)
+{
+    for (int k = 0; p->attributes && k < p->attribute_count; k++) {
+        release_array(p->attributes[k].name);
+        release_array(p->attributes[k].values);
+    }
+    release_array(p->attributes);
+}
+
 static void free_mesh(batten_mesh *mesh)
 {
     const batten_mesh_parts *p = &mesh->parts;
@@ -26,11 +35,7 @@ static void free_mesh(batten_mesh *mesh)
     release_array(p->normals);
     release_array(p->faces);
     release_array(p->triangle_colours);
-    for (int k = 0; p->attributes && k < p->attribute_count; k++) {
-        release_array(p->attributes[k].name);
-        release_array(p->attributes[k].values);
-    }
-    release_array(p->attributes);
+    release_attributes(p);
     bat_release(mesh);
 }
 

@@ -95,15 +95,21 @@ static batten_status fill_node(dividing *d, int triangle, int j, int k, double *
     return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
 }
 
+static batten_status fill_triangle(dividing *d, int t)
+{
+    batten_status status = BATTEN_OK;
+    size_t node = d->nodes * (size_t)t;
+    for (int row = 0; status == BATTEN_OK && row <= d->parts; row++)
+        for (int k = 0; status == BATTEN_OK && k <= row; k++, node++)
+            status = fill_node(d, t, row - k, k, &d->points[3 * node], &d->normals[3 * node]);
+    return status;
+}
+
 static batten_status fill_division(dividing *d)
 {
     batten_status status = BATTEN_OK;
     for (int t = 0; status == BATTEN_OK && t < d->count; t++) {
-        size_t node = d->nodes * (size_t)t;
-        for (int row = 0; status == BATTEN_OK && row <= d->parts; row++)
-            for (int k = 0; status == BATTEN_OK && k <= row; k++, node++)
-                status =
-                    fill_node(d, t, row - k, k, &d->points[3 * node], &d->normals[3 * node]);
+        status = fill_triangle(d, t);
         if (status == BATTEN_OK)
             status =
                 bat_work_step(&d->work, d->nodes, (double)t / d->count, "points of triangles");

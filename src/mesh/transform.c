@@ -30,6 +30,17 @@ static void map_points(const batten_affine *map, size_t count, const double *fro
     }
 }
 
+static void map_normal(double c[3][3], double sign, const double *n, double *made)
+{
+    double length = 0;
+    for (int i = 0; i < 3; i++) {
+        made[i] = c[i][0] * n[0] + c[i][1] * n[1] + c[i][2] * n[2];
+        length = bat_hypot(length, made[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        made[i] *= length > 0 ? sign / length : 0;
+}
+
 /* Unit normals, of triangles whose corners 1 and 2 change places when `turned`. */
 static void map_normals(double c[3][3], bool turned, size_t triangles, const double *from,
                         double *to)
@@ -37,13 +48,7 @@ static void map_normals(double c[3][3], bool turned, size_t triangles, const dou
     for (size_t t = 0; t < triangles; t++)
         for (size_t k = 0; k < 3; k++) {
             const double *n = &from[9 * t + 3 * (turned ? (3 - k) % 3 : k)];
-            double *made = &to[9 * t + 3 * k], length = 0;
-            for (int i = 0; i < 3; i++) {
-                made[i] = c[i][0] * n[0] + c[i][1] * n[1] + c[i][2] * n[2];
-                length = bat_hypot(length, made[i]);
-            }
-            for (int i = 0; i < 3; i++)
-                made[i] *= length > 0 ? (turned ? -1 : 1) / length : 0;
+            map_normal(c, turned ? -1 : 1, n, &to[9 * t + 3 * k]);
         }
 }
 

@@ -167,16 +167,21 @@ static batten_status add_slack(const bat_face_work *w, const batten_body_use *us
     return status;
 }
 
+static batten_status take_use(bat_face_work *w, const batten_body_use *use,
+                              bat_face_pieces *list, bat_face_sums *out)
+{
+    const batten_status status = cut_use(w, use, list);
+    return status == BATTEN_OK ? add_slack(w, use, &out->slack) : status;
+}
+
 static batten_status first_pieces(bat_face_work *w, const batten_body_face *face,
                                   bat_face_pieces *list, bat_face_sums *out)
 {
     const batten_body_parts *parts = w->parts;
     for (int l = face->first; l < face->first + face->count; l++)
         for (int u = 0; u < parts->loops[l].count; u++) {
-            const batten_body_use *use = &parts->uses[parts->loops[l].first + u];
-            batten_status status = cut_use(w, use, list);
-            if (status == BATTEN_OK)
-                status = add_slack(w, use, &out->slack);
+            const batten_status status =
+                take_use(w, &parts->uses[parts->loops[l].first + u], list, out);
             if (status != BATTEN_OK)
                 return status;
         }

@@ -68,6 +68,18 @@ int bat_face_knots_between(const bat_face_work *w, double a, double b, int *firs
     return low - *first;
 }
 
+static void put_span_nodes(bat_face_work *w, double low, double high, int fine, size_t *node)
+{
+    const int parts = 1 << fine;
+    const double half = (high - low) / parts / 2;
+    for (int i = 0; i < parts; i++)
+        for (int j = 0; j < BAT_FACE_NODES; j++, ++*node) {
+            const double at = low + half * (2 * i + 1 + w->nodes[j]);
+            w->at[*node] = bat_min(bat_max(at, low), high);
+            w->weight[*node] = half * w->weights[j];
+        }
+}
+
 /* Nodes and weights of both rules on the parts of [a, b]: [part][NODES]. */
 static void put_nodes(bat_face_work *w, double a, double b, int first, int knots, int fine)
 {
@@ -75,14 +87,7 @@ static void put_nodes(bat_face_work *w, double a, double b, int first, int knots
     size_t node = 0;
     for (int k = 0; k <= knots; k++) {
         const double low = k == 0 ? a : U[k - 1], high = k == knots ? b : U[k];
-        const int parts = 1 << fine;
-        const double half = (high - low) / parts / 2;
-        for (int i = 0; i < parts; i++)
-            for (int j = 0; j < BAT_FACE_NODES; j++, node++) {
-                w->at[node] =
-                    bat_min(bat_max(low + half * (2 * i + 1 + w->nodes[j]), low), high);
-                w->weight[node] = half * w->weights[j];
-            }
+        put_span_nodes(w, low, high, fine, &node);
     }
 }
 

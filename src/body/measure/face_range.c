@@ -27,16 +27,21 @@ typedef struct {
     double first[2], last[2], before[2];
 } finder;
 
-static void add_sample(finder *f, loop_range *loop, const double uv[2])
+static void widen_range(const finder *f, batten_interval over[2], const double uv[2])
 {
-    const double *o = f->first;
     for (int k = 0; k < 2; k++) {
         double swell = 0; /* beyond the samples, by a parabola through three, twice over */
         if (f->of_edge >= 2)
             swell = fabs(f->before[k] - 2 * f->last[k] + uv[k]) / 4;
-        loop->over[k].a = bat_min(loop->over[k].a, bat_min(uv[k], f->last[k] - swell));
-        loop->over[k].b = bat_max(loop->over[k].b, bat_max(uv[k], f->last[k] + swell));
+        over[k].a = bat_min(over[k].a, bat_min(uv[k], f->last[k] - swell));
+        over[k].b = bat_max(over[k].b, bat_max(uv[k], f->last[k] + swell));
     }
+}
+
+static void add_sample(finder *f, loop_range *loop, const double uv[2])
+{
+    const double *o = f->first;
+    widen_range(f, loop->over, uv);
     loop->area += (f->last[0] - o[0]) * (uv[1] - o[1]) - (f->last[1] - o[1]) * (uv[0] - o[0]);
     memcpy(f->before, f->last, sizeof f->before);
     memcpy(f->last, uv, sizeof f->last);
@@ -225,6 +230,15 @@ static void put_range(const finder *f, int k, batten_interval over, bat_face_ran
 
 /* ---- curves in the parameters ---- */
 
+static void take_points(const batten_curve *curve, batten_interval over[2])
+{
+    const double *points = batten_curve_points(curve);
+    for (int j = 0; j < 2 * batten_curve_point_count(curve); j++) {
+        over[j % 2].a = bat_min(over[j % 2].a, points[j]);
+        over[j % 2].b = bat_max(over[j % 2].b, points[j]);
+    }
+}
+
 /* Of a traced body: their control points hold them in, and they stay in the domain. */
 static void take_curves(const finder *f, const batten_body_face *face, batten_interval over[2])
 {
@@ -233,13 +247,8 @@ static void take_curves(const finder *f, const batten_body_face *face, batten_in
                            *last = &p->loops[face->first + face->count - 1];
     for (int k = 0; k < 2; k++)
         over[k] = (batten_interval){f->chart.domain[k].b, f->chart.domain[k].a};
-    for (int i = first->first; i < last->first + last->count; i++) {
-        const double *points = batten_curve_points(p->uses[i].parameters);
-        for (int j = 0; j < 2 * batten_curve_point_count(p->uses[i].parameters); j++) {
-            over[j % 2].a = bat_min(over[j % 2].a, points[j]);
-            over[j % 2].b = bat_max(over[j % 2].b, points[j]);
-        }
-    }
+    for (int i = first->first; i < last->first + last->count; i++)
+        take_points(p->uses[i].parameters, over);
 }
 
 /* ---- all of it ---- */

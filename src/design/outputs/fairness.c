@@ -131,22 +131,25 @@ bool bat_check_is_fair(const bat_check *check)
            u->unbounded == 0 && u->creases == 0 && u->edge_jumps == 0 && u->folds == 0;
 }
 
-/* Whole edges of surfaces that meet. A knuckle that the bound allows has no common curvature. */
-static void judge_joins(bat_check *check)
+/* Of whole edges of surfaces. A knuckle that the bound allows has no common curvature. */
+static void judge_join(bat_check *check, const bat_join *join)
 {
     bat_unfairness *u = &check->unfairness;
-    for (int i = 0; i < check->join_count; i++) {
-        const bat_join *join = &check->joins[i];
-        if (check->objects[join->object[0]].object->kind != BATTEN_OBJECT_SURFACE ||
-            !isfinite(join->g1))
-            continue;
-        check->judged_count++;
-        u->largest_crease = bat_max(u->largest_crease, join->g1);
-        if (join->g1 > check->edge_bounds.angle)
-            u->creases++;
-        else if (join->g1 <= BAT_EDGE_ANGLE && join->g2 > check->edge_bounds.curvature)
-            u->edge_jumps++;
-    }
+    if (check->objects[join->object[0]].object->kind != BATTEN_OBJECT_SURFACE ||
+        !isfinite(join->g1))
+        return;
+    check->judged_count++;
+    u->largest_crease = bat_max(u->largest_crease, join->g1);
+    if (join->g1 > check->edge_bounds.angle)
+        u->creases++;
+    else if (join->g1 <= BAT_EDGE_ANGLE && join->g2 > check->edge_bounds.curvature)
+        u->edge_jumps++;
+}
+
+static void judge_joins(bat_check *check)
+{
+    for (int i = 0; i < check->join_count; i++)
+        judge_join(check, &check->joins[i]);
 }
 
 /* Inflections count against the points as they were given; without points in a plane only

@@ -34,20 +34,28 @@ static bool continues_character(char byte)
     return ((unsigned char)byte & 0xC0) == 0x80;
 }
 
+static void step_forward(walker *walk)
+{
+    do
+        walk->byte++;
+    while (walk->byte < walk->length && continues_character(walk->text[walk->byte]));
+    walk->character++;
+}
+
+static void step_back(walker *walk)
+{
+    do
+        walk->byte--;
+    while (walk->byte > 0 && continues_character(walk->text[walk->byte]));
+    walk->character--;
+}
+
 static size_t byte_of(walker *walk, size_t character)
 {
-    while (walk->character < character && walk->byte < walk->length) {
-        do
-            walk->byte++;
-        while (walk->byte < walk->length && continues_character(walk->text[walk->byte]));
-        walk->character++;
-    }
-    while (walk->character > character && walk->byte > 0) {
-        do
-            walk->byte--;
-        while (walk->byte > 0 && continues_character(walk->text[walk->byte]));
-        walk->character--;
-    }
+    while (walk->character < character && walk->byte < walk->length)
+        step_forward(walk);
+    while (walk->character > character && walk->byte > 0)
+        step_back(walk);
     return walk->byte;
 }
 

@@ -77,20 +77,27 @@ static bat_dxf_layer_row layer_row(int count, const wanted_layer *wanted)
     return row;
 }
 
-/* Objects of one name stand side by side; the first layer is "0". */
+/* The number of a layer that is listed now, or of "0", which stands first. */
+static int list_layer(writing *w, const bat_dxf_layer_row *row)
+{
+    if (strcmp(row->name, "0") == 0) {
+        w->layers[0].is_off = row->is_off;
+        return 0;
+    }
+    w->layers[w->layer_count] = *row;
+    return w->layer_count++;
+}
+
+/* Objects of one name stand side by side. */
 static void make_layers(writing *w, int n, const wanted_layer *wanted)
 {
     for (int i = 0, end = 0; i < n; i = end) {
         while (end < n && strcmp(wanted[end].row.name, wanted[i].row.name) == 0)
             end++;
         const bat_dxf_layer_row row = layer_row(end - i, &wanted[i]);
-        const bool is_zero = strcmp(row.name, "0") == 0;
-        if (is_zero)
-            w->layers[0].is_off = row.is_off;
-        else
-            w->layers[w->layer_count++] = row;
+        const int layer = list_layer(w, &row);
         for (int k = i; k < end; k++)
-            w->layer_of[wanted[k].object] = is_zero ? 0 : w->layer_count - 1;
+            w->layer_of[wanted[k].object] = layer;
     }
 }
 

@@ -230,22 +230,29 @@ static batten_status path_of(const batten_object *object, batten_notes *notes, b
     return BATTEN_OK;
 }
 
+static batten_status raise_to_path(const batten_object *object, double *highest)
+{
+    bool use = false;
+    bat_path path = {0};
+    const batten_status status = path_of(object, NULL, &use, &path);
+    if (status != BATTEN_OK)
+        return status;
+    if (use)
+        *highest = bat_max(*highest, path.frame.origin.z);
+    bat_path_release(&path);
+    return BATTEN_OK;
+}
+
 /* The highest path, so that travels clear them all. */
 static batten_status find_top(program *p, const batten_model *model)
 {
     double highest = isnan(p->options.depth) ? -HUGE_VAL : p->options.depth;
-    for (int i = 0; i < batten_model_count(model); i++) {
-        bool use = false;
-        bat_path path = {0};
-        const batten_status status = path_of(batten_model_object(model, i), NULL, &use, &path);
-        if (status != BATTEN_OK)
-            return status;
-        if (use)
-            highest = bat_max(highest, path.frame.origin.z);
-        bat_path_release(&path);
-    }
-    p->top = rounded(p, p->scale * highest + p->options.clearance);
-    return BATTEN_OK;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++)
+        status = raise_to_path(batten_model_object(model, i), &highest);
+    if (status == BATTEN_OK)
+        p->top = rounded(p, p->scale * highest + p->options.clearance);
+    return status;
 }
 
 static batten_status put_paths(program *p, const batten_model *model, batten_notes *notes)

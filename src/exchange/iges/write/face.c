@@ -52,19 +52,26 @@ static double distance(const double a[3], const double b[3])
     return sqrt(x * x + y * y + z * z);
 }
 
+/* The end of a curve that misses its vertex is put there. */
+static batten_status meet_vertex(const bat_iges_writing *w, const double *vertex, bool is_end,
+                                 batten_curve **curve)
+{
+    const int last = is_end ? batten_curve_point_count(*curve) - 1 : 0;
+    batten_curve *made = NULL;
+    if (distance(batten_curve_points(*curve) + 3 * (size_t)last, vertex) <= w->tolerance)
+        return BATTEN_OK;
+    return bat_curve_replace(batten_curve_with_point(*curve, last, vertex, &made), curve,
+                             &made);
+}
+
 batten_status bat_iges_meet_vertices(const bat_iges_writing *w, const batten_body_parts *p,
                                      const batten_body_edge *edge, batten_curve **out)
 {
-    batten_curve *curve = NULL, *made = NULL;
+    batten_curve *curve = NULL;
     batten_status status = batten_curve_clamp(edge->curve, &curve);
-    for (int end = 0; status == BATTEN_OK && end < 2; end++) {
-        const int last = end ? batten_curve_point_count(curve) - 1 : 0;
-        const double *vertex = p->vertices + 3 * (size_t)edge->vertices[end];
-        if (distance(batten_curve_points(curve) + 3 * (size_t)last, vertex) <= w->tolerance)
-            continue;
-        status = bat_curve_replace(batten_curve_with_point(curve, last, vertex, &made), &curve,
-                                   &made);
-    }
+    for (int end = 0; status == BATTEN_OK && end < 2; end++)
+        status =
+            meet_vertex(w, p->vertices + 3 * (size_t)edge->vertices[end], end == 1, &curve);
     *out = curve;
     return status;
 }

@@ -45,6 +45,15 @@ bool bat_iges_can_place(const batten_affine *place)
     return find_similarity(place, &s);
 }
 
+static void put_rows(bat_iges_writing *w, const double m[3][3], const double t[3])
+{
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            bat_iges_put_real(&w->data, m[i][k], ',');
+        bat_iges_put_real(&w->data, t[i], i < 2 ? ',' : ';');
+    }
+}
+
 /* 124: the rows of the matrix, each with its shift. Form 1 is for mirrors. */
 static int put_matrix(bat_iges_writing *w, const double m[3][3], const double t[3])
 {
@@ -52,11 +61,7 @@ static int put_matrix(bat_iges_writing *w, const double m[3][3], const double t[
                               m[1][2] * m[2][0] - m[1][0] * m[2][2],
                               m[1][0] * m[2][1] - m[1][1] * m[2][0]};
     const int id = bat_iges_begin_entity(w, 124);
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            bat_iges_put_real(&w->data, m[i][k], ',');
-        bat_iges_put_real(&w->data, t[i], i < 2 ? ',' : ';');
-    }
+    put_rows(w, m, t);
     bat_iges_end_entity(
         w, &(bat_iges_look){.type = 124, .form = dot(m[0], turned) < 0, .is_part = true});
     return id;

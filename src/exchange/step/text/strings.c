@@ -51,20 +51,26 @@ static bool stands(const decoding *d, const char *word)
     return (size_t)(d->end - d->at) >= length && memcmp(d->at, word, length) == 0;
 }
 
+/* The first of a surrogate pair with the second, which is passed; others as they are. */
+static uint32_t join_surrogates(decoding *d, uint32_t first)
+{
+    uint32_t second = 0;
+    if (first < 0xd800 || first >= 0xdc00 || !read_hex(d->at, d->end, 4, &second) ||
+        second < 0xdc00 || second >= 0xe000)
+        return first;
+    d->at += 4;
+    return 0x10000 + ((first - 0xd800) << 10) + (second - 0xdc00);
+}
+
 /* \X2\ with 4 digits a character, of which two may be a surrogate pair, or \X4\ with 8, up to
  * \X0\. */
 static void decode_wide(decoding *d, int digits)
 {
-    uint32_t code = 0, second = 0;
+    uint32_t code = 0;
     d->at += 4;
     while (read_hex(d->at, d->end, digits, &code)) {
         d->at += digits;
-        if (digits == 4 && code >= 0xd800 && code < 0xdc00 &&
-            read_hex(d->at, d->end, 4, &second) && second >= 0xdc00 && second < 0xe000) {
-            d->at += 4;
-            code = 0x10000 + ((code - 0xd800) << 10) + (second - 0xdc00);
-        }
-        put_code(d, code);
+        put_code(d, digits == 4 ? join_surrogates(d, code) : code);
     }
     if (stands(d, "\\X0\\"))
         d->at += 4;
