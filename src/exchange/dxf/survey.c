@@ -43,17 +43,24 @@ static batten_status read_layer(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
     return bat_list_add(r->input, &r->layers, &made);
 }
 
+static batten_status read_base(const bat_dxf_reading *r, const bat_dxf_pairs *pairs,
+                               batten_vec3 *base)
+{
+    const batten_vec3 zero = {0, 0, 0};
+    const batten_status status = bat_dxf_get_point(pairs, 10, zero, base);
+    if (status != BATTEN_BAD_FORMAT)
+        return status;
+    batten_notes_add(r->input->notes, r->input->file, pairs->line, "BLOCK",
+                     "%s; its base is taken as 0", batten_message());
+    *base = zero;
+    return BATTEN_OK;
+}
+
 static batten_status read_block(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
 {
     bat_dxf_block made = {.is.at = pairs->next_at, .line = pairs->next_line};
     bat_dxf_get_text(pairs, 2, sizeof made.is.name, made.is.name);
-    batten_status status = bat_dxf_get_point(pairs, 10, (batten_vec3){0, 0, 0}, &made.base);
-    if (status == BATTEN_BAD_FORMAT) {
-        batten_notes_add(r->input->notes, r->input->file, pairs->line, "BLOCK",
-                         "%s; its base is taken as 0", batten_message());
-        made.base = (batten_vec3){0, 0, 0};
-        status = BATTEN_OK;
-    }
+    const batten_status status = read_base(r, pairs, &made.base);
     return status == BATTEN_OK ? bat_list_add(r->input, &r->blocks, &made) : status;
 }
 
@@ -129,14 +136,18 @@ batten_status bat_dxf_survey(bat_dxf_reading *r)
 
 typedef int comparison(const char *a, const char *b);
 
+static bat_dxf_named *named_at(const bat_list *list, size_t index)
+{
+    return (void *)((unsigned char *)list->items + index * list->size);
+}
+
 /* How many of a sorted list come before the name. */
 static size_t count_before(const bat_list *list, const char *name, comparison *order)
 {
-    unsigned char *items = list->items;
     size_t low = 0, high = list->count;
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
-        if (order(((bat_dxf_named *)(void *)(items + middle * list->size))->name, name) < 0)
+        if (order(named_at(list, middle)->name, name) < 0)
             low = middle + 1;
         else
             high = middle;
@@ -147,11 +158,10 @@ static size_t count_before(const bat_list *list, const char *name, comparison *o
 /* The first of a sorted list that has the name. */
 static void *first_of(const bat_list *list, const char *name, comparison *order)
 {
-    unsigned char *items = list->items;
     const size_t low = count_before(list, name, order);
     if (low == list->count)
         return NULL;
-    bat_dxf_named *found = (void *)(items + low * list->size);
+    bat_dxf_named *found = named_at(list, low);
     return order(found->name, name) == 0 ? found : NULL;
 }
 

@@ -40,16 +40,21 @@ static void end_statement(writing *w)
     w->in_line = 0;
 }
 
+static void put_numbers(writing *w, int count, const double *values)
+{
+    for (int k = 0; k < count; k++)
+        put_number(w, values[k]);
+}
+
 static void put_point(writing *w, const double *point, const double *weight,
                       const double *colour)
 {
     put_words(w, "v");
-    for (int k = 0; k < 3; k++)
-        put_number(w, point[k]);
+    put_numbers(w, 3, point);
     if (weight)
         put_number(w, *weight);
-    for (int k = 0; colour && k < 3; k++)
-        put_number(w, colour[k]);
+    if (colour)
+        put_numbers(w, 3, colour);
     put_words(w, "\n");
     w->vertices++;
 }

@@ -13,6 +13,14 @@ size_t bat_svg_past_separators(bat_span text, size_t at)
     return at;
 }
 
+static size_t count_digits(const char *text, size_t left)
+{
+    size_t count = 0;
+    while (count < left && text[count] >= '0' && text[count] <= '9')
+        count++;
+    return count;
+}
+
 /* How long the exponent at the beginning is; 0 when there is none. */
 static size_t exponent_length(const char *text, size_t left)
 {
@@ -20,26 +28,22 @@ static size_t exponent_length(const char *text, size_t left)
     if (left < 2 || (text[0] != 'e' && text[0] != 'E'))
         return 0;
     k += text[1] == '+' || text[1] == '-';
-    if (k >= left || text[k] < '0' || text[k] > '9')
-        return 0;
-    while (k < left && text[k] >= '0' && text[k] <= '9')
-        k++;
-    return k;
+    const size_t digits = count_digits(text + k, left - k);
+    return digits ? k + digits : 0;
 }
 
 /* How long the number at the beginning is: numbers may stand side by side, "1.5.5-2". */
 static size_t number_length(const char *text, size_t left)
 {
-    size_t i = 0, digits = 0;
-    i += i < left && (text[i] == '+' || text[i] == '-');
-    for (; i < left && text[i] >= '0' && text[i] <= '9'; i++)
-        digits++;
-    if (i < left && text[i] == '.')
-        for (i++; i < left && text[i] >= '0' && text[i] <= '9'; i++)
-            digits++;
-    if (digits == 0)
-        return 0;
-    return i + exponent_length(text + i, left - i);
+    size_t i = left > 0 && (text[0] == '+' || text[0] == '-');
+    size_t digits = count_digits(text + i, left - i);
+    i += digits;
+    if (i < left && text[i] == '.') {
+        const size_t behind = count_digits(text + i + 1, left - i - 1);
+        i += 1 + behind;
+        digits += behind;
+    }
+    return digits ? i + exponent_length(text + i, left - i) : 0;
 }
 
 bool bat_svg_number(bat_span text, size_t *at, double *value)
@@ -109,16 +113,15 @@ static bool read_arguments(parsing *p, char command, double v[7])
 /* Small letters count from where the row stands. */
 static void make_absolute(char command, const bat_svg_row *row, double v[7])
 {
-    if (command == 'H') {
+    if (command == 'H')
         v[0] += row->x;
-    } else if (command == 'V') {
+    else if (command == 'V')
         v[0] += row->y;
-    } else {
+    else
         for (int k = command == 'A' ? 5 : 0; k + 1 < arguments_of(command); k += 2) {
             v[k] += row->x;
             v[k + 1] += row->y;
         }
-    }
 }
 
 static batten_status hand_over_row(parsing *p)

@@ -96,18 +96,23 @@ static bool property_is(const bat_xml *xml, const char *name, const char *wanted
     return property(xml, name, &text) && bat_svg_says(text, wanted);
 }
 
-/* What the element at work adds to what it inherits. A broken transform fails. */
-static batten_status read_look(const reading *r, level *look)
+static void read_colour(const bat_xml *xml, level *look)
 {
     bat_span text;
-    *look = r->levels[r->depth];
-    look->is_hidden = look->is_hidden || property_is(&r->xml, "display", "none") ||
-                      property_is(&r->xml, "visibility", "hidden");
     double colour[3];
-    if (property(&r->xml, "stroke", &text) && bat_svg_colour(text, colour)) {
+    if (property(xml, "stroke", &text) && bat_svg_colour(text, colour)) {
         look->has_colour = true;
         memcpy(look->colour, colour, sizeof colour);
     }
+}
+
+/* What the element at work adds to what it inherits. A broken transform fails. */
+static batten_status read_look(const reading *r, level *look)
+{
+    *look = r->levels[r->depth];
+    look->is_hidden = look->is_hidden || property_is(&r->xml, "display", "none") ||
+                      property_is(&r->xml, "visibility", "hidden");
+    read_colour(&r->xml, look);
     return read_transform(r, look);
 }
 

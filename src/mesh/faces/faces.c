@@ -41,17 +41,20 @@ static void forget_across(bat_meshing *m, const bool *ask)
     m->across_count = kept;
 }
 
+static void move_triangle(bat_meshing *m, int from, int to)
+{
+    memmove(m->corners[to], m->corners[from], sizeof *m->corners);
+    memmove(m->normals[to], m->normals[from], sizeof *m->normals);
+    m->owners[to] = m->owners[from];
+}
+
 /* Without the triangles of the faces that are asked again. */
 static void forget(bat_meshing *m, const bool *ask)
 {
     int count = 0;
-    for (int i = 0; i < m->triangle_count; i++) {
-        if (ask[m->owners[i]])
-            continue;
-        memmove(m->corners[count], m->corners[i], sizeof *m->corners);
-        memmove(m->normals[count], m->normals[i], sizeof *m->normals);
-        m->owners[count++] = m->owners[i];
-    }
+    for (int i = 0; i < m->triangle_count; i++)
+        if (!ask[m->owners[i]])
+            move_triangle(m, i, count++);
     m->triangle_count = count;
     forget_across(m, ask);
 }

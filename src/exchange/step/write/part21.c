@@ -104,18 +104,23 @@ static uint32_t next_character(const unsigned char **text, bool *valid)
     return good ? c : s[0];
 }
 
+/* Quotes and backslashes stand twice. */
+static void add_printable(batten_text *text, char c)
+{
+    const char twice[2] = {c, c};
+    batten_text_bytes(text, twice, c == '\'' || c == '\\' ? 2 : 1);
+}
+
 static void add_character(batten_text *text, uint32_t c, bool valid)
 {
-    if (valid && c >= 32 && c < 127) {
-        const char twice[2] = {(char)c, (char)c};
-        batten_text_bytes(text, twice, c == '\'' || c == '\\' ? 2 : 1);
-    } else if (!valid || c < 128) {
+    if (valid && c >= 32 && c < 127)
+        add_printable(text, (char)c);
+    else if (!valid || c < 128)
         batten_text_add(text, "\\X\\%02X", (unsigned)c);
-    } else if (c < 0x10000) {
+    else if (c < 0x10000)
         batten_text_add(text, "\\X2\\%04X\\X0\\", (unsigned)c);
-    } else {
+    else
         batten_text_add(text, "\\X4\\%08X\\X0\\", (unsigned)c);
-    }
 }
 
 void bat_step_string(bat_step *step, const char *value, const char *after)

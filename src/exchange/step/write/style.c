@@ -119,17 +119,21 @@ static void put_members(bat_step *step, const bat_member *members, int count)
         bat_step_id(step, members[i].item, i + 1 < count ? "," : ")");
 }
 
+static void put_layer(bat_step *step, const bat_member *members, int count)
+{
+    bat_step_open(step, "PRESENTATION_LAYER_ASSIGNMENT");
+    bat_step_string(step, members->path, ",'',(");
+    put_members(step, members, count);
+    bat_step_close(step);
+}
+
 static void put_layers(bat_step_writing *w)
 {
-    bat_step *step = &w->step;
     const bat_members *list = &w->layers;
     bat_members_sort(&w->layers);
     for (int i = 0, count; i < list->count; i += count) {
         count = bat_members_same(list, i);
-        bat_step_open(step, "PRESENTATION_LAYER_ASSIGNMENT");
-        bat_step_string(step, list->members[i].path, ",'',(");
-        put_members(step, &list->members[i], count);
-        bat_step_close(step);
+        put_layer(&w->step, &list->members[i], count);
     }
 }
 

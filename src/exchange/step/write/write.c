@@ -69,26 +69,36 @@ static batten_status write_curve(bat_step_writing *w, const batten_object *objec
     return status == BATTEN_OK ? bat_step_mark(w, object, id) : status;
 }
 
-static batten_status write_points(bat_step_writing *w, const batten_object *object, contents *c)
+static int put_set(bat_step *step, const batten_object *object)
 {
-    bat_step *step = &w->step;
-    if (object->point_count == 0)
-        return BATTEN_OK;
     const int first = bat_step_points(step, 3, object->points, (size_t)object->point_count);
     const int set = bat_step_open(step, "GEOMETRIC_CURVE_SET");
     bat_step_string(step, object->name, ",(");
     bat_step_range(step, first, object->point_count, ")");
     bat_step_close(step);
+    return set;
+}
+
+static batten_status write_points(bat_step_writing *w, const batten_object *object, contents *c)
+{
+    if (object->point_count == 0)
+        return BATTEN_OK;
+    const int set = put_set(&w->step, object);
     const batten_status status = bat_step_bag_add(&c->curves, set);
     return status == BATTEN_OK ? bat_step_mark(w, object, set) : status;
+}
+
+static void leave_mesh_out(const bat_step_writing *w, const batten_object *object)
+{
+    batten_notes_add(w->step.notes, "", 0, object->name,
+                     "left out: this mesh needs schema ap242 (--schema ap242), which alone "
+                     "has meshes");
 }
 
 static batten_status write_mesh(bat_step_writing *w, const batten_object *object, contents *c)
 {
     if (w->options->schema != BATTEN_STEP_AP242) {
-        batten_notes_add(w->step.notes, "", 0, object->name,
-                         "left out: this mesh needs schema ap242 (--schema ap242), which alone "
-                         "has meshes");
+        leave_mesh_out(w, object);
         return BATTEN_OK;
     }
     if (batten_mesh_view(object->mesh)->triangle_count == 0)
