@@ -176,6 +176,22 @@ TEST(f4_layer_names_have_no_forbidden_letters)
     CHECK(strlen(out) < BAT_DXF_NAME);
 }
 
+TEST(a_straight_curve_of_any_degree_is_a_line)
+{
+    const double from[3] = {1, 2, 0}, to[3] = {4, 6, 0};
+    batten_curve *line = NULL, *raised = NULL;
+    CHECK_OK(batten_curve_line(3, from, to, &line));
+    CHECK_OK(batten_curve_elevate(line, 2, &raised));
+    batten_model *model = model_of_curve(raised, "keel");
+    const char *at = entity(written(model, BATTEN_FORMAT_DXF), "LINE");
+    double ends[4];
+    for (int k = 0; k < 4; k++)
+        CHECK_INT(numbers(at, 10 * (k % 2 + 1) + k / 2, &ends[k], 1), 1);
+    CHECK(ends[0] == 1 && ends[1] == 2 && ends[2] == 4 && ends[3] == 6);
+    batten_curve_unref(line);
+    batten_model_unref(model);
+}
+
 TEST(dxf_leaves_out_curves_without_length)
 {
     static const double points[] = {1, 2, 3, 1, 2, 3, 1, 2, 3, 4, 2, 3};

@@ -229,3 +229,109 @@ TEST(svg_says_how_far_cubics_are_from_what_they_are_not)
         batten_model_unref(model);
     }
 }
+
+/* Write curves as SVG, and give their references back. */
+static void write_curves(int count, batten_curve *const *curves, batten_status due,
+                         batten_notes *notes, char **data)
+{
+    batten_model *model = NULL;
+    batten_write_options options = batten_write_defaults();
+    size_t size = 0;
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < count; i++) {
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = "curve",
+                                                          .kind = BATTEN_OBJECT_CURVE,
+                                                          .curve = curves[i]}));
+        batten_curve_unref(curves[i]);
+    }
+    options.format = BATTEN_FORMAT_SVG;
+    CHECK_STATUS(batten_write_memory(model, &options, notes, data, &size), due);
+    batten_model_unref(model);
+}
+
+static batten_curve *line_between(const double from[3], const double to[3])
+{
+    batten_curve *line = NULL;
+    CHECK_OK(batten_curve_line(3, from, to, &line));
+    return line;
+}
+
+TEST(svg_of_nothing_but_a_stroke_along_z_is_refused_and_beside_others_noted)
+{
+    const double foot[3] = {1, 2, 0}, head[3] = {1, 2, 5}, far[3] = {4, 7, 0};
+    for (int count = 1; count <= 2; count++) {
+        batten_curve *curves[2] = {line_between(foot, head), line_between(foot, far)};
+        batten_notes *notes = NULL;
+        char *data = NULL;
+        CHECK_OK(batten_notes_create(9, &notes));
+        write_curves(count, curves, count == 1 ? BATTEN_UNSUPPORTED : BATTEN_OK, notes, &data);
+        CHECK(batten_notes_dropped(notes) || has_note(notes, "is one point of the sheet"));
+        if (count == 1)
+            batten_curve_unref(curves[1]);
+        batten_release(data);
+        batten_notes_free(notes);
+    }
+}
+
+TEST(svg_does_not_speak_of_upright_curves_where_the_first_lies_flat)
+{
+    const double corners[3][3] = {{0, 0, 0}, {3, 4, 0}, {0, 4, 6}};
+    batten_curve *curves[2] = {line_between(corners[0], corners[1]),
+                               line_between(corners[0], corners[2])};
+    batten_notes *notes = NULL;
+    char *data = NULL;
+    CHECK_OK(batten_notes_create(9, &notes));
+    write_curves(2, curves, BATTEN_OK, notes, &data);
+    CHECK(!has_note(notes, "all curves lie in planes"));
+    CHECK(batten_notes_dropped(notes) || has_note(notes, "its extent from z = 0 to 6 is lost"));
+    batten_release(data);
+    batten_notes_free(notes);
+}
+
+/* Of the ellipse of 30 by 20 from angle 0, with a line before it where it begins. */
+static batten_curve *pieces_of_ellipse(bool has_line)
+{
+    batten_curve *first = NULL, *second = NULL, *joined = NULL;
+    if (has_line)
+        CHECK_OK(batten_curve_line(2, (double[]){40, 1}, (double[]){30, 0}, &first));
+    else
+        CHECK_OK(batten_curve_ellipse(30, 20, -0.4, 0.4, &first));
+    CHECK_OK(batten_curve_ellipse(30, 20, 0, 1.5, &second));
+    CHECK_OK(batten_curve_join(first, second, 1e-9, &joined));
+    batten_curve_unref(first);
+    batten_curve_unref(second);
+    return joined;
+}
+
+TEST(svg_knows_an_arc_by_the_weights_of_its_own_piece)
+{
+    for (int k = 0; k < 2; k++) {
+        batten_curve *curve = pieces_of_ellipse(k == 1);
+        batten_notes *notes = NULL;
+        char *data = NULL;
+        CHECK_OK(batten_notes_create(9, &notes));
+        write_curves(1, &curve, BATTEN_OK, notes, &data);
+        CHECK(!has_note(notes, "approximated"));
+        int arcs = 0;
+        for (const char *at = strstr(data, " d=\"M"); (at = strchr(at + 1, 'A'));)
+            arcs++;
+        CHECK_INT(arcs, k == 0 ? 2 : 1);
+        batten_release(data);
+        batten_notes_free(notes);
+    }
+}
+
+TEST(svg_approximates_polynomials_of_degree_four)
+{
+    const double points[] = {0, 0, 10, 30, 20, -40, 30, 50, 40, 0};
+    const double knots[] = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1};
+    batten_curve *curve = NULL;
+    batten_notes *notes = NULL;
+    char *data = NULL;
+    CHECK_OK(batten_curve_create((batten_points){2, 5, points}, 4, NULL, knots, &curve));
+    CHECK_OK(batten_notes_create(9, &notes));
+    write_curves(1, &curve, BATTEN_OK, notes, &data);
+    CHECK(batten_notes_dropped(notes) || has_note(notes, "approximated within"));
+    batten_release(data);
+    batten_notes_free(notes);
+}
