@@ -75,7 +75,7 @@ static const struct {
     {"Ferguson", "interpolate"},
     {"Overhauser", "bessel"},
     {"cumulative chord", "interpolate"},
-    {"loft", "skin"},
+    {"multi-section surface", "skin"},
     {"rail", "two-rails"},
     {"zebra", "contours"},
     {"comb", "picture"},
