@@ -3,7 +3,7 @@
 
     counting.py    1 when a message prints an index as it is, with the places
 
-An index is what follows the name of a thing ("point %d"): its argument ends with '+ 1' (or + 2, + 3), or is in the
+An index is what follows the name of a thing ("point %d"): its argument ends with '+ 1' (or + 2, + 3), begins with number, or is in the
 list below of numbers that count from 1 already.
 """
 import glob
@@ -84,7 +84,7 @@ def main():
                 given = arguments(text, match.end()) if '%' in form and text[match.end():].lstrip()[:1] == ',' else None
                 for argument in indices(form, given or []):
                     known = any(path.endswith(end) and argument == name for end, name in FROM_ONE)
-                    if not known and not re.search(r'\+ [123]$', argument):
+                    if not known and not re.search(r'^numbers?\b|\+ [123]$', argument):
                         found.append('%s: "%s" prints the index %s' % (where, form[:60], argument))
     print('\n'.join(found))
     return 1 if found else 0
