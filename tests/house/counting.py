@@ -28,7 +28,7 @@ FROM_ONE = {
     ('boundary/edges_in_order.c', 'corner'), ('boundary/edges_in_order.c', 'from'), ('boundary/edges_in_order.c', 'to'),
     ('fill/triangle_ribbons.c', 'number'), ('surface_change/blend.c', '(int)e->edge'),
     ('surface_change/extend.c', '(int)edge'), ('shared/boundary.c', 'side'), ('boundary/coons_patch.c', 'p->dimension'),
-    ('curve_change/cut_corners.c', 'number(w, k)'),
+    ('curve_change/cut_corners.c', 'number(w, k)'), ('curve_change/cut_corners.c', 'number'),
     ('curve_change/cut_corners.c', 'number(w, (k + w->corners - 1) % w->corners)'),
     ('fill/triangle_ribbons.c', 'numbers[0]'), ('fill/triangle_ribbons.c', 'numbers[1]'),
 }
