@@ -8,7 +8,7 @@
 #include <batten/interpolate.h>
 
 #include "base/plural.h"
-#include "numeric/quadratic_program.h"
+#include "numeric/programs/quadratic_program.h"
 #include "numeric/vector.h"
 #include "shape/points/parametrize.h"
 #include "spline/data_check.h"

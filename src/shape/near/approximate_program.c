@@ -1,5 +1,5 @@
 /* Least squares under conditions: a quadratic program over the control points. */
-#include "numeric/quadratic_program.h"
+#include "numeric/programs/quadratic_program.h"
 #include "numeric/vector.h"
 #include "shape/near/approximate.h"
 

@@ -1,4 +1,4 @@
-#include "numeric/quadratic_program.h"
+#include "numeric/programs/quadratic_program.h"
 
 #include "support/test.h"
 

@@ -2,7 +2,7 @@
  * Convex quadratic programs. The equations are eliminated by Householder reflections; the
  * inequalities are then met one by one by a dual active set method. Source: [GI83].
  */
-#include "numeric/quadratic_program.h"
+#include "numeric/programs/quadratic_program.h"
 #include "base/plural.h"
 #include "numeric/vector.h"
 
