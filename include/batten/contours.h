@@ -3,9 +3,10 @@
 /**
  * @file
  * Scalar fields on surfaces (height, curvature, light), and the lines along which they have a
- * given value.
+ * given value; the curves of equations F(x, y) = 0 and F = G = 0.
  */
 #include <batten/nearest.h>
+#include <batten/standard.h>
 #include <batten/triangles.h>
 
 #ifdef __cplusplus
@@ -304,6 +305,85 @@ BATTEN_API batten_status batten_implicit_trace(const batten_implicit *implicit,
                                                batten_trace *out);
 /** Release a trace, and empty it. */
 BATTEN_API void batten_trace_release(batten_trace *trace);
+
+/* ---- surfaces and curves of equations; see also standard.h ---- */
+
+/**
+ * The surface of three expressions in two variables u, v.
+ *
+ * A quintic spline in both directions, C4, through points at even steps of u and v, twice as many until
+ * the error is proved: on each cell, by the sixth derivatives, enclosed by intervals, and the errors measured at
+ * 6 x 6 Chebyshev nodes. The parameters are u and v.
+ *
+ * @param coordinates  [3], each in two variables
+ * @param range  [2], of u and v, a < b, finite
+ * @param tolerance  model units, above 0
+ * @param job  progress, cancelling, threads; NULL for none
+ * @param[out] error  the largest distance of points of equal parameters, proved
+ * @param[out] out  the surface; as it was when the function fails
+ * @return BATTEN_OK; BAD_ARGUMENT; NOT_FINITE; OUT_OF_DOMAIN (no value, or a pole: the message says where);
+ * TOLERANCE_NOT_MET (with 200 points in one direction: corners, roots); CANCELLED, INCOMPLETE (work limit);
+ * OUT_OF_MEMORY
+ *
+ * Cost: linear in cells, 36 evaluations for each.
+ * Source: [MKC09]; the Lebesgue constant of Chebyshev nodes, [Davis75] 2.4.
+ */
+BATTEN_API batten_status batten_surface_parametric(const batten_equation *const *coordinates,
+                                                   const batten_interval range[2],
+                                                   double tolerance, const batten_job *job,
+                                                   double *error, batten_surface **out);
+
+/**
+ * A helix about the z axis, or a spiral on a cone.
+ *
+ * It begins at (radius, 0, 0) and turns counter-clockwise as it rises. Its parameter is the angle over a turn.
+ *
+ * @param radius  at the start and at the end, above or at 0, not both 0
+ * @param pitch  how far it rises in a turn; negative: a left-handed helix that falls
+ * @param turns  how many, above 0, up to 10,000
+ * @param tolerance  model units, above 0
+ * @param[out] error  proved
+ * @param[out] out  the curve, C2; as it was when the function fails
+ * @return BATTEN_OK; BAD_ARGUMENT; NOT_FINITE; as batten_curve_parametric
+ *
+ * Cost: linear in turns.
+ * Source: [MKC09].
+ */
+BATTEN_API batten_status batten_curve_helix(batten_interval radius, double pitch, double turns,
+                                            double tolerance, double *error,
+                                            batten_curve **out);
+
+/**
+ * All of the plane curve F(x, y) = 0, or of the space curve F(x, y, z) = G(x, y, z) = 0, in a box.
+ *
+ * The box is cut in two again and again. A part goes when intervals prove that it has no point of
+ * the curve; it is understood when they prove that the curve is a graph over one axis there, and where it
+ * crosses each side. So no branch and no loop is missed, however small. What is never understood
+ * clusters about singular points, and becomes one once the cluster is smaller than the tolerance;
+ * larger ones (double lines, curves that touch along a line) are listed as undecided. Pieces of
+ * branches become cubics, C1, as few as are proved to be within the tolerance.
+ *
+ * The box is grown by at most the tolerance, so that curves that touch it from inside belong to it as a
+ * whole. Chains are cut at nodes only where branches cannot be paired by their directions.
+ *
+ * @param equation_count  1: in the plane, 2: in space
+ * @param equations  [equation_count], each in equation_count + 1 variables
+ * @param box  low < high in each of the equation_count + 1 coordinates
+ * @param tolerance  model units, above 0
+ * @param job  progress, cancelling, work limit in boxes; NULL for none
+ * @param[out] out  curves, closed ones with equal ends; with INCOMPLETE what was found; else as it was
+ *                  when the function fails
+ * @return BATTEN_OK; BAD_ARGUMENT; NOT_FINITE; TOLERANCE_NOT_MET (below 1e-12 of the box); INCOMPLETE
+ * (undecided boxes: the message says how many and where); CANCELLED; OUT_OF_MEMORY
+ *
+ * Cost: for each piece some 10 boxes in the plane and 100 in space, with n + 1 evaluations each.
+ * Source: [SW05] subdivision; [Neumaier90] interval Newton.
+ */
+BATTEN_API batten_status batten_curves_implicit(int equation_count,
+                                                const batten_equation *const *equations,
+                                                const batten_box *box, double tolerance,
+                                                const batten_job *job,
+                                                batten_equation_curves *out);
 
 #ifdef __cplusplus
 }

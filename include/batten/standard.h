@@ -2,7 +2,8 @@
 #define BATTEN_STANDARD_H
 /**
  * @file
- * The classical shapes as exact NURBS.
+ * The classical shapes as exact NURBS; curves and surfaces by their equations, y = f(x),
+ * [x(t), y(t), z(t)], within an error that interval arithmetic proves.
  */
 #include <batten/surface.h>
 
@@ -293,6 +294,105 @@ BATTEN_API batten_status batten_surface_torus(const batten_frame *frame, double 
  */
 BATTEN_API batten_status batten_surface_sixteen_points(const double *points,
                                                        batten_surface **out);
+
+/* ---- curves and surfaces by equations ---- */
+
+/** An expression in up to three variables, read from a text; immutable. */
+typedef struct batten_equation batten_equation;
+/** A name that stands for a number. */
+typedef struct batten_equation_constant {
+    const char *name;
+    double value;
+} batten_equation_constant;
+/** What names mean in an expression; borrowed for the call. */
+typedef struct batten_equation_names {
+    int variable_count, constant_count;
+    const char *const *variables; /**< [variable_count], 1 to 3 */
+    const batten_equation_constant *constants; /**< [constant_count] */
+} batten_equation_names;
+/**
+ * Read an expression: numbers, variables, constants, pi, + - * / ^ ( ), sin cos tan asin acos
+ * atan (radians), sinh cosh tanh, exp ln log10 sqrt abs, and min max of two. a^b^c is a^(b^c),
+ * -a^2 is -(a^2). "F = G" is F - G. Numbers are the nearest doubles.
+ *
+ * @param text  the expression
+ * @param names  variables and constants; a variable hides a constant of its name
+ * @param[out] out  the expression; the caller frees it
+ * @return BATTEN_OK; BAD_FORMAT with what is expected where; BAD_ARGUMENT (no variable, more than three);
+ * NOT_FINITE (a constant); TOO_LARGE (over 2000 operations, 24 values that wait); OUT_OF_MEMORY
+ * Cost: linear in the text.
+ */
+BATTEN_API batten_status batten_equation_read(const char *text,
+                                              const batten_equation_names *names,
+                                              batten_equation **out);
+/** Free `equation`; NULL is welcome. */
+BATTEN_API void batten_equation_free(batten_equation *equation);
+
+/**
+ * The value of an expression.
+ * @param equation  any expression
+ * @param at  [variable_count], finite
+ * @param[out] value  the value, to rounding
+ * @param[out] error  how far the true value may be from it; may be NULL
+ * @return BATTEN_OK; OUT_OF_DOMAIN where it has no value or an unbounded one (1 / 0, ln 0)
+ * Cost: linear in the operations.
+ */
+BATTEN_API batten_status batten_equation_value(const batten_equation *equation,
+                                               const double *at, double *value, double *error);
+
+/** What is special at a point. */
+typedef enum batten_equation_point_kind {
+    BATTEN_EQUATION_NODE,     /**< branches cross, up to the tolerance */
+    BATTEN_EQUATION_ISOLATED, /**< the equation holds, or nearly, at this point alone */
+    BATTEN_EQUATION_SINGULAR, /**< the gradient vanishes, and it is neither: a cusp, say */
+    BATTEN_EQUATION_HALT,     /**< a parametric curve may stand still */
+    BATTEN_EQUATION_CORNER    /**< a curve has no derivative */
+} batten_equation_point_kind;
+typedef struct batten_equation_point {
+    batten_equation_point_kind kind;
+    batten_vec3 point;
+    double parameter; /**< of a parametric curve */
+    int branches;     /**< of an implicit one: how many ends of branches meet here */
+} batten_equation_point;
+/** Curves that equations describe. */
+typedef struct batten_equation_curves {
+    int count;
+    batten_curve **curves; /**< [count] */
+    int point_count;
+    batten_equation_point *points; /**< [point_count] what is special */
+    int undecided_count;
+    batten_box *undecided; /**< [undecided_count] boxes in which there may be more */
+    double error;          /**< proved: the largest distance of true curves, outside of undecided
+                                boxes, from these and the points, or the other way round */
+    int boxes;             /**< how many boxes or intervals were examined */
+} batten_equation_curves;
+
+/** Release what belongs to `curves`. */
+BATTEN_API void batten_equation_curves_release(batten_equation_curves *curves);
+
+/**
+ * The curve of 1 to 3 expressions in one variable t, which is its parameter.
+ *
+ * Quintic pieces with two derivatives at both ends; t is halved until the sixth derivative, enclosed by
+ * intervals, proves that each is near enough: C2, exact for polynomials up to degree 5. Where a derivative
+ * fails (|t| at 0, a root at its end) short chords replace them, and the place is among the points.
+ *
+ * @param dimension  1 to 3
+ * @param coordinates  [dimension], each in one variable
+ * @param range  of t, a < b, finite
+ * @param tolerance  model units, above 0
+ * @param job  progress, cancelling; NULL for none
+ * @param[out] out  one curve; as it was when the function fails
+ * @return BATTEN_OK; BAD_ARGUMENT; NOT_FINITE; OUT_OF_DOMAIN with the place (no value, a pole, a jump);
+ * TOLERANCE_NOT_MET (rounding); TOO_LARGE (over 20,000 pieces); CANCELLED; INCOMPLETE; OUT_OF_MEMORY
+ * Cost: linear in pieces, about 28 products of intervals for each operation of a piece.
+ * Source: [MKC09]; the remainder of two-point Hermite interpolation, [Davis75] 3.5.
+ */
+BATTEN_API batten_status batten_curve_parametric(int dimension,
+                                                 const batten_equation *const *coordinates,
+                                                 batten_interval range, double tolerance,
+                                                 const batten_job *job,
+                                                 batten_equation_curves *out);
 
 #ifdef __cplusplus
 }

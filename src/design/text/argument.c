@@ -168,7 +168,8 @@ static void read_item(const bat_reading *r, const bat_node *node, bat_item *item
         read_count(r, word, item);
         return;
     case BATTEN_VALUE_POINTS:
-        if (!named_point(word, item->number))
+        /* A feature hides the axis of its name. */
+        if (bat_document_feature(r->document, word) >= 0 || !named_point(word, item->number))
             bat_read_model(r, word, item);
         return;
     case BATTEN_VALUE_POINT:

@@ -1,0 +1,156 @@
+#include "numeric/interval/jet.h"
+
+#include "support/generate.h"
+#include "support/test.h"
+
+/* Identities, by which every function's series is checked against the others'. */
+
+static bat_interval_jet variable(const bat_jet_space *s, double x)
+{
+    bat_interval_jet made;
+    bat_ijet_variable(s, 0, bat_interval_at(x), &made);
+    return made;
+}
+
+static bat_interval_jet constant(const bat_jet_space *s, double x)
+{
+    bat_interval_jet made;
+    bat_ijet_constant(s, bat_interval_at(x), &made);
+    return made;
+}
+
+/* Is it x, or `value` alone, to rounding? */
+static void check_identity(const bat_jet_space *s, const bat_interval_jet *a, double value,
+                           double slope)
+{
+    for (int k = 0; k < s->count; k++) {
+        const double expected = k == 0 ? value : k == 1 ? slope : 0;
+        CHECK(a->c[k].lo <= expected && expected <= a->c[k].hi);
+        CHECK(bat_interval_width(a->c[k]) < 1e-6);
+    }
+}
+
+static bat_interval_jet applied(bat_jet_space *s, bat_ijet_function f, bat_interval_jet a)
+{
+    bat_ijet_apply(s, f, &a);
+    return a;
+}
+
+TEST(inverse_functions_give_the_variable_back_with_all_derivatives)
+{
+    static const struct {
+        bat_ijet_function outer, inner;
+    } rows[] = {{BAT_IJET_SIN, BAT_IJET_ASIN},
+                {BAT_IJET_COS, BAT_IJET_ACOS},
+                {BAT_IJET_TAN, BAT_IJET_ATAN},
+                {BAT_IJET_EXP, BAT_IJET_LN},
+                {BAT_IJET_LN, BAT_IJET_EXP}};
+    bat_jet_space s;
+    bat_jet_space_begin(&s, 1, 6);
+    for (int i = 0; i < COUNT(rows); i++)
+        for (double x = 0.1; x < 0.8; x += 0.15) {
+            const bat_interval_jet made =
+                applied(&s, rows[i].outer, applied(&s, rows[i].inner, variable(&s, x)));
+            check_identity(&s, &made, x, 1);
+            CHECK_INT(s.state, BAT_DEFINED);
+        }
+}
+
+/* f^2 + sign g^2 = 1 */
+TEST(squares_of_sines_and_cosines_sum_to_one)
+{
+    static const struct {
+        bat_ijet_function f, g;
+        int sign;
+    } rows[] = {{BAT_IJET_SIN, BAT_IJET_COS, 1}, {BAT_IJET_COSH, BAT_IJET_SINH, -1}};
+    bat_jet_space s;
+    bat_jet_space_begin(&s, 1, 6);
+    for (int i = 0; i < COUNT(rows); i++) {
+        const bat_interval_jet two = constant(&s, 2), x = variable(&s, 0.7);
+        bat_interval_jet f = applied(&s, rows[i].f, x), g = applied(&s, rows[i].g, x), sum;
+        bat_ijet_power(&s, &f, &two, &f);
+        bat_ijet_power(&s, &g, &two, &g);
+        if (rows[i].sign > 0)
+            bat_ijet_add(&s, &f, &g, &sum);
+        else
+            bat_ijet_subtract(&s, &f, &g, &sum);
+        check_identity(&s, &sum, 1, 0);
+    }
+}
+
+TEST(powers_multiply_as_their_exponents_add)
+{
+    static const double exponents[][2] = {{0.5, 0.5}, {3, -2}, {1.7, -0.7}, {-1, 2}};
+    bat_jet_space s;
+    bat_jet_space_begin(&s, 1, 6);
+    for (int i = 0; i < COUNT(exponents); i++) {
+        const bat_interval_jet p = constant(&s, exponents[i][0]),
+                               q = constant(&s, exponents[i][1]);
+        const bat_interval_jet x = variable(&s, 1.3);
+        bat_interval_jet a, b, product;
+        bat_ijet_power(&s, &x, &p, &a);
+        bat_ijet_power(&s, &x, &q, &b);
+        bat_ijet_multiply(&s, &a, &b, &product);
+        check_identity(&s, &product, 1.3, 1);
+    }
+}
+
+TEST(derivatives_over_an_interval_hold_those_at_its_points)
+{
+    test_random random = test_random_begin("boxes");
+    bat_jet_space s;
+    bat_jet_space_begin(&s, 2, 2);
+    for (int i = 0; i < 2000; i++) {
+        const double x = test_random_in(&random, -1, 1), y = test_random_in(&random, 0.1, 1);
+        bat_interval_jet at[2][2], made[2];
+        for (int wide = 0; wide < 2; wide++) {
+            bat_ijet_variable(&s, 0, (bat_interval){x - 0.1 * wide, x + 0.2 * wide},
+                              &at[wide][0]);
+            bat_ijet_variable(&s, 1, (bat_interval){y - 0.05 * wide, y + 0.1 * wide},
+                              &at[wide][1]);
+            bat_interval_jet f = applied(&s, BAT_IJET_SIN, at[wide][0]), g;
+            bat_ijet_divide(&s, &f, &at[wide][1], &g);
+            bat_ijet_power(&s, &at[wide][1], &at[wide][0], &f);
+            bat_ijet_multiply(&s, &f, &g, &made[wide]);
+        }
+        for (int k = 0; k < s.count; k++)
+            CHECK(made[1].c[k].lo <= made[0].c[k].lo && made[0].c[k].hi <= made[1].c[k].hi);
+    }
+}
+
+TEST(a_corner_has_bounded_slopes_and_no_further_derivative)
+{
+    bat_jet_space s;
+    bat_interval_jet a;
+    bat_jet_space_begin(&s, 1, 6);
+    bat_ijet_variable(&s, 0, (bat_interval){-1, 2}, &a);
+    bat_ijet_apply(&s, BAT_IJET_ABS, &a);
+    CHECK(a.c[0].lo == 0 && a.c[0].hi == 2 && a.c[1].lo == -1 && a.c[1].hi == 1);
+    CHECK(!bat_interval_is_finite(a.c[2]));
+    for (int side = -1; side <= 1; side += 2) {
+        s.side = side;
+        a = applied(&s, BAT_IJET_ABS, variable(&s, 0));
+        CHECK(a.c[0].hi == 0 && a.c[1].lo == side && a.c[1].hi == side);
+    }
+}
+
+TEST(what_has_no_value_is_said)
+{
+    bat_jet_space s;
+    bat_interval_jet a, one;
+    bat_jet_space_begin(&s, 1, 2);
+    bat_ijet_variable(&s, 0, (bat_interval){-1, 2}, &a);
+    bat_ijet_apply(&s, BAT_IJET_SQRT, &a);
+    CHECK_INT(s.state, BAT_PARTLY);
+    CHECK(a.c[0].lo == 0 && a.c[0].hi < 1.5);
+    s.state = BAT_DEFINED;
+    bat_ijet_variable(&s, 0, (bat_interval){-2, -1}, &a);
+    bat_ijet_apply(&s, BAT_IJET_LN, &a);
+    CHECK_INT(s.state, BAT_UNDEFINED);
+    s.state = BAT_DEFINED;
+    one = constant(&s, 1);
+    bat_ijet_variable(&s, 0, (bat_interval){-1, 1}, &a);
+    bat_ijet_divide(&s, &one, &a, &a);
+    CHECK_INT(s.state, BAT_PARTLY);
+    CHECK(!bat_interval_is_finite(a.c[0]));
+}

@@ -1,0 +1,165 @@
+#include <batten/contours.h>
+
+#include "support/test.h"
+
+static const char *const variables[] = {"x", "y", "z"};
+
+/* Curves with known lengths, points and pieces, in a box of half its size. */
+typedef struct {
+    const char *text[2];
+    double half, tolerance;
+    int curves, nodes, isolated, singular;
+    double length; /* of all; 0: not known */
+} row;
+
+static const row rows[] = {
+    {{"x^2 + y^2 = 1"}, 2, 1e-6, 1, 0, 0, 0, 6.283185307179586},
+    {{"x^2 + y^2 = 1"}, 1, 1e-6, 1, 0, 0, 0, 6.283185307179586},
+    {{"x^2/4 + y^2 = 1"}, 3, 1e-9, 1, 0, 0, 0, 9.688448220547675},
+    {{"x*y = 1"}, 2, 1e-6, 2, 0, 0, 0, 0},
+    {{"x = 0.5"}, 1, 1e-6, 1, 0, 0, 0, 2},
+    {{"x + y = 3"}, 1, 1e-6, 0, 0, 0, 0, 0},
+    {{"(x^2+y^2)^2 = 2*(x^2-y^2)"}, 2, 1e-8, 1, 1, 0, 0, 7.416298709205487},
+    {{"(x^2+y^2)^2 - 2*(x^2-y^2) = -0.1"}, 2, 1e-6, 2, 0, 0, 0, 0},
+    {{"(x^2+y^2)^2 - 2*(x^2-y^2) = 0.1"}, 2, 1e-6, 1, 0, 0, 0, 0},
+    {{"x^3 + y^3 = 3*x*y"}, 3, 1e-6, 1, 1, 0, 0, 0},
+    {{"y^2 = x^3"}, 2, 1e-6, 1, 0, 0, 1, 5.19990706349899},
+    {{"x^2 + y^2 = 0"}, 2, 1e-6, 0, 0, 1, 0, 0},
+    {{"(x-0.3)^2 + (y-0.2)^2 = 1e-8"}, 2, 1e-6, 1, 0, 0, 0, 0},
+    {{"x*y*(x-y) = 0"}, 2, 1e-6, 3, 1, 0, 0, 13.65685424949238},
+    {{"exp(x*y) = sin(3*x) + cos(5*y)"}, 2, 1e-6, 7, 0, 0, 0, 0},
+    {{"abs(x) + abs(y) = 1"}, 2, 1e-6, 1, 0, 0, 0, 0},
+    {{"x^2 + y^2 = -1"}, 2, 1e-6, 0, 0, 0, 0, 0},
+    {{"x^2 + y^2 + z^2 = 4", "(x-1)^2 + y^2 = 1"}, 2, 1e-6, 1, 1, 0, 0, 15.28079129},
+    {{"x^2 + y^2 + z^2 = 1", "z = 0"}, 2, 1e-8, 1, 0, 0, 0, 6.283185307179586},
+    {{"x^2 + y^2 + z^2 = 1", "z = x*y"}, 2, 1e-6, 1, 0, 0, 0, 0},
+    {{"x^2 + y^2 = 1", "z = 3"}, 2, 1e-6, 0, 0, 0, 0, 0},
+};
+
+typedef struct {
+    batten_equation *read[2];
+    int count;
+    batten_equation_curves made;
+} traced;
+
+static batten_status trace(const row *r, traced *t)
+{
+    *t = (traced){.count = r->text[1] ? 2 : 1};
+    const batten_equation_names names = {t->count + 1, 0, variables, NULL};
+    const batten_box box = {{-r->half, -r->half, -r->half}, {r->half, r->half, r->half}};
+    for (int i = 0; i < t->count; i++)
+        CHECK_OK(batten_equation_read(r->text[i], &names, &t->read[i]));
+    batten_status status = batten_curves_implicit(
+        t->count, (const batten_equation *const *)t->read, &box, r->tolerance, NULL, &t->made);
+    if (status == BATTEN_OUT_OF_MEMORY)
+        status = batten_curves_implicit(t->count, (const batten_equation *const *)t->read, &box,
+                                        r->tolerance, NULL, &t->made);
+    return status;
+}
+
+static void end_trace(traced *t)
+{
+    batten_equation_curves_release(&t->made);
+    batten_equation_free(t->read[0]);
+    batten_equation_free(t->read[1]);
+}
+
+/* The length by chords; how large the equations become along them, at most. */
+static double length_of(const traced *t, double *largest)
+{
+    enum { SAMPLES = 4000 };
+    double length = 0, before[3], p[3] = {0, 0, 0}, value;
+    for (int c = 0; c < t->made.count; c++) {
+        const batten_interval domain = batten_curve_domain(t->made.curves[c]);
+        for (int i = 0; i <= SAMPLES; i++) {
+            const double u = domain.a + (domain.b - domain.a) * i / SAMPLES;
+            CHECK_OK(batten_curve_evaluate(t->made.curves[c], fmin(u, domain.b), 0, p));
+            for (int k = 0; k < t->count; k++) {
+                CHECK_OK(batten_equation_value(t->read[k], p, &value, NULL));
+                *largest = fmax(*largest, fabs(value));
+            }
+            double sum = 0;
+            for (int k = 0; k <= t->count; k++)
+                sum += (p[k] - before[k]) * (p[k] - before[k]) * (i > 0 ? 1 : 0);
+            length += sqrt(sum);
+            for (int k = 0; k <= t->count; k++)
+                before[k] = p[k];
+        }
+    }
+    return length;
+}
+
+static void check_row(const row *r)
+{
+    traced t;
+    int kinds[5] = {0, 0, 0, 0, 0};
+    double largest = 0;
+    CHECK_OK(trace(r, &t));
+    CHECK_INT(t.made.count, r->curves);
+    CHECK(t.made.error <= r->tolerance);
+    CHECK_INT(t.made.undecided_count, 0);
+    for (int i = 0; i < t.made.point_count; i++)
+        kinds[t.made.points[i].kind]++;
+    CHECK_INT(kinds[BATTEN_EQUATION_NODE], r->nodes);
+    CHECK_INT(kinds[BATTEN_EQUATION_ISOLATED], r->isolated);
+    CHECK_INT(kinds[BATTEN_EQUATION_SINGULAR], r->singular);
+    const double length = length_of(&t, &largest);
+    /* Chords lose (length / samples)^2 of curvature; the gradients of all rows are below 100. */
+    if (r->length > 0)
+        CHECK_NEAR(length, r->length, 2e-5 * r->length);
+    CHECK(largest <= 100 * r->tolerance);
+    end_trace(&t);
+}
+
+TEST(known_curves_come_with_all_their_branches_loops_and_singular_points)
+{
+    for (int i = 0; i < COUNT(rows); i++)
+        check_row(&rows[i]);
+}
+
+TEST(closed_branches_end_where_they_begin)
+{
+    traced t;
+    double p[2], q[2];
+    CHECK_OK(trace(&rows[0], &t));
+    const batten_interval domain = batten_curve_domain(t.made.curves[0]);
+    CHECK_OK(batten_curve_evaluate(t.made.curves[0], domain.a, 0, p));
+    CHECK_OK(batten_curve_evaluate(t.made.curves[0], domain.b, 0, q));
+    CHECK(p[0] == q[0] && p[1] == q[1]);
+    end_trace(&t);
+}
+
+TEST(squares_poles_and_branches_that_touch_are_incomplete_with_their_boxes)
+{
+    static const row incomplete[] = {
+        {{"(x-y)^2 = 0"}, 2, 1e-4, 0, 0, 0, 0, 0},
+        {{"y = 1/x"}, 2, 1e-4, 2, 0, 0, 0, 0},
+        {{"(x^2+y^2)^3 = 4*x^2*y^2"}, 2, 1e-6, 0, 0, 0, 0, 0},
+    };
+    for (int i = 0; i < COUNT(incomplete); i++) {
+        traced t;
+        CHECK_STATUS(trace(&incomplete[i], &t), BATTEN_INCOMPLETE);
+        CHECK(t.made.undecided_count > 0);
+        CHECK_MESSAGE("boxes are undecided after");
+        end_trace(&t);
+    }
+}
+
+TEST(boxes_tolerances_and_numbers_of_variables_are_checked)
+{
+    batten_equation *plane = NULL;
+    batten_equation_curves made = {0};
+    const batten_equation_names names = {2, 0, variables, NULL};
+    const batten_box good = {{0, 0, 0}, {1, 1, 1}}, flat = {{0, 0, 0}, {1, 0, 1}};
+    CHECK_OK(batten_equation_read("x + y", &names, &plane));
+    const batten_equation *const two[] = {plane, plane};
+    CHECK_STATUS(batten_curves_implicit(2, two, &good, 1e-6, NULL, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("equation 1 has 2 variables, expected 3");
+    CHECK_STATUS(batten_curves_implicit(1, two, &flat, 1e-6, NULL, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the box is empty along y");
+    CHECK_STATUS(batten_curves_implicit(1, two, &good, -1, NULL, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curves_implicit(1, two, &good, 1e-15, NULL, &made),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_STATUS(batten_curves_implicit(3, two, &good, 1e-6, NULL, &made), BATTEN_BAD_ARGUMENT);
+    batten_equation_free(plane);
+}

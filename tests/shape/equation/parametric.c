@@ -1,0 +1,137 @@
+#include <batten/standard.h>
+
+#include "support/test.h"
+
+static const char *const variable[] = {"t"};
+static const batten_equation_names names = {1, 0, variable, NULL};
+
+typedef struct {
+    const char *text[3];
+    double a, b, tolerance;
+    batten_status status;
+    int corners, halts;
+    const char *says;
+} row;
+
+static const row rows[] = {
+    {{"5*cos(t)", "5*sin(t)", "t/5"}, 0, 30, 1e-6, BATTEN_OK, 0, 0, NULL},
+    {{"4*t^3+10*t^2-30*t+2", "-30*t^2-10*t+10"}, -5, 5, 1e-9, BATTEN_OK, 0, 0, NULL},
+    {{"t*sin(t/2)", "t", "3+t*cos(t/2)"}, -6, 6, 1e-8, BATTEN_OK, 0, 0, NULL},
+    {{"t", "sqrt(1-t^2)"}, -1, 1, 1e-6, BATTEN_OK, 2, 0, NULL},
+    {{"t", "abs(t)"}, -1, 1, 1e-9, BATTEN_OK, 1, 0, NULL},
+    {{"t", "max(t, 0.3) + exp(t)"}, -1, 1.3, 1e-7, BATTEN_OK, 1, 0, NULL},
+    {{"t - sin(t)", "1 - cos(t)"}, 1, 20, 1e-6, BATTEN_OK, 0, 3, NULL},
+    {{"t^2", "t^3"}, -1, 1.5, 1e-9, BATTEN_OK, 0, 1, NULL},
+    {{"t", "tanh(5*t)*asin(t/2)+atan(3*t)"}, -1, 1, 1e-10, BATTEN_OK, 0, 0, NULL},
+    {{"t", "1/t"}, -1, 1.3, 1e-6, BATTEN_OUT_OF_DOMAIN, 0, 0, "no finite value"},
+    {{"t", "1/t"}, 0, 1, 1e-6, BATTEN_OUT_OF_DOMAIN, 0, 0, "no finite value at 0"},
+    {{"t", "ln(t)"},
+     -2,
+     -1,
+     1e-6,
+     BATTEN_OUT_OF_DOMAIN,
+     0,
+     0,
+     "there is no value between -2 and -1"},
+    {{"t", "1e9*cos(t)"},
+     0,
+     9,
+     1e-9,
+     BATTEN_TOLERANCE_NOT_MET,
+     0,
+     0,
+     "more than the tolerance"},
+    {{"t", "t"}, 1, 1, 1e-9, BATTEN_BAD_ARGUMENT, 0, 0, "the range from 1 to 1 is empty"},
+    {{"t", "t"}, 0, 1, 0, BATTEN_BAD_ARGUMENT, 0, 0, "the tolerance must be above 0"},
+    {{"t", "t"}, 0, INFINITY, 1, BATTEN_NOT_FINITE, 0, 0, "not finite"},
+};
+
+static int count_kind(const batten_equation_curves *made, batten_equation_point_kind kind)
+{
+    int count = 0;
+    for (int i = 0; i < made->point_count; i++)
+        count += made->points[i].kind == kind;
+    return count;
+}
+
+/* The largest distance at equal parameters, of many. */
+static double measured(const row *r, int dimension, batten_equation *const *read,
+                       const batten_curve *curve)
+{
+    enum { SAMPLES = 20000 };
+    double worst = 0, p[3], value;
+    for (int i = 0; i <= SAMPLES; i++) {
+        const double t = i == SAMPLES ? r->b : r->a + (r->b - r->a) * i / SAMPLES;
+        double sum = 0;
+        CHECK_OK(batten_curve_evaluate(curve, t, 0, p));
+        for (int k = 0; k < dimension; k++) {
+            CHECK_OK(batten_equation_value(read[k], &t, &value, NULL));
+            sum += (p[k] - value) * (p[k] - value);
+        }
+        worst = fmax(worst, sqrt(sum));
+    }
+    return worst;
+}
+
+static void check_row(const row *r)
+{
+    batten_equation *read[3] = {NULL, NULL, NULL};
+    batten_equation_curves made = {0};
+    int dimension = 0;
+    for (; dimension < 3 && r->text[dimension]; dimension++)
+        CHECK_OK(batten_equation_read(r->text[dimension], &names, &read[dimension]));
+    CHECK_STATUS(batten_curve_parametric(dimension, (const batten_equation *const *)read,
+                                         (batten_interval){r->a, r->b}, r->tolerance, NULL,
+                                         &made),
+                 r->status);
+    if (r->status == BATTEN_OK) {
+        CHECK_INT(made.count, 1);
+        CHECK(made.error <= r->tolerance);
+        CHECK(measured(r, dimension, read, made.curves[0]) <= made.error);
+        CHECK_INT(count_kind(&made, BATTEN_EQUATION_CORNER), r->corners);
+        CHECK_INT(count_kind(&made, BATTEN_EQUATION_HALT), r->halts);
+    } else {
+        CHECK_MESSAGE(r->says);
+    }
+    batten_equation_curves_release(&made);
+    for (int k = 0; k < 3; k++)
+        batten_equation_free(read[k]);
+}
+
+TEST(curves_are_within_the_error_that_was_proved_or_refused_with_the_place)
+{
+    for (int i = 0; i < COUNT(rows); i++)
+        check_row(&rows[i]);
+}
+
+TEST(polynomials_of_degree_5_are_one_piece)
+{
+    batten_equation *read[2] = {NULL, NULL};
+    batten_equation_curves made = {0};
+    CHECK_OK(batten_equation_read("t", &names, &read[0]));
+    CHECK_OK(batten_equation_read("t^5 - 3*t^2 + 1/4", &names, &read[1]));
+    CHECK_OK(batten_curve_parametric(2, (const batten_equation *const *)read,
+                                     (batten_interval){-1, 2}, 1e-12, NULL, &made));
+    CHECK_INT(batten_curve_point_count(made.curves[0]), 6);
+    CHECK(made.error < 1e-12);
+    batten_equation_curves_release(&made);
+    batten_equation_free(read[0]);
+    batten_equation_free(read[1]);
+}
+
+TEST(quintics_join_with_two_derivatives)
+{
+    batten_equation *read[2] = {NULL, NULL};
+    batten_equation_curves made = {0};
+    CHECK_OK(batten_equation_read("cos(3*t)", &names, &read[0]));
+    CHECK_OK(batten_equation_read("exp(-t)", &names, &read[1]));
+    CHECK_OK(batten_curve_parametric(2, (const batten_equation *const *)read,
+                                     (batten_interval){0, 4}, 1e-8, NULL, &made));
+    const int count = batten_curve_point_count(made.curves[0]);
+    const double *knots = batten_curve_knots(made.curves[0]);
+    for (int i = 6; i + 3 < count; i++)
+        CHECK(knots[i] < knots[i + 3]);
+    batten_equation_curves_release(&made);
+    batten_equation_free(read[0]);
+    batten_equation_free(read[1]);
+}
