@@ -79,5 +79,9 @@ const bat_feature bat_feature_function = {
          "features:\n"
          "  wave: {function: y = 0.3*sin(2*pi*x), x: [0, 3 m]}\n"
          "  saddle: {function: z = x*y/2, x: [-1 m, 1 m], y: [-1 m, 1 m]}\n",
-         "[MKC09]", "batten_curve_parametric", BAT_PARAMETERS(parameters), false},
+         "[MKC09]", "batten_curve_parametric", BAT_PARAMETERS(parameters), false,
+         .also = "graph, y = f(x), explicit curve, height field, plot",
+         .formula = "    P(x) = (x, f(x)),  P(x, y) = (x, y, f(x, y))",
+         .promise =
+             "No point is farther from the graph than the error, which is proved; polynomials up to degree 5 are exact."},
     .run = run_function};

@@ -37,5 +37,8 @@ const bat_feature bat_feature_helix = {
          "features:\n"
          "  thread: {helix: 5 mm, pitch: 1.25 mm, turns: 8}\n"
          "  spring: {helix: 20 mm, end-radius: 12 mm, pitch: 6 mm, turns: 6.5}\n",
-         "[MKC09]", "batten_curve_helix", BAT_PARAMETERS(parameters), false},
+         "[MKC09]", "batten_curve_helix", BAT_PARAMETERS(parameters), false,
+         .also = "screw line, spring, thread, coil, conical spiral",
+         .formula = "    P(t) = (r cos 2\u03c0t, r sin 2\u03c0t, p t)",
+         .promise = "It is C2, and no farther from the helix than the error, which is proved."},
     .run = run_helix};

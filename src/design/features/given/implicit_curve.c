@@ -122,5 +122,10 @@ const bat_feature bat_feature_implicit_curve = {
          "  oval: {implicit-curve: (x^2 + y^2)^2 = 2*(x^2 - y^2), x: [-2, 2], y: [-1, 1]}\n"
          "  window: {implicit-curve: [x^2 + y^2 + z^2 = 4, (x - 1)^2 + y^2 = 1],\n"
          "    x: [-2, 2], y: [-2, 2], z: [-2, 2]}\n",
-         "[SW05] [Neumaier90]", "batten_curves_implicit", BAT_PARAMETERS(parameters), false},
+         "[SW05] [Neumaier90]", "batten_curves_implicit", BAT_PARAMETERS(parameters), false,
+         .also =
+             "implicit plot, level set, algebraic curve, F(x, y) = 0, space curve of two equations, lemniscate, folium, Cassini oval",
+         .formula = "    {(x, y): F(x, y) = 0},  {(x, y, z): F(x, y, z) = G(x, y, z) = 0}",
+         .promise =
+             "Every branch and loop in the box is there, within the error, which is proved; else it is INCOMPLETE."},
     .run = run_implicit_curve};

@@ -54,5 +54,9 @@ const bat_feature bat_feature_parametric = {
          "features:\n"
          "  spiral: {parametric: [5*cos(t), 5*sin(t), t/5], t: [0, =8*pi]}\n"
          "  tube: {parametric: [cos(u), sin(u), v + sin(2*u)/4], u: [0, =2*pi], v: [0, 3]}\n",
-         "[MKC09]", "batten_curve_parametric", BAT_PARAMETERS(parameters), false},
+         "[MKC09]", "batten_curve_parametric", BAT_PARAMETERS(parameters), false,
+         .also = "equation curve, equation surface, law curve, x(t), y(t), z(t)",
+         .formula = "    P(t) = (x(t), y(t), z(t)),  P(u, v) = (x(u, v), y(u, v), z(u, v))",
+         .promise =
+             "Points of equal parameters are no farther apart than the error, which is proved."},
     .run = run_parametric};
