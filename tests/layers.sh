@@ -10,7 +10,7 @@ includes() { # the quoted includes of a folder: FILE:LINE:#include "folder/file.
     find "$1" -name '*.[ch]' -exec grep -nH '^ *# *include *"' {} + 2> /dev/null
 }
 
-for folder in base numeric spline inspect shape body mesh model fair exchange; do
+for folder in base numeric spline inspect shape body mesh model fair loft exchange; do
     allowed="$allowed|$folder"
     bad="$bad$(includes "src/$folder" | grep -vE "\"($allowed)/")"
 done
@@ -30,7 +30,7 @@ for folder in picture design; do
 done
 for folder in cli studio examples; do
     [ -d "$folder" ] || continue
-    bad="$bad$(includes "$folder" | grep -E "\"(base|numeric|spline|inspect|shape|fair|body|mesh|model|exchange|picture|design)/|\.\./")"
+    bad="$bad$(includes "$folder" | grep -E "\"(base|numeric|spline|inspect|shape|fair|loft|body|mesh|model|exchange|picture|design)/|\.\./")"
 done
 # The operating system has one door: src/base/system behind base/system.h, and system.c of the command.
 system='^ *# *include *<(unistd|pthread|threads|fcntl|locale|xlocale|dirent|signal|poll|time|windows|io|process|sys/[a-z]+)\.h>'

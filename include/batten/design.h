@@ -250,6 +250,7 @@ typedef struct batten_feature_result {
     int moved_count;
     const batten_fair_report *fairing;      /**< or NULL */
     const batten_surface_skin_report *skin; /**< or NULL */
+    const batten_loft_report *loft;         /**< or NULL */
 } batten_feature_result;
 
 /**

@@ -6,6 +6,7 @@
  */
 #include <batten/chain.h>
 #include <batten/offset_table.h>
+#include <batten/surface.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -99,6 +100,18 @@ BATTEN_API batten_status batten_curve_fairness(const batten_curve *curve, batten
 BATTEN_API batten_status batten_chain_fairness(const batten_chain *chain, batten_points points,
                                                const batten_fairness_options *options,
                                                batten_fairness *out);
+
+/**
+ * How many inflections of a polyline can be seen: the changes of side of its turning, between
+ * bulges that rise from their chord by more than a height.
+ *
+ * @param count  of points; fewer than 4 have none
+ * @param points  [count][2], in the plane
+ * @param height  of the bulges that count, model units, 0 or above
+ *
+ * Cost: linear in the points.
+ */
+BATTEN_API int batten_polyline_inflections(int count, const double *points, double height);
 
 typedef enum batten_fair_order {
     BATTEN_FAIR_WORST_FIRST, /**< release the duck under the largest force */
@@ -235,6 +248,105 @@ BATTEN_API batten_status batten_fair_offset_table(const batten_offset_table *off
                                                   const batten_job *job,
                                                   batten_fair_report *report,
                                                   batten_offset_table **out);
+
+/* ---- a fair surface at once ---- */
+
+typedef struct batten_loft_options {
+    size_t size;
+    double within; /**< no point of the table is farther from the surface, in the plane of its
+                        station; model units, above 0; required */
+    double
+        height; /**< bulges of sections up to this are not seen as inflections; 0: a millionth
+                        of the breadth */
+} batten_loft_options;
+/**
+ * The defaults of a lofting.
+ *
+ * @param within  how far the surface may be from a point of the table, model units
+ */
+BATTEN_API batten_loft_options batten_loft_defaults(double within);
+
+/** The families of cuts by which a lofting is judged. */
+typedef enum batten_loft_family {
+    BATTEN_LOFT_STATION,   /**< x = const */
+    BATTEN_LOFT_WATERLINE, /**< z = const */
+    BATTEN_LOFT_BUTTOCK,   /**< y = const */
+    BATTEN_LOFT_DIAGONAL, /**< through a line of the centre plane, falling by 30 or 45 degrees */
+    BATTEN_LOFT_PROFILE,  /**< the lower edge, from the side */
+    BATTEN_LOFT_SHEER     /**< the upper edge, from the side and from above */
+} batten_loft_family;
+
+/** A cut of the surface, and what the table asks of it. */
+typedef struct batten_loft_cut {
+    batten_loft_family family;
+    double at;  /**< x, z or y; of a diagonal the height at which it leaves the centre plane; of
+                     edges 0 */
+    int needed; /**< inflections that the points require within their bounds; of cuts without
+                     points those of the cuts beside them, or of the surface of least energy */
+    int found;  /**< those of the surface, between bulges above the height */
+} batten_loft_cut;
+
+typedef struct batten_loft_report {
+    int cut_count;
+    batten_loft_cut *cuts;     /**< release with batten_loft_report_release */
+    int cuts_in_excess;        /**< those with more inflections than needed */
+    int excess_inflections;    /**< of all of them */
+    double height;             /**< of the bulges that are seen */
+    double max_move, rms_move; /**< from the points of the table to the surface, model units */
+    int worst_station, worst_index; /**< where max_move is */
+    int move_count;
+    batten_fair_move *moves; /**< [move_count]: each point and its foot; of points that moved */
+    int trimmed_count; /**< points on the centre plane below the hull, which were left out */
+    int rounds;        /**< programs with conditions on the sign of curvature */
+    double enough; /**< with NOT_COMPATIBLE: a bound with which a surface exists; 0 when none
+                            was found */
+} batten_loft_report;
+/**
+ * Release the cuts and moves of a report.
+ *
+ * @param report  as a lofting left it
+ */
+BATTEN_API void batten_loft_report_release(batten_loft_report *report);
+
+/**
+ * The smooth surface of one half of a hull that keeps every point of a table within a bound and
+ * gives no plane section more inflections than the points require.
+ *
+ * Along a station runs v, from the profile to the sheer; along the ship u. Found are the control
+ * points of one bicubic B-spline surface with knots at the stations: of all whose distance from
+ * each point, in the plane of its station, is within the bound, that for which
+ *
+ *     sum (distance / within)^2 + lambda J3,  J3 = sum C(3, a) integral (S_u..uv..v)^2
+ *
+ * is least, a = 0 .. 3 derivatives along u; lambda makes the mean distance a quarter of the bound.
+ * Then stations, waterlines, buttocks, diagonals and the edges are cut; on those that have
+ * inflections in excess, and on all stations and waterlines, the sign of curvature becomes a
+ * linear condition, sample by sample, and the program is solved again about the surface that it
+ * gave, until no cut is in excess or three rounds in turn do not gain. Profile and stem stay on
+ * the centre plane or at their half siding, and the surface does not cross it.
+ *
+ * What is returned has what is reported: distances and inflections are measured on it. A surface
+ * with cuts in excess is returned as well; `cuts_in_excess` tells.
+ *
+ * One surface has no knuckles: a table whose stations turn at a chine is refused.
+ *
+ * @param table  stations from aft to forward, points from the profile to the sheer or back
+ * @param options  never NULL, for the bound has no default
+ * @param job  progress, cancelling; NULL for no questions
+ * @param[out] report  what was reached; may be NULL. With NOT_COMPATIBLE `enough` is filled in
+ * @param[out] out  the half that the table describes, of the table's unit
+ * @return BATTEN_OK; BAD_ARGUMENT (the bound, the height); TOO_FEW_POINTS (3 stations of 3 points,
+ * 2 points at each); COINCIDENT; NOT_INCREASING; UNSUPPORTED (knuckles); NOT_COMPATIBLE when no
+ * smooth surface keeps the bound; INCOMPLETE, CANCELLED, OUT_OF_MEMORY
+ *
+ * Cost: some 20 programs, each 10 to 20 times n b^2 for n unknowns, three for each of (stations +
+ * 2) (points + 2), and the band b of a third of a row of them: half a second for 100 points
+ * Source: [EH95] for the energy, [NW06] ch. 16 and 18 for the programs.
+ */
+BATTEN_API batten_status batten_surface_loft(const batten_offset_table *table,
+                                             const batten_loft_options *options,
+                                             const batten_job *job, batten_loft_report *report,
+                                             batten_surface **out);
 
 #ifdef __cplusplus
 }

@@ -18,6 +18,7 @@ void bat_result_release(bat_result *result)
 {
     batten_model_unref(result->value);
     batten_fair_report_release(&result->fairing);
+    batten_loft_report_release(&result->loft);
     *result = (bat_result){0};
 }
 
@@ -246,6 +247,8 @@ void bat_result_settle(const bat_entry *entry, bat_result *result)
     result->shown.fairing = result->shown.has_moves ? &result->fairing : NULL;
     if (result->shown.skin)
         result->shown.skin = &result->skin;
+    if (result->shown.loft)
+        result->shown.loft = &result->loft;
 }
 
 /* Move the results that an edit does not reach, inputs first. */

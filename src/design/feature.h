@@ -26,6 +26,7 @@ typedef struct {
     batten_model *value;
     batten_fair_report fairing;
     batten_surface_skin_report skin;
+    batten_loft_report loft;
     bool has_fit; /* the curves were interpolated with these options */
     batten_curve_interpolate_options fit;
 } bat_result;

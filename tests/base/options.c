@@ -231,6 +231,21 @@ static void default_selection(void *options)
     memcpy(options, &everything, sizeof everything);
 }
 
+static void default_loft(void *options)
+{
+    const batten_loft_options defaults = batten_loft_defaults(0);
+    memcpy(options, &defaults, sizeof defaults);
+}
+
+static batten_status call_batten_surface_loft(const void *set, const void *options)
+{
+    const stage *s = set;
+    batten_surface *out = NULL;
+    const batten_status status = batten_surface_loft(s->table, options, NULL, NULL, &out);
+    batten_surface_unref(out);
+    return status;
+}
+
 static batten_status call_batten_fair_points(const void *set, const void *options)
 {
     (void)set;
@@ -261,6 +276,8 @@ static batten_status call_batten_offset_table_select(const void *set, const void
 static const options_taker takers[] = {
     ENTRIES(ENTRY_ROW){"batten_fair_points", "batten_fair_options", sizeof(batten_fair_options),
                        default_fair, call_batten_fair_points},
+    {"batten_surface_loft", "batten_loft_options", sizeof(batten_loft_options), default_loft,
+     call_batten_surface_loft},
     {"batten_fair_offset_table", "batten_fair_options", sizeof(batten_fair_options),
      default_fair, call_batten_fair_offset_table},
     {"batten_offset_table_select", "batten_offset_table_selection",

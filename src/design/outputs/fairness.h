@@ -27,7 +27,10 @@ typedef struct {
     batten_fairness fairness;
     int visible; /* inflections between bulges that are higher than the tolerance of the design
                   */
-    int excess;  /* of these, beyond those that the row itself requires */
+    int point_count; /* of the row */
+    int required;    /* inflections that the row requires; where it has few points, those that a
+                        row beside it requires, if these are more */
+    int excess;      /* of those that are visible, beyond these */
 } bat_section;
 
 /* One edge of a surface and the centre plane. */
@@ -115,9 +118,6 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
 void bat_check_release(bat_check *check);
 
 bool bat_check_is_fair(const bat_check *check);
-
-/* Sign changes of the turning of points [count][2], without bulges lower than `height`. */
-int bat_visible_inflections(int count, const double *points, double height);
 
 /* ---- provenance.c ---- */
 

@@ -71,14 +71,16 @@ static double sum_within(const bat_entry *entry)
     return sum;
 }
 
-/* The parameter 'within' of all fairing upstream, one after the other. */
+/* The parameter 'within' of all fairing and lofting upstream, one after the other. */
 static double sum_moves(const bat_check *check, const bool *upstream)
 {
     const bat_document *d = check->run->document;
     double sum = 0;
-    for (int i = 0; i < d->feature_count; i++)
-        if (upstream[i] && check->run->results[i].shown.has_moves)
+    for (int i = 0; i < d->feature_count; i++) {
+        const batten_feature_result *result = &check->run->results[i].shown;
+        if (upstream[i] && (result->has_moves || result->loft))
             sum += sum_within(&d->features[i]);
+    }
     return sum;
 }
 

@@ -27,6 +27,21 @@ static void add_plural(batten_text *out, int count, const char *what)
     batten_text_add(out, "%d %s%s", count, what, bat_plural(count));
 }
 
+static void text_loft(batten_text *out, const bat_check *check, const batten_loft_report *l)
+{
+    batten_text_add(out, "    ");
+    add_plural(out, l->move_count, "point");
+    batten_text_add(out, " moved, at most ");
+    add_length(out, check, l->max_move);
+    batten_text_add(out, " (station %d, point %d), in the mean ", l->worst_station + 1,
+                    l->worst_index + 1);
+    add_length(out, check, l->rms_move);
+    batten_text_add(out, "\n    %d of %d sections with inflections in excess, of bulges above ",
+                    l->cuts_in_excess, l->cut_count);
+    add_length(out, check, l->height);
+    batten_text_add(out, "\n");
+}
+
 static void text_feature(batten_text *out, const bat_check *check,
                          const batten_feature_result *r)
 {
@@ -52,13 +67,15 @@ static void text_feature(batten_text *out, const bat_check *check,
             batten_text_add(out, " may be a blunder; see the messages\n");
         }
     }
+    if (r->loft)
+        text_loft(out, check, r->loft);
     if (r->skin) {
         batten_text_add(out, "    sections moved by at most ");
         add_length(out, check, r->skin->error);
         batten_text_add(out, "; %d inner knot%s along them, the exact union has %d\n",
                         r->skin->knot_count, bat_plural(r->skin->knot_count),
                         r->skin->exact_knot_count);
-    } else if (r->has_error) {
+    } else if (r->has_error && !r->loft) {
         batten_text_add(out, "    error at most ");
         add_length(out, check, r->error_max);
         batten_text_add(out, "\n");

@@ -96,6 +96,21 @@ static void json_error(batten_text *out, const batten_feature_result *r)
     batten_text_add(out, "}");
 }
 
+static void json_loft(batten_text *out, const batten_loft_report *l)
+{
+    batten_text_add(out, ", \"loft\": {");
+    json_number(out, "max", l->max_move);
+    batten_text_add(out, ", ");
+    json_number(out, "rms", l->rms_move);
+    batten_text_add(out, ", \"station\": %d, \"point\": %d, ", l->worst_station,
+                    l->worst_index);
+    json_number(out, "height", l->height);
+    batten_text_add(out,
+                    ", \"sections\": %d, \"in_excess\": %d, \"excess_inflections\": %d, "
+                    "\"rounds\": %d}",
+                    l->cut_count, l->cuts_in_excess, l->excess_inflections, l->rounds);
+}
+
 static void json_feature(batten_text *out, const batten_feature_result *r)
 {
     batten_text_add(out, "    {\"name\": ");
@@ -107,6 +122,8 @@ static void json_feature(batten_text *out, const batten_feature_result *r)
         json_moves(out, r);
     if (r->skin)
         json_skin(out, r->skin);
+    if (r->loft)
+        json_loft(out, r->loft);
     batten_text_add(out, "}");
 }
 

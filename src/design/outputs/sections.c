@@ -3,6 +3,7 @@
 #include "design/shared/rows.h"
 
 #include <batten/continuity.h>
+#include <batten/fair.h>
 #include <string.h>
 
 /* Cells of the grid on which sections are sought, and the points by which one is judged. */
@@ -66,9 +67,9 @@ static batten_status judge_section(const section_context *c, const batten_polyli
             curve, (batten_points){batten_curve_dimension(curve), row->count, data}, &bounds,
             &section->fairness);
     section->found = status == BATTEN_OK;
-    section->visible = bat_visible_inflections(count, plane, bat_tolerance(c->check->run));
-    section->excess = bat_max_int(0, section->visible - (section->fairness.inflections -
-                                                         section->fairness.excess_inflections));
+    section->visible = batten_polyline_inflections(count, plane, bat_tolerance(c->check->run));
+    section->point_count = row->count;
+    section->required = section->fairness.inflections - section->fairness.excess_inflections;
     bat_release(data);
     batten_curve_unref(curve);
     return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ? status : BATTEN_OK;
@@ -97,12 +98,42 @@ static batten_status add_section(void *context, const bat_row *row)
     const batten_polyline *line = longest(&lines);
     if (line && line->count >= 4)
         status = judge_section(c, line, axis, row, section);
-    if (section->found) {
-        c->check->unfairness.inflections += section->excess;
-        c->check->judged_count++;
-    }
+    c->check->judged_count += section->found;
     batten_polylines_release(&lines);
     return status;
+}
+
+/* So few points say little of their row: a hollow entry of three points looks straight. */
+enum { FEW_POINTS = 5 };
+
+/* What the nearest row of the family with enough points requires, above or below it. */
+static int ask_neighbour(const bat_checked *checked, const bat_section *of, bool above)
+{
+    const bat_section *nearest = NULL;
+    for (int i = 0; i < checked->section_count; i++) {
+        const bat_section *s = checked->sections + i;
+        if (!s->found || s->family != of->family || s->point_count < FEW_POINTS)
+            continue;
+        if ((above ? s->at > of->at : s->at < of->at) &&
+            (!nearest || fabs(s->at - of->at) < fabs(nearest->at - of->at)))
+            nearest = s;
+    }
+    return nearest ? nearest->required : 0;
+}
+
+static void count_excess(bat_check *check, const bat_checked *checked)
+{
+    for (int i = 0; i < checked->section_count; i++) {
+        bat_section *s = checked->sections + i;
+        if (!s->found)
+            continue;
+        if (s->point_count < FEW_POINTS)
+            s->required =
+                bat_max_int(s->required, bat_max_int(ask_neighbour(checked, s, false),
+                                                     ask_neighbour(checked, s, true)));
+        s->excess = bat_max_int(0, s->visible - s->required);
+        check->unfairness.inflections += s->excess;
+    }
 }
 
 batten_status bat_check_add_sections(bat_check *check, bat_checked *checked)
@@ -117,7 +148,8 @@ batten_status bat_check_add_sections(bat_check *check, bat_checked *checked)
     checked->section_count = 0;
     if (status == BATTEN_OK && !checked->sections)
         status = BATTEN_OUT_OF_MEMORY;
-    return status == BATTEN_OK
-               ? bat_check_visit_rows(check, feature, true, add_section, &context)
-               : status;
+    if (status == BATTEN_OK)
+        status = bat_check_visit_rows(check, feature, true, add_section, &context);
+    count_excess(check, checked);
+    return status;
 }

@@ -1,6 +1,6 @@
-/* The inflections of a section that the eye sees: of bulges that are high enough. */
-#include "design/outputs/fairness.h"
-#include "numeric/vector.h"
+/* How many inflections of a polyline can be seen: those between bulges of some height. */
+#include "base/base.h"
+#include <batten/fair.h>
 
 /* How far points first .. last bulge from the chord of their outer neighbours. */
 static double bulge(const double *points, int first, int last)
@@ -22,7 +22,7 @@ static int turning(const double *p)
     return (turn > 0) - (turn < 0);
 }
 
-int bat_visible_inflections(int count, const double *points, double height)
+int batten_polyline_inflections(int count, const double *points, double height)
 {
     int found = 0, before = 0;
     for (int first = 1, last; first < count - 1; first = last + 1) {

@@ -1,0 +1,52 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <stdlib.h>
+
+/* The design of the example's hull with `within`, and one output. */
+static void open_loft(const char *within, batten_design **out)
+{
+    char text[1000];
+    snprintf(text, sizeof text,
+             "batten: 1\nunits: m\nfeatures:\n  table: {read: '%s'}\n"
+             "  hull: {loft: table, within: %s}\noutputs:\n  report.json: {check: hull}\n",
+             test_source("examples/hull/offsets.csv"), within);
+    batten_design_options options = batten_design_defaults();
+    options.allow_outside = true;
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, out));
+}
+
+TEST(the_example_hull_is_lofted_fair_within_its_bound)
+{
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size;
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
+    open_loft("2 mm", &design);
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
+    const batten_feature_result *hull = batten_design_result(design, "hull");
+    CHECK(hull->loft && hull->loft->cuts_in_excess == 0 && hull->loft->cut_count > 50);
+    CHECK(hull->loft->max_move <= 0.002 && hull->loft->max_move > 0);
+    CHECK(hull->error_max == hull->loft->max_move);
+    CHECK(!hull->has_moves && !hull->fairing);
+    CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
+    CHECK_CONTAINS(data, "\"loft\": {\"max\": 0.00");
+    CHECK_CONTAINS(data, "\"in_excess\": 0, \"excess_inflections\": 0");
+    CHECK_CONTAINS(data, "\"fair\": true");
+    batten_release(data);
+    batten_design_free(design);
+}
+
+TEST(a_loft_of_what_is_no_table_is_refused_by_name)
+{
+    static const char text[] =
+        "batten: 1\nunits: m\nfeatures:\n  p: {points: [[0, 0], [1, 1]]}\n"
+        "  hull: {loft: p, within: 1 mm}\n";
+    batten_design *design = NULL;
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
+    CHECK(batten_design_evaluate(design, "hull", NULL, NULL) != BATTEN_OK);
+    CHECK_MESSAGE("hull");
+    CHECK_MESSAGE("'p'");
+    batten_design_free(design);
+}
