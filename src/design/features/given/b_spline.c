@@ -38,8 +38,8 @@ const bat_feature bat_feature_b_spline = {
          "features:\n"
          "  corners: {points: [[0, 0], [1, 2], [3, 2], [4, 0], [6, 1]]}\n"
          "  hood: {b-spline: corners, ends: phantom}\n",
-         "[Utah74 paper 1] [Utah74 paper 6] [Coons74] [Riesenfeld73]", "batten_curve_uniform",
-         BAT_PARAMETERS(parameters), false,
+         "[SL chapter IV] [Utah74 paper 1] [Utah74 paper 6] [Coons74] [Riesenfeld73]",
+         "batten_curve_uniform", BAT_PARAMETERS(parameters), false,
          .also = "uniform B-spline, cubic B-spline, Riesenfeld, control polygon, vertices",
          .formula =
              "    C(u) = Σ d_i N_{i,k}(u);  degree 3, a span:  C = ⅙ ((1−t)³ d_0 + (3t³ − 6t² + 4) d_1 + (−3t³ + 3t² + 3t + 1) d_2 + t³ d_3)",

@@ -56,8 +56,8 @@ const bat_feature bat_feature_bezier = {
          "features:\n"
          "  corners: {points: [[0, 0], [1, 2], [3, 2], [4, 0]]}\n"
          "  hood: {bezier: corners}\n",
-         "[SL section I.4] [Utah74 paper 7] [Bezier74] [Farin02]", "batten_curve_bezier",
-         BAT_PARAMETERS(parameters), false,
+         "[SL section I.4] [SL chapter IV] [Utah74 paper 7] [Bezier74] [Farin02]",
+         "batten_curve_bezier", BAT_PARAMETERS(parameters), false,
          .also = "UNISURF, Bézier, Bernstein polynomial, de Casteljau, control polygon",
          .formula = "    C(t) = Σ b_i B_i^n(t),  B_i^n(t) = (n over i) t^i (1 − t)^{n−i}\n"
                     "    edges a_i:  C(t) = a_0 + Σ_{i≥1} a_i f_i(t),  f_i = Σ_{k≥i} B_k^n",
