@@ -27,6 +27,16 @@ typedef struct {
     bat_hull_station *stations;
 } hull;
 
+/* Points on the centre plane, from the foot up. */
+static int count_zeros(const batten_table_station *given, bool downwards)
+{
+    const int n = given->point_count;
+    int zeros = 0;
+    while (zeros < n && given->points[downwards ? n - 1 - zeros : zeros].y == 0)
+        zeros++;
+    return zeros;
+}
+
 /* From the profile up: of points on the centre plane at the foot only the highest belongs to
  * the hull, what is below is keel or air; but a station all of whose points lie there is a stem. */
 static batten_status take_station(hull *h, int k)
@@ -41,13 +51,11 @@ static batten_status take_station(hull *h, int k)
     if (!s->points || !s->v || !s->from)
         return BATTEN_OUT_OF_MEMORY;
     const bool downwards = given->points[0].z > given->points[n - 1].z;
-    int first = 0;
-    while (first + 1 < n && given->points[downwards ? n - 2 - first : first + 1].y == 0)
-        first++;
-    s->is_stem = first == n - 1 && given->points[downwards ? 0 : n - 1].y == 0;
-    if (!s->is_stem)
-        h->trimmed += first;
-    for (int i = s->is_stem ? 0 : first; i < n; i++) {
+    const int zeros = count_zeros(given, downwards);
+    s->is_stem = zeros == n;
+    const int first = s->is_stem ? 0 : bat_max_int(0, zeros - 1);
+    h->trimmed += first;
+    for (int i = first; i < n; i++) {
         s->from[s->count] = downwards ? n - 1 - i : i;
         s->points[s->count++] = given->points[downwards ? n - 1 - i : i];
     }
