@@ -4,12 +4,12 @@
  *   trace.c        all of it; one face after another, edge by edge (faces without loops too)
  *   chart.c        the surface as a plane that covers it; feet of points
  *   parameters.c   parameter curves: kept, in planes, straight; follow.c: all others
- *   trace_loop.c   the uses of a loop one after the other; poles
+ *   loop.c         the uses of a loop one after the other; poles; parameters_of_edge.c: of one edge
  *   seam.c         where to cut a surface that closes, and where edges cross the cut
  *   divide.c       edges divided in all their uses
  *   cut.c          the surface begun at the cut
  *   relink.c       loops closed along the cut; relink_seam.c: with seams as edges
- *   trace_close.c  loops closed to the bit, planes made large enough, a last look
+ *   close.c        loops closed to the bit, planes made large enough, a last look
  *   sides.c        which loops are outer ones; loops that run the wrong way
  *
  * While a face is in work its loops have it on their left in (u, v), whatever its side.

@@ -280,6 +280,35 @@ static void unknown_key(bat_document *d, const bat_entry *entry, int key)
     batten_text_free(&all);
 }
 
+static int find_parameter(const batten_feature *f, const char *name)
+{
+    int p = 0;
+    while (p < f->parameter_count && strcmp(f->parameters[p].name, name) != 0)
+        p++;
+    return p;
+}
+
+/* The words that parameters had in older designs; they are read, with a remark. */
+static const struct {
+    const char *operation, *was, *is;
+} renamed[] = {{"sweep", "spine", "path"}, {"swing", "along", "path"}};
+
+/* The parameter that a word of an older design means; the number of parameters when none. */
+static int find_renamed(bat_document *d, const bat_entry *entry, int key)
+{
+    const batten_feature *f = &entry->feature->shown;
+    const char *word = d->tree.nodes[key].word;
+    for (size_t i = 0; i < sizeof renamed / sizeof renamed[0]; i++) {
+        if (strcmp(renamed[i].operation, f->name) != 0 || strcmp(renamed[i].was, word) != 0)
+            continue;
+        batten_notes_remark(d->complaints->notes, d->file_name, d->tree.nodes[key].line,
+                            entry->name, "'%s' of %s is called '%s' now", word, f->name,
+                            renamed[i].is);
+        return find_parameter(f, renamed[i].is);
+    }
+    return f->parameter_count;
+}
+
 static batten_status read_map(bat_reading *r, bat_entry *entry)
 {
     const bat_node *nodes = r->document->tree.nodes;
@@ -287,9 +316,9 @@ static batten_status read_map(bat_reading *r, bat_entry *entry)
     batten_status status = BATTEN_OK;
     for (int i = nodes[entry->node].first; i >= 0 && status == BATTEN_OK; i = nodes[i].next) {
         const char *key = nodes[nodes[i].key].word;
-        int p = 0;
-        while (p < f->parameter_count && strcmp(f->parameters[p].name, key) != 0)
-            p++;
+        int p = find_parameter(f, key);
+        if (p == f->parameter_count)
+            p = find_renamed(r->document, entry, nodes[i].key);
         if (p == f->parameter_count) {
             unknown_key(r->document, entry, nodes[i].key);
             continue;

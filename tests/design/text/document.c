@@ -202,3 +202,20 @@ TEST(F2_mutated_designs_are_refused_or_kept_byte_for_byte)
         batten_design_free(design);
     }
 }
+
+TEST(words_of_older_designs_are_read_with_a_remark)
+{
+    static const char text[] =
+        "batten: 1\nunits: m\nfeatures:\n  ring: {circle: 0.1}\n  way: {line: [[0, 0, 0], [0, 0, 1]]}\n"
+        "  pipe: {sweep: ring, spine: way}\n";
+    batten_design *design = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(9, &notes));
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, notes, &design));
+    CHECK_INT(batten_notes_count(notes), 1);
+    CHECK(batten_notes_at(notes, 0)->is_remark);
+    CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "'spine' of sweep is called 'path' now");
+    CHECK_OK(batten_design_evaluate(design, "pipe", NULL, NULL));
+    batten_design_free(design);
+    batten_notes_free(notes);
+}

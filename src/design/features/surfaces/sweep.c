@@ -5,7 +5,7 @@
 static const batten_parameter parameters[] = {
     {"sweep", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "the section, or several, drawn in the xy-plane or, as space curves, about it"},
-    {"spine", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curve along which they go"},
+    {"path", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curve along which they go"},
     {"frames", BATTEN_VALUE_WORD, false, false, "rotation-minimising",
      "rotation-minimising fixed frenet closing", "how the sections turn along the spine"},
     {"x-axis", BATTEN_VALUE_POINT, false, false, NULL, NULL,
@@ -89,7 +89,7 @@ static batten_status sweep(bat_run *run, int count, const batten_curve *const *s
     const batten_curve *spine = NULL;
     batten_surfaces made = {0, NULL};
     batten_surface_sweep_report report;
-    batten_status status = bat_one_curve(run, "spine", &spine);
+    batten_status status = bat_one_curve(run, "path", &spine);
     if (status == BATTEN_OK)
         status = read_settings(run, count, &s);
     if (status == BATTEN_OK)
@@ -138,7 +138,7 @@ const bat_feature bat_feature_sweep = {
          "  way: {points: [[0, 0, 0], [2, 1, 0.5], [4, 0, 1], [6, 1, 1]]}\n"
          "  spine: {interpolate: way}\n"
          "  oval: {ellipse: 0.4 m, b: 0.2 m}\n"
-         "  horn: {sweep: oval, spine: spine, scale: [1, 0.8, 0.3], twist: [0, 90 deg]}\n",
+         "  horn: {sweep: oval, path: spine, scale: [1, 0.8, 0.3], twist: [0, 90 deg]}\n",
          "[LN12 section 12.8] [PT97 section 10.4] [BR91] [WJZL08]", "batten_surfaces_sweep",
          BAT_PARAMETERS(parameters), false,
          .also =

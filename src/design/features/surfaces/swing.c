@@ -5,7 +5,7 @@
 
 static const batten_parameter parameters[] = {
     {"swing", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the profiles, in the xz-plane"},
-    {"along", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+    {"path", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
      "the trajectory around the z-axis, in the xy-plane"},
     {"factor", BATTEN_VALUE_NUMBER, false, false, "1", NULL,
      "what the widths are multiplied by"},
@@ -34,7 +34,7 @@ static batten_status run_swing(bat_run *run)
 {
     const batten_curve *trajectory = NULL;
     bat_objects profiles;
-    batten_status status = bat_one_curve(run, "along", &trajectory);
+    batten_status status = bat_one_curve(run, "path", &trajectory);
     if (status == BATTEN_OK)
         status = bat_gather(run, "swing", BAT_CURVES, &profiles);
     if (status != BATTEN_OK)
@@ -56,7 +56,7 @@ const bat_feature bat_feature_swing = {
          "features:\n"
          "  profile: {line: [[1, 0, 0], [0.6, 0, 2]]}\n"
          "  plan: {ellipse: 1.5 m, b: 1 m}\n"
-         "  vase: {swing: profile, along: plan}\n",
+         "  vase: {swing: profile, path: plan}\n",
          "[LN12 section 12.8] [PT97 section 10.2]", "batten_surface_swung",
          BAT_PARAMETERS(parameters), false,
          .also = "swung surface, Woodward, pseudo-revolution",

@@ -133,13 +133,13 @@ static const char tipped[] = "  tip: {points: [[0, 0, 0]]}\n  off: {points: [[0,
 TEST(a_point_is_the_tip_of_a_sweep)
 {
     static const expect_row rows[] = {
-        {"{sweep: [oval, tip], spine: up}", BATTEN_OK,
+        {"{sweep: [oval, tip], path: up}", BATTEN_OK,
          "within 1e-6;at 0 1 0 0 3;at 0.3 1 0 0 3;box -2 -1 0 2 1 3"},
-        {"{sweep: [tip, oval, oval], spine: up, at: [0, 0.4, 1]}", BATTEN_OK,
+        {"{sweep: [tip, oval, oval], path: up, at: [0, 0.4, 1]}", BATTEN_OK,
          "within 1e-6;at 0 0 0 0 0;at 0 1 2 0 3"},
-        {"{sweep: [oval, tip, oval], spine: up}", BATTEN_BAD_ARGUMENT, "'tip' is 1 point"},
-        {"{sweep: [oval, two], spine: up}", BATTEN_BAD_ARGUMENT, "'two' is 2 points"},
-        {"{sweep: tip, spine: up}", BATTEN_COINCIDENT, "the section is a point"},
+        {"{sweep: [oval, tip, oval], path: up}", BATTEN_BAD_ARGUMENT, "'tip' is 1 point"},
+        {"{sweep: [oval, two], path: up}", BATTEN_BAD_ARGUMENT, "'two' is 2 points"},
+        {"{sweep: tip, path: up}", BATTEN_COINCIDENT, "the section is a point"},
     };
     EXPECT(tipped, rows);
 }
@@ -147,10 +147,10 @@ TEST(a_point_is_the_tip_of_a_sweep)
 TEST(sections_do_not_twist_a_sweep_unless_they_are_told_to)
 {
     static const expect_row rows[] = {
-        {"{sweep: [oval, back], spine: up}", BATTEN_OK,
+        {"{sweep: [oval, back], path: up}", BATTEN_OK,
          "within 1e-6;at 0.25 0.5 0 1 1.5;notes 1 section was reversed, the first of them "
          "section 2"},
-        {"{sweep: [oval, back], spine: up, align: no}", BATTEN_OK,
+        {"{sweep: [oval, back], path: up, align: no}", BATTEN_OK,
          "within 1e-6;at 0.25 0.5 0 0 1.5"},
     };
     EXPECT(tipped, rows);
