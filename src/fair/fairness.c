@@ -172,10 +172,12 @@ static batten_status judge_curve(const batten_curve *curve,
         status = note_curvatures(&j, &j.knots);
     if (status == BATTEN_OK)
         status = note_curvatures(&j, &j.extrema);
-    if (status == BATTEN_OK && needs_energies(&j, allowed))
-        status = add_energies(&j);
     if (status == BATTEN_OK)
         status = bat_judge_joints(&j);
+    /* Across a corner and at some halts they are infinite, which a quadrature would seek in vain. */
+    if (status == BATTEN_OK && j.found.corners == 0 && !isinf(j.found.energy) &&
+        needs_energies(&j, allowed))
+        status = add_energies(&j);
     if (status == BATTEN_OK)
         status = count_turns(&j, allowed->inflections, allowed->uncertainty);
     if (status == BATTEN_OK) {

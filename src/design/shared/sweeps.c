@@ -144,5 +144,5 @@ void bat_tipped_release(bat_tipped *tipped)
     batten_curve_unref(tipped->tips[0]);
     batten_curve_unref(tipped->tips[1]);
     bat_release(tipped->curves);
-    *tipped = (bat_tipped){NULL};
+    *tipped = (bat_tipped){0};
 }

@@ -195,7 +195,7 @@ batten_status batten_surface_pulled(const batten_surface *surface, int count,
                                     batten_surface **out)
 {
     assert(surface && pulls && out);
-    system_of_pulls s = {NULL};
+    system_of_pulls s = {0};
     bat_nurbs *made = NULL;
     double farthest = 0;
     batten_status status = check_pulls(surface, count, pulls, kept);

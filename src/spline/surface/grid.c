@@ -405,14 +405,9 @@ BAT_INLINE void frame_of_point(const form is, const double *basis, const double 
     double rows[3 * BAT_MAX_WIDTH];
     const point_lines on = {1, is.q, (size_t)d + rational, 1, lines, line};
     derivatives_of_point(on, basis, rational || d < 3 ? rows : out);
-    if (rational) {
-        const double w = rows[d];
-        for (int c = 0; c < d; c++)
-            out[c] = rows[c] / w;
-        for (int k = 1; k < 3; k++)
-            for (int c = 0; c < d; c++)
-                out[3 * k + c] = (rows[k * (d + 1) + c] - rows[k * (d + 1) + d] * out[c]) / w;
-    } else if (d < 3)
+    if (rational)
+        project_frame(d, rows, out);
+    else if (d < 3)
         spread_frame(d, rows, out);
     for (int k = 0; k < 3; k++)
         for (int c = d; c < 3; c++)

@@ -160,7 +160,7 @@ static batten_status make_interpolate_grid(bat_run *run, const bat_grid *grid,
     batten_surface_interpolate_report report;
     double *weights = NULL;
     bool *gaps = NULL;
-    rim given = {NULL};
+    rim given = {0};
     batten_status status = find_weights(run, grid, &weights);
     if (status == BATTEN_OK)
         status = find_rim(run, grid, &given);

@@ -34,8 +34,9 @@ TEST(a_solid_that_no_representation_lists_is_read_with_a_note)
 {
     static const char *const cases[] = {
         "#990=ADVANCED_BREP_SHAPE_REPRESENTATION('',(),#900);\n", /* its reference is lost */
-        "#990=ADVANCED_BREP_SHAPE_REPRESENTATION('',(),#900);\n"
-        "#991=STYLED_ITEM('',(),#1000);\n#992=PRESENTATION_LAYER_ASSIGNMENT('1','',(#1000));\n",
+        ("#990=ADVANCED_BREP_SHAPE_REPRESENTATION('',(),#900);\n"
+         "#991=STYLED_ITEM('',(),#1000);\n"
+         "#992=PRESENTATION_LAYER_ASSIGNMENT('1','',(#1000));\n"),
         "", /* nor is there a representation */
     };
     for (int k = 0; k < COUNT(cases); k++)
