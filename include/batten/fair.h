@@ -323,7 +323,8 @@ BATTEN_API void batten_loft_report_release(batten_loft_report *report);
  * inflections in excess, and on all stations and waterlines, the sign of curvature becomes a
  * linear condition, sample by sample, and the program is solved again about the surface that it
  * gave, until no cut is in excess or three rounds in turn do not gain. Profile and stem stay on
- * the centre plane or at their half siding, and the surface does not cross it.
+ * the centre plane or at their half siding, and the surface does not cross it by more than the height
+ * of visible bulges.
  *
  * What is returned has what is reported: distances and inflections are measured on it. A surface
  * with cuts in excess is returned as well; `cuts_in_excess` tells.
@@ -335,9 +336,10 @@ BATTEN_API void batten_loft_report_release(batten_loft_report *report);
  * @param job  progress, cancelling; NULL for no questions
  * @param[out] report  what was reached; may be NULL. With NOT_COMPATIBLE `enough` is filled in
  * @param[out] out  the half that the table describes, of the table's unit
- * @return BATTEN_OK; BAD_ARGUMENT (the bound, the height); TOO_FEW_POINTS (3 stations of 3 points,
+ * @return BATTEN_OK; BAD_ARGUMENT (the bound: from a billionth of the size to the largest
+ * half-breadth; the height; no half-breadth above 0); TOO_FEW_POINTS (3 stations of 3 points,
  * 2 points at each); COINCIDENT; NOT_INCREASING; UNSUPPORTED (knuckles); NOT_COMPATIBLE when no
- * smooth surface keeps the bound; INCOMPLETE, CANCELLED, OUT_OF_MEMORY
+ * smooth surface was found that keeps the bound; INCOMPLETE, CANCELLED, OUT_OF_MEMORY
  *
  * Cost: some 20 programs, each 10 to 20 times n b^2 for n unknowns, three for each of (stations +
  * 2) (points + 2), and the band b of a third of a row of them: half a second for 100 points

@@ -17,11 +17,12 @@ typedef enum {
 
 typedef struct {
     bat_cut_kind kind;
-    double m[3]; /* the unit normal of the plane, or the direction of sight */
-    double at;   /* m . S = at of a plane */
-    int needed;  /* changes of the sign of curvature that the points require; -1: not known */
-    int found;   /* those of the patch whose bulges are above the height of judging */
-    bool shaped; /* the signs of its curvature are rows of the program from now on */
+    double m[3];   /* the unit normal of the plane, or the direction of sight */
+    double at;     /* m . S = at of a plane */
+    int needed;    /* changes of the sign of curvature that the points require; -1: not known */
+    int found;     /* those of the patch whose bulges are above the height of judging */
+    bool is_asked; /* `needed` is what the surface of least energy has */
+    bool shaped;   /* the signs of its curvature are rows of the program from now on */
 } bat_loft_cut;
 
 static inline bool bat_cut_is_edge(const bat_loft_cut *cut)

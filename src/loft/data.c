@@ -95,7 +95,7 @@ static void step_to_foot(const bat_loft_place *place, const bat_loft_datum *d, d
     double e = 0, f = 0, g = 0, x = 0, y = 0;
     for (int c = 0; c < 3; c++) {
         /* Ten thousand times as near in x: then the foot lies in the plane of the station. */
-        const double weight = d->in_station && c == 0 ? 1e8 : 1;
+        const double weight = d->in_station && !d->on_u_edge && c == 0 ? 1e8 : 1;
         const double offset = d->point[c] - place->s[0][0][c];
         e += weight * su[c] * su[c];
         f += weight * su[c] * sv[c];

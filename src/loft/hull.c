@@ -219,7 +219,7 @@ static void hold(bat_loft *loft, int i, int j, int c, double value)
 static batten_status hold_what_is_known(const hull *h, bat_loft *loft)
 {
     const bat_hull_station *aft = h->stations, *fore = h->stations + h->station_count - 1;
-    const bool plane_ends = lies_on(aft, aft->x) && lies_on(fore, fore->x);
+    const bool plane_aft = lies_on(aft, aft->x), plane_fore = lies_on(fore, fore->x);
     const double half_siding = siding(h);
     loft->held = bat_array3((size_t)loft->patch.nu, (size_t)loft->patch.nv, 3);
     if (!loft->held)
@@ -228,7 +228,8 @@ static batten_status hold_what_is_known(const hull *h, bat_loft *loft)
         const double *t = loft->patch.u_knots + i + 1;
         const double u = i == 0 ? 0 : i == loft->patch.nu - 1 ? 1 : (t[0] + t[1] + t[2]) / 3;
         for (int j = 0; j < loft->patch.nv; j++) {
-            if (plane_ends)
+            if ((plane_aft && plane_fore) || (i == 0 && plane_aft) ||
+                (i == loft->patch.nu - 1 && plane_fore))
                 hold(loft, i, j, 0, (1 - u) * aft->x + u * fore->x);
             if (i == 0 && aft->is_stem)
                 hold(loft, i, j, 1, 0);
@@ -280,8 +281,10 @@ void bat_hull_release(bat_loft *loft)
     *loft = (bat_loft){0};
 }
 
-static void set_scales(const hull *h, bat_loft *loft)
+static batten_status set_scales(const hull *h, bat_loft *loft)
 {
+    const batten_box box = batten_offset_table_box(h->table);
+    const double size = bat_distance(3, &box.low.x, &box.high.x);
     double least = HUGE_VAL;
     loft->within = h->within;
     loft->trimmed = h->trimmed;
@@ -290,8 +293,19 @@ static void set_scales(const hull *h, bat_loft *loft)
             loft->breadth = bat_max(loft->breadth, h->stations[k].points[i].y);
             least = bat_min(least, h->stations[k].points[i].y);
         }
-    loft->one_side = least >= 0;
+    loft->one_side = least > -h->within;     /* a point may be beyond by less than its bound */
     loft->height = 1e-6 * 2 * loft->breadth; /* of the breadth */
+    if (!(loft->breadth > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "no half-breadth of the table is above 0");
+    /* Below a billionth of the size the programs' numbers have no digits left; above the
+     * half-breadth there is no hull left. */
+    const double least_within = 1e-9 * size;
+    if (!(h->within >= least_within) || !(h->within <= loft->breadth))
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the bound of the lofting is %g; it must be from %.3g, a billionth of "
+                        "the size of the table, to %g, its largest half-breadth",
+                        h->within, least_within, loft->breadth);
+    return BATTEN_OK;
 }
 
 batten_status bat_hull_make(const batten_offset_table *table, double within, bat_loft *out)
@@ -305,7 +319,8 @@ batten_status bat_hull_make(const batten_offset_table *table, double within, bat
         status = hold_what_is_known(&h, &loft);
     if (status == BATTEN_OK)
         status = place_data(&h, &loft);
-    set_scales(&h, &loft);
+    if (status == BATTEN_OK)
+        status = set_scales(&h, &loft);
     if (status == BATTEN_OK)
         status = bat_hull_cuts(table, h.station_count, h.stations, &loft);
     if (status == BATTEN_OK)

@@ -55,7 +55,7 @@ static batten_status add_between(cuts *c, bat_loft_cut first, bat_loft_cut secon
 }
 
 /* Of cuts first .. last, those that few points tell of need what the larger of their nearest
- * neighbours needs which more do. */
+ * neighbours needs which more do; where no cut has points the surface is asked. */
 static void ask_neighbours(cuts *c, int first)
 {
     bat_loft_cut *at = c->loft->cuts;
@@ -70,10 +70,8 @@ static void ask_neighbours(cuts *c, int first)
             if ((asked = !at[i].shaped))
                 at[k].needed = bat_max_int(at[k].needed, at[i].needed);
     }
-    for (int k = first; k < c->loft->cut_count; k++) {
+    for (int k = first; k < c->loft->cut_count; k++)
         at[k].shaped = false;
-        at[k].needed = bat_max_int(at[k].needed, 0);
-    }
 }
 
 static batten_status add_stations(cuts *c)

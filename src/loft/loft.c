@@ -143,13 +143,14 @@ static batten_status find_enough(const batten_offset_table *table,
     if (status != BATTEN_OK && status != BATTEN_NOT_COMPATIBLE)
         return status;
     if (*enough > 0)
-        return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "no smooth surface passes within %g of every point of the table; one "
-                        "does within %g",
-                        options->within, *enough);
+        return bat_fail(
+            BATTEN_NOT_COMPATIBLE,
+            "no smooth surface was found within %g of every point of the table; one "
+            "was within %g",
+            options->within, *enough);
     return bat_fail(
         BATTEN_NOT_COMPATIBLE,
-        "no smooth surface passes within %g of every point of the table, nor within "
+        "no smooth surface was found within %g of every point of the table, nor within "
         "%g: it may have a knuckle, or a point may be wrong",
         options->within, wider.within);
 }

@@ -7,7 +7,7 @@
 #include "base/work.h"
 #include <batten/fair.h>
 
-enum { ROUNDS = 10, ROUNDS_WITHOUT_GAIN = 4, FITS = 6 };
+enum { ROUNDS = 10, ROUNDS_WITHOUT_GAIN = 4, FITS = 6, MOST_FITS = 10 };
 
 /* Samples of cuts: in a span where they follow the parameters; else, and where they are short,
  * over the whole; and where they are judged. */
@@ -51,23 +51,38 @@ static batten_status add_cuts(const bat_loft *loft, bat_loft_program *p)
     return status;
 }
 
-/* Where the patch is nearer to the centre plane than a bound it does not cross it. */
+/* At the places of a grid at which y is below a height the patch does not cross the centre plane. */
+static batten_status add_side_of(const bat_loft *loft, const bat_loft_grid *grid, double below,
+                                 bat_loft_program *p)
+{
+    const bat_loft_measure measure = {.weight[0][0] = 1, .vector = {0, -1, 0}};
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < grid->along_count; i++)
+        for (int j = 0; j < grid->across_count && status == BATTEN_OK; j++) {
+            bat_loft_place place;
+            if (grid->points[3 * (i * grid->across_count + j) + 1] >= below)
+                continue;
+            bat_loft_place_at(&loft->patch, grid->along[i], grid->across[j], &place);
+            status = bat_loft_add_row(p, &place, &measure, place.s[0][0][1], HUGE_VAL);
+        }
+    return status;
+}
+
+/* Where the patch is nearer to the centre plane than a bound, at the samples of the spans; and
+ * wherever it is beyond, at those by which it is judged. */
 static batten_status add_side(const bat_loft *loft, bat_loft_program *p)
 {
-    bat_cut_tracer tracer;
-    bat_loft_place place;
-    const bat_loft_measure measure = {.weight[0][0] = 1, .vector = {0, -1, 0}};
-    batten_status status = bat_cut_tracer_make(&loft->patch, SAMPLES_OF_SPAN, 0, &tracer);
+    bat_cut_tracer spans, judged = {0};
+    batten_status status = bat_cut_tracer_make(&loft->patch, SAMPLES_OF_SPAN, 0, &spans);
     if (status != BATTEN_OK)
         return status;
-    const bat_loft_grid *u = &tracer.along_u, *v = &tracer.along_v;
-    for (int i = 0; i < u->along_count && status == BATTEN_OK; i++)
-        for (int j = 0; j < v->along_count && status == BATTEN_OK; j++) {
-            bat_loft_place_at(&loft->patch, u->along[i], v->along[j], &place);
-            if (place.s[0][0][1] < loft->within)
-                status = bat_loft_add_row(p, &place, &measure, place.s[0][0][1], HUGE_VAL);
-        }
-    bat_cut_tracer_free(&tracer);
+    status = bat_cut_tracer_make(&loft->patch, 0, SAMPLES_JUDGED, &judged);
+    if (status == BATTEN_OK)
+        status = add_side_of(loft, &spans.along_u, loft->within, p);
+    if (status == BATTEN_OK)
+        status = add_side_of(loft, &judged.along_u, 0, p);
+    bat_cut_tracer_free(&spans);
+    bat_cut_tracer_free(&judged);
     return status;
 }
 
@@ -93,7 +108,10 @@ static batten_status move_patch(bat_loft *loft, step_kind kind, double trust,
 {
     bat_loft_program p;
     bat_convex_report report;
-    batten_status status = bat_loft_program_make(&loft->patch, loft->held, loft->within, &p);
+    bat_work work = {.job = loft->job};
+    batten_status status = bat_work_step(&work, 1, 0, "lofting");
+    if (status == BATTEN_OK)
+        status = bat_loft_program_make(&loft->patch, loft->held, loft->within, &p);
     if (status != BATTEN_OK)
         return status;
     status = bat_loft_add_energy(&p, loft->smooth / (loft->breadth * loft->breadth));
@@ -128,8 +146,10 @@ static batten_status judge(bat_loft *loft, bat_loft_reached *r)
         bat_cut_find(&tracer, cut);
         const int count = tracer.trace.count;
         const double *plane = tracer.trace.plane;
-        if (cut->needed < 0)
+        if (cut->needed < 0) {
+            cut->is_asked = true;
             cut->needed = batten_polyline_inflections(count, plane, loft->within / 4);
+        }
         cut->found = batten_polyline_inflections(count, plane, loft->height);
         r->excess += bat_max_int(0, cut->found - cut->needed);
         r->cuts_in_excess += cut->found > cut->needed;
@@ -147,9 +167,11 @@ static void shape_cuts(bat_loft *loft)
 
 /* ---- rounds ---- */
 
+/* Beyond the centre plane by no more than what is seen of a bulge. */
 static bool keeps_bounds(const bat_loft *loft, const bat_loft_reached *r)
 {
-    return r->moves.largest_part <= 1 && (!loft->one_side || r->lowest >= 0);
+    return r->moves.largest_part <= 1 && r->lowest > -HUGE_VAL &&
+           (!loft->one_side || r->lowest >= -loft->height);
 }
 
 /* Better: nearer to what must hold, then fewer inflections. */
@@ -169,73 +191,142 @@ static bool is_done(const bat_loft *loft, const bat_loft_reached *r)
     return r->excess == 0 && keeps_bounds(loft, r);
 }
 
-/* As smooth as lets the moves be a quarter of the bound in the mean: less would repeat the
- * rounding of the table, more would rest on the bounds and take volume away. */
-static batten_status choose_smoothness(bat_loft *loft, bat_loft_reached *r)
+/* The patch and the feet of its data, to return to. */
+typedef struct {
+    double *points;
+    bat_loft_datum *data;
+} kept_patch;
+
+static size_t number_count(const bat_loft *loft)
 {
-    enum { TRIALS = 8 };
-    double low = 1e-4, high = 1e4;
+    return 3 * (size_t)loft->patch.nu * (size_t)loft->patch.nv;
+}
+
+static void keep_patch(const bat_loft *loft, kept_patch *kept)
+{
+    memcpy(kept->points, loft->patch.points, number_count(loft) * sizeof *kept->points);
+    memcpy(kept->data, loft->data, (size_t)loft->datum_count * sizeof *kept->data);
+}
+
+static void return_to(const kept_patch *kept, bat_loft *loft)
+{
+    memcpy(loft->patch.points, kept->points, number_count(loft) * sizeof *kept->points);
+    memcpy(loft->data, kept->data, (size_t)loft->datum_count * sizeof *kept->data);
+}
+
+/* As smooth as lets the moves be a quarter of the bound in the mean: less would repeat the
+ * rounding of the table, more would rest on the bounds and take volume away. Each trial begins at
+ * the best that kept the bounds. */
+static batten_status choose_smoothness(bat_loft *loft, kept_patch *kept, bat_loft_reached *r)
+{
+    enum { TRIALS = 6 };
+    double low = 1e-3, high = 1e3, best = loft->smooth;
     const double wanted = 0.25 * loft->within;
-    batten_status status = BATTEN_OK;
-    for (int k = 0; k < TRIALS && status == BATTEN_OK; k++) {
+    for (int k = 0; k < TRIALS; k++) {
         loft->smooth = sqrt(low * high);
-        status = move_patch(loft, FIT, HUGE_VAL, r);
-        if (r->moves.rms < wanted)
+        batten_status status = move_patch(loft, FIT, 3 * loft->within, r);
+        if (status == BATTEN_OK && r->moves.largest_part <= 1)
+            status = judge(loft, r);
+        if (status != BATTEN_OK && status != BATTEN_NOT_COMPATIBLE)
+            return status;
+        const bool keeps = status == BATTEN_OK && keeps_bounds(loft, r);
+        if (keeps && r->moves.rms < wanted)
             low = loft->smooth;
         else
             high = loft->smooth;
+        if (keeps) {
+            keep_patch(loft, kept);
+            best = loft->smooth;
+        } else {
+            return_to(kept, loft);
+        }
+    }
+    loft->smooth = best;
+    return BATTEN_OK;
+}
+
+/* Drawn to the points and fitted; when a few steps have not kept the bounds, with moves that
+ * normals and feet can follow. */
+static batten_status fit_as_smooth(bat_loft *loft, double smooth, bat_loft_reached *r)
+{
+    loft->smooth = smooth;
+    batten_status status = move_patch(loft, DRAW, HUGE_VAL, r);
+    for (int k = 0; k < MOST_FITS && status == BATTEN_OK; k++) {
+        const double far = bat_max(3 * loft->within, r->moves.largest);
+        status = move_patch(loft, FIT, k < FITS ? HUGE_VAL : far, r);
+        r->lowest = -HUGE_VAL; /* not known */
+        if (status == BATTEN_OK && k >= FITS && r->moves.largest_part <= 1)
+            status = judge(loft, r);
+        if (status == BATTEN_OK && keeps_bounds(loft, r))
+            break;
     }
     return status;
 }
 
+/* The feet settle from one smoothness where they wander from another. */
 static batten_status fit(bat_loft *loft, bat_loft_reached *r)
 {
-    loft->smooth = 1;
-    batten_status status = move_patch(loft, DRAW, HUGE_VAL, r);
-    for (int k = 0; k < FITS && status == BATTEN_OK; k++)
-        status = move_patch(loft, FIT, HUGE_VAL, r);
+    static const double smooth[] = {1, 100, 0.01};
+    batten_status status = BATTEN_NOT_COMPATIBLE;
+    for (int k = 0; k < 3; k++) {
+        status = fit_as_smooth(loft, smooth[k], r);
+        if (status == BATTEN_OK ? keeps_bounds(loft, r) : status != BATTEN_NOT_COMPATIBLE)
+            break;
+    }
     return status;
+}
+
+static batten_status refuse_bounds(const bat_loft_reached *r)
+{
+    return bat_fail(BATTEN_NOT_COMPATIBLE,
+                    "the bounds are exceeded to %g of them; the least y is %g",
+                    r->moves.largest_part, r->lowest);
 }
 
 batten_status bat_loft_fits(bat_loft *loft)
 {
     bat_loft_reached reached = {0};
-    const batten_status status = fit(loft, &reached);
-    if (status != BATTEN_OK || reached.moves.largest_part <= 1)
-        return status;
-    return bat_fail(BATTEN_NOT_COMPATIBLE, "the bounds are exceeded to %g of them",
-                    reached.moves.largest_part);
+    const batten_status status = fit_as_smooth(loft, 1, &reached);
+    return status != BATTEN_OK || keeps_bounds(loft, &reached) ? status
+                                                               : refuse_bounds(&reached);
 }
 
-static batten_status find_start(bat_loft *loft, bat_loft_reached *r)
+/* A patch that keeps the bounds, or none is sought any further. */
+static batten_status find_start(bat_loft *loft, kept_patch *kept, bat_loft_reached *r)
 {
     batten_status status = fit(loft, r);
+    if (status == BATTEN_OK && !keeps_bounds(loft, r))
+        return refuse_bounds(r);
+    keep_patch(loft, kept);
     if (status == BATTEN_OK)
-        status = choose_smoothness(loft, r);
-    return status == BATTEN_OK ? judge(loft, r) : status;
+        status = choose_smoothness(loft, kept, r);
+    if (status != BATTEN_OK)
+        return status;
+    return_to(kept, loft);
+    bat_loft_find_feet(&loft->patch, loft->datum_count, loft->data, &r->moves);
+    for (int k = 0; k < loft->cut_count; k++)
+        if (loft->cuts[k].is_asked)
+            loft->cuts[k].needed = -1;
+    return judge(loft, r);
 }
 
-static batten_status improve(bat_loft *loft, double *best, bat_loft_reached *best_reached)
+static batten_status improve(bat_loft *loft, kept_patch *best, bat_loft_reached *best_reached)
 {
-    const size_t bytes =
-        3 * (size_t)loft->patch.nu * (size_t)loft->patch.nv * sizeof *loft->patch.points;
     bat_loft_reached r = *best_reached;
-    bat_work work = {.job = loft->job};
     double trust = 3 * loft->within; /* the first variation of curvature holds so far */
     batten_status status = BATTEN_OK;
-    for (int k = 1, gain = 0;
-         k <= ROUNDS && k <= gain + ROUNDS_WITHOUT_GAIN && !is_done(loft, best_reached); k++) {
-        status = bat_work_step(&work, 1, (double)k / ROUNDS, "lofting");
+    for (int k = 1, gain = 0; status == BATTEN_OK && k <= ROUNDS &&
+                              k <= gain + ROUNDS_WITHOUT_GAIN && !is_done(loft, best_reached);
+         k++) {
         shape_cuts(loft);
-        if (status == BATTEN_OK)
-            status = move_patch(loft, SHAPE, trust, &r);
+        status = move_patch(loft, SHAPE, trust, &r);
+        if (status == BATTEN_NOT_COMPATIBLE) /* what was reached before stays */
+            return BATTEN_OK;
         if (status == BATTEN_OK)
             status = judge(loft, &r);
-        if (status != BATTEN_OK)
-            return status;
         r.rounds = k;
-        if (is_better(loft, &r, best_reached)) {
-            memcpy(best, loft->patch.points, bytes);
+        if (status == BATTEN_OK && is_better(loft, &r, best_reached)) {
+            keep_patch(loft, best);
             *best_reached = r;
             gain = k;
         } else if (k > 2) {
@@ -245,27 +336,29 @@ static batten_status improve(bat_loft *loft, double *best, bat_loft_reached *bes
     return status;
 }
 
+static batten_status loft_patch(bat_loft *loft, kept_patch *best, bat_loft_reached *r)
+{
+    batten_status status = find_start(loft, best, r);
+    if (status == BATTEN_OK)
+        status = improve(loft, best, r);
+    if (status != BATTEN_OK)
+        return status;
+    return_to(best, loft);
+    bat_loft_find_feet(&loft->patch, loft->datum_count, loft->data, &r->moves);
+    status = judge(loft, r);
+    return status == BATTEN_OK && !keeps_bounds(loft, r) ? refuse_bounds(r) : status;
+}
+
 batten_status bat_loft_run(bat_loft *loft, bat_loft_reached *reached)
 {
-    const size_t numbers = 3 * (size_t)loft->patch.nu * (size_t)loft->patch.nv;
     bat_loft_reached r = {0};
-    double *best = bat_array(numbers, sizeof *best);
-    batten_status status = best ? find_start(loft, &r) : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK) {
-        memcpy(best, loft->patch.points, numbers * sizeof *best);
-        status = improve(loft, best, &r);
-    }
-    if (status == BATTEN_OK) {
-        memcpy(loft->patch.points, best, numbers * sizeof *best);
-        bat_loft_find_feet(&loft->patch, loft->datum_count, loft->data, &r.moves);
-        status = judge(loft, &r);
-    }
-    if (status == BATTEN_OK && !keeps_bounds(loft, &r))
-        status = bat_fail(BATTEN_NOT_COMPATIBLE,
-                          "the bounds are exceeded to %g of them; the least y is %g",
-                          r.moves.largest_part, r.lowest);
+    kept_patch best = {bat_array(number_count(loft), sizeof *best.points),
+                       bat_array((size_t)loft->datum_count, sizeof *best.data)};
+    const batten_status status =
+        best.points && best.data ? loft_patch(loft, &best, &r) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         *reached = r;
-    bat_release(best);
+    bat_release(best.points);
+    bat_release(best.data);
     return status;
 }

@@ -173,9 +173,38 @@ TEST(a_bound_that_no_surface_keeps_is_refused_with_one_that_does)
                  BATTEN_NOT_COMPATIBLE);
     CHECK(report.enough > 2e-4 && report.enough < 2e-2);
     CHECK_MESSAGE(
-        "no smooth surface passes within 0.0002 of every point of the table; one does");
+        "no smooth surface was found within 0.0002 of every point of the table; one was");
     CHECK(!surface);
     batten_offset_table_unref(table);
+}
+
+TEST(a_raked_end_beside_a_plumb_one_is_lofted)
+{
+    /* x = u (3 + rake w^2), y = (1 - u^3) w, z = w^2: exact in the patch */
+    static const double rakes[] = {0, 0.001, 0.2};
+    for (int r = 0; r < COUNT(rakes); r++) {
+        batten_table_point points[4][5];
+        batten_table_station stations[4];
+        batten_offset_table *table = NULL;
+        batten_loft_report report;
+        batten_surface *surface = NULL;
+        for (int i = 0; i < 4; i++) {
+            const double u = i / 3.;
+            for (int j = 0; j < 5; j++) {
+                const double w = j / 4.;
+                points[i][j] = (batten_table_point){i < 3 ? 3 * u : 3 + rakes[r] * w * w,
+                                                    (1 - u * u * u) * w, w * w, -1};
+            }
+            stations[i] = (batten_table_station){"", 3 * u, 5, points[i]};
+        }
+        CHECK_OK(batten_offset_table_create(1, 0, NULL, 4, stations, &table));
+        const batten_loft_options options = batten_loft_defaults(0.02);
+        CHECK_OK(batten_surface_loft(table, &options, NULL, &report, &surface));
+        CHECK(report.max_move <= 0.02);
+        batten_loft_report_release(&report);
+        batten_surface_unref(surface);
+        batten_offset_table_unref(table);
+    }
 }
 
 TEST(bad_options_and_thin_tables_are_refused_with_their_numbers)
@@ -187,6 +216,10 @@ TEST(bad_options_and_thin_tables_are_refused_with_their_numbers)
     CHECK_STATUS(batten_surface_loft(good, &options, NULL, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the bound of a lofting is 0");
+    options = batten_loft_defaults(2); /* of a half-breadth of 0.5 */
+    CHECK_STATUS(batten_surface_loft(good, &options, NULL, NULL, &surface),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("to 0.5, its largest half-breadth");
     options = batten_loft_defaults(1e-3);
     options.height = -1;
     CHECK_STATUS(batten_surface_loft(good, &options, NULL, NULL, &surface),

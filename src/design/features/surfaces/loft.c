@@ -22,11 +22,13 @@ static void note_cut(const bat_run *run, const batten_loft_cut *cut)
         "the diagonal from z =", "the profile from below", "the sheer"};
     const bool edge = cut->family == BATTEN_LOFT_PROFILE || cut->family == BATTEN_LOFT_SHEER;
     if (edge)
-        bat_note(run, "%s has %d inflection%s; its points require %d", families[cut->family],
-                 cut->found, bat_plural(cut->found), cut->needed);
+        bat_note(run, "%s has %d inflection%s where %d %s needed", families[cut->family],
+                 cut->found, bat_plural(cut->found), cut->needed,
+                 bat_one_or_many(cut->needed, "is", "are"));
     else
-        bat_note(run, "%s %g has %d inflection%s; its points require %d", families[cut->family],
-                 cut->at, cut->found, bat_plural(cut->found), cut->needed);
+        bat_note(run, "%s %g has %d inflection%s where %d %s needed", families[cut->family],
+                 cut->at, cut->found, bat_plural(cut->found), cut->needed,
+                 bat_one_or_many(cut->needed, "is", "are"));
 }
 
 static void report_loft(const bat_run *run, const batten_loft_report *found)
@@ -44,7 +46,7 @@ static void report_loft(const bat_run *run, const batten_loft_report *found)
             named++;
         }
     if (found->cuts_in_excess > named)
-        bat_note(run, "%d more sections have inflections in excess; a larger bound may do",
+        bat_note(run, "%d more sections have inflections in excess",
                  found->cuts_in_excess - named);
     if (found->trimmed_count > 0)
         bat_note(run, "%d point%s on the centre plane below the hull %s left out",
