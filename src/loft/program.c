@@ -242,19 +242,24 @@ void bat_loft_add_square(bat_loft_program *program, const bat_loft_place *place,
     }
 }
 
+/* All or nothing: a row of so many entries, which the caller fills in. */
 static batten_status append_row(bat_loft_program *p, int count, double bound, double price)
 {
-    batten_status status =
-        BAT_LIST_ADD(p->start, p->start_count, p->start_room, p->entry_count);
+    batten_status status = BAT_LIST_GROW(p->start, p->start_count, p->start_room, 1);
     if (status == BATTEN_OK)
-        status = BAT_LIST_ADD(p->bounds, p->bound_count, p->bound_room, bound);
+        status = BAT_LIST_GROW(p->bounds, p->bound_count, p->bound_room, 1);
     if (status == BATTEN_OK)
-        status = BAT_LIST_ADD(p->prices, p->price_count, p->price_room, price);
+        status = BAT_LIST_GROW(p->prices, p->price_count, p->price_room, 1);
     if (status == BATTEN_OK)
         status = BAT_LIST_GROW(p->column, p->entry_count, p->column_room, count);
     if (status == BATTEN_OK)
         status = BAT_LIST_GROW(p->value, p->entry_count, p->entry_room, count);
-    return status;
+    if (status != BATTEN_OK)
+        return status;
+    p->start[p->start_count++] = p->entry_count;
+    p->bounds[p->bound_count++] = bound;
+    p->prices[p->price_count++] = price;
+    return BATTEN_OK;
 }
 
 batten_status bat_loft_add_row(bat_loft_program *program, const bat_loft_place *place,

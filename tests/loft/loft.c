@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { STATIONS = 13, LINES = 8 };
+enum { STATIONS = 9, LINES = 6 };
 
 /* Wigley's hull: y = b / 2 (1 - (2 x / l)^2)(1 - ((t - z) / t)^2), l = 10, b = 1, t = 0.625;
  * rounded to a grid. */
@@ -17,7 +17,7 @@ static double wigley(double x, double z, double grid)
     return grid > 0 ? floor(y / grid + 0.5) * grid : y;
 }
 
-static batten_offset_table *make_wigley(double grid, double lowest_inside)
+static batten_offset_table *make_wigley(double grid)
 {
     batten_table_line lines[LINES];
     batten_table_point points[STATIONS][LINES];
@@ -29,8 +29,6 @@ static batten_offset_table *make_wigley(double grid, double lowest_inside)
         const double x = -5 + 10. * i / (STATIONS - 1);
         for (int j = 0; j < LINES; j++)
             points[i][j] = (batten_table_point){x, wigley(x, lines[j].z, grid), lines[j].z, j};
-        if (i == 6)
-            points[i][3].y += lowest_inside;
         stations[i] = (batten_table_station){"", x, LINES, points[i]};
     }
     CHECK_OK(batten_offset_table_create(1, LINES, lines, STATIONS, stations, &table));
@@ -39,7 +37,7 @@ static batten_offset_table *make_wigley(double grid, double lowest_inside)
 
 TEST(wigleys_hull_rounded_to_a_millimetre_is_lofted_without_an_inflection)
 {
-    batten_offset_table *table = make_wigley(1e-3, 0);
+    batten_offset_table *table = make_wigley(1e-3);
     const batten_loft_options options = batten_loft_defaults(0.6e-3);
     batten_loft_report report;
     batten_surface *surface = NULL;
@@ -65,7 +63,9 @@ TEST(wigleys_hull_rounded_to_a_millimetre_is_lofted_without_an_inflection)
 
 TEST(the_moves_of_a_lofting_are_measured_on_the_surface_that_is_returned)
 {
-    batten_offset_table *table = make_wigley(5e-3, 0);
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
+    batten_offset_table *table = make_wigley(5e-3);
     const batten_loft_options options = batten_loft_defaults(3e-3);
     batten_loft_report report;
     batten_surface *surface = NULL;
@@ -126,10 +126,12 @@ TEST(a_hull_with_a_chine_is_refused_and_the_knuckle_named)
 
 TEST(stations_from_the_sheer_down_make_the_same_hull)
 {
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
     static const double up[][2] = {{0, 0}, {0.5, 0.1}, {0.8, 0.4}, {0.9, 0.7}, {1, 1}};
     static const double down[][2] = {{1, 1}, {0.9, 0.7}, {0.8, 0.4}, {0.5, 0.1}, {0, 0}};
     batten_offset_table *tables[] = {make_prism(5, up), make_prism(5, down)};
-    const batten_loft_options options = batten_loft_defaults(2e-3);
+    const batten_loft_options options = batten_loft_defaults(5e-3);
     batten_loft_report reports[2];
     batten_surface *surfaces[2] = {NULL};
     for (int k = 0; k < 2; k++)
@@ -145,6 +147,8 @@ TEST(stations_from_the_sheer_down_make_the_same_hull)
 
 TEST(points_of_air_below_the_hull_are_left_out_and_counted)
 {
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
     static const double section[][2] = {{0, -1},    {0, 0},     {0.5, 0.1},
                                         {0.8, 0.4}, {0.9, 0.7}, {1, 1}};
     batten_offset_table *table = make_prism(6, section);
@@ -162,6 +166,8 @@ TEST(points_of_air_below_the_hull_are_left_out_and_counted)
 
 TEST(a_bound_that_no_surface_keeps_is_refused_with_one_that_does)
 {
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
     /* More zigzags than the surface has freedom for, within a hundredth of the girth. */
     static const double section[][2] = {{0, 0},        {0.5, 0.1},    {0.8, 0.4},    {0.9, 0.7},
                                         {0.904, 0.71}, {0.896, 0.71}, {0.904, 0.72}, {1, 1}};
@@ -180,8 +186,10 @@ TEST(a_bound_that_no_surface_keeps_is_refused_with_one_that_does)
 
 TEST(a_raked_end_beside_a_plumb_one_is_lofted)
 {
-    /* x = u (3 + rake w^2), y = (1 - u^3) w, z = w^2: exact in the patch */
-    static const double rakes[] = {0, 0.001, 0.2};
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
+    /* x = 3 u, at the end 3 + rake w^2, y = (1 - u^3) w, z = w^2 */
+    static const double rakes[] = {0.001, 0.2};
     for (int r = 0; r < COUNT(rakes); r++) {
         batten_table_point points[4][5];
         batten_table_station stations[4];
@@ -210,7 +218,7 @@ TEST(a_raked_end_beside_a_plumb_one_is_lofted)
 TEST(bad_options_and_thin_tables_are_refused_with_their_numbers)
 {
     static const double section[][2] = {{0, 0}, {1, 1}};
-    batten_offset_table *thin = make_prism(2, section), *good = make_wigley(0, 0);
+    batten_offset_table *thin = make_prism(2, section), *good = make_wigley(0);
     batten_surface *surface = NULL;
     batten_loft_options options = batten_loft_defaults(0);
     CHECK_STATUS(batten_surface_loft(good, &options, NULL, NULL, &surface),
