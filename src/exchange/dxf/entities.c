@@ -110,8 +110,10 @@ static bool append_vertex(bat_path *path, bat_vertex made)
 static int fill_path(bat_path *path, size_t count, const double *vertices)
 {
     int dropped = 0;
-    for (const double *v = vertices; v < vertices + 4 * count; v += 4)
+    for (size_t i = 0; i < count; i++) { /* of no vertices there may be no array */
+        const double *v = vertices + 4 * i;
         dropped += !append_vertex(path, (bat_vertex){v[0], v[1], v[3]});
+    }
     while (path->closed && path->count > 1 &&
            is_same_place(&path->vertices[0], &path->vertices[path->count - 1])) {
         path->count--;
