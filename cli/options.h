@@ -40,7 +40,7 @@ void arguments_free(arguments *read);
 /* The value of an option, "" of a flag, NULL when it was not given. */
 const char *arguments_get(const arguments *read, const char *name);
 bool arguments_has(const arguments *read, const char *name);
-/* *index becomes the place of the value among these words; false when it is none of them. */
+/* *index becomes the place of the value among these words; false when it is not one of them. */
 bool arguments_word(const arguments *read, const char *name, int count,
                     const char *const *words, int *index);
 /* A finite number; false with a complaint when something else was given; untouched when nothing

@@ -4,7 +4,7 @@
 #include "command.h"
 
 /* Features, commands, formats and places of the literature that hold all the words, best first. False, with
- * nothing added, when there are none. */
+ * nothing added, when nothing was found. */
 bool search_add(batten_text *text, const char *words, const command_table *table);
 /* Words in lower case, without accents, separated by single blanks; yours to batten_release. */
 char *search_plain(const char *words);

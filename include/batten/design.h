@@ -110,7 +110,7 @@ typedef struct batten_source {
     const char *key;      /**< as in batten_feature.source, without brackets: "Akima70" */
     const char *citation; /**< author, title, place and year, spelt out */
 } batten_source;
-/** NULL when there is none of that key. */
+/** NULL when nothing has that key. */
 BATTEN_API const batten_source *batten_source_find(const char *key);
 
 /** A place in a source whose places are all listed: which features stand on it can be asked. */

@@ -44,7 +44,7 @@ static bool has_kind(const batten_model *model, batten_object_kind kind)
     return false;
 }
 
-/* One schema of STEP has meshes; whoever did not choose it is told. */
+/* One schema of STEP has meshes; a note says so to whoever did not choose it. */
 static const char *mesh_hint(const bat_format_row *row)
 {
     return row->format == BATTEN_FORMAT_STEP

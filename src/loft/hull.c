@@ -7,12 +7,7 @@
 #include "loft/hull.h"
 #include "base/arena.h"
 #include "base/plural.h"
-#include "fair/fairness.h"
 #include "numeric/vector.h"
-#include "spline/spline.h"
-
-#include <float.h>
-#include <stdlib.h>
 
 /* Fewer knots than these do not bend with the points between two stations. */
 enum { FEWEST_INNER_V = 7, FEWEST_STATIONS = 3, FEWEST_POINTS = 3 };
@@ -92,7 +87,7 @@ static double turn_at(const bat_hull_station *s, int i)
 }
 
 /* The point at which a station turns by more than both its neighbours together and by more than
- * `least_turn`: a chine; 0 when there is none. */
+ * `least_turn`: a chine; 0 when no point does. */
 static int find_knuckle(const bat_hull_station *s)
 {
     const double least_turn = 25 * BAT_PI / 180; /* the corner angle of fairing */

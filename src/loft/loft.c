@@ -3,8 +3,6 @@
 #include "loft/hull.h"
 #include <batten/fair.h>
 
-#include <stdlib.h>
-
 batten_loft_options batten_loft_defaults(double within)
 {
     return (batten_loft_options){.size = sizeof(batten_loft_options), .within = within};

@@ -33,11 +33,11 @@ void bat_loft_program_free(bat_loft_program *program);
 
 /* Add factor J3: the sum over a of C(3, a) times the integral of (d^3 S / du^a dv^(3-a))^2. */
 batten_status bat_loft_add_energy(bat_loft_program *program, double factor);
-/* Add factor (measure of the moved surface at the place - target)^2 / 2. */
+/* Add factor (measure of the moves at the place - missing)^2 / 2. */
 void bat_loft_add_square(bat_loft_program *program, const bat_loft_place *place,
                          const bat_loft_measure *measure, double factor, double missing);
 /* measure of the move <= bound, divided by its norm; `price` of a unit of the normed row,
- * HUGE_VAL when it must hold. Rows without unknowns are left out. */
+ * HUGE_VAL when it must hold. Rows that no move of a million units reaches are left out. */
 batten_status bat_loft_add_row(bat_loft_program *program, const bat_loft_place *place,
                                const bat_loft_measure *measure, double bound, double price);
 

@@ -4,7 +4,7 @@
 #include <limits.h>
 #include <string.h>
 
-/* An integer of one or more digits from *text on, at most `most`; -1 when there is none. */
+/* An integer of one or more digits from *text on, at most `most`; -1 where there is no such integer. */
 static int read_digits(const char **text, int most)
 {
     const char *begin = *text;

@@ -17,7 +17,7 @@ typedef struct {
     int marks; /* of points; what they mean is not kept */
 } frames;
 
-/* Frames with their counts are told from other rows of numbers by these: they must come out even. */
+/* The counts distinguish frames from other rows of numbers: they must add up exactly. */
 enum { MOST_FRAMES = 10000, MOST_POINTS = 10000 };
 
 static batten_status add_point(frames *f, double y, double z)

@@ -49,7 +49,7 @@ typedef struct {
     const char *name;
     bool has_length; /* the name is one */
     double length;
-    double *values; /* [stations]; NaN where there is none */
+    double *values; /* [stations]; NaN where the row has no number */
     int line;
 } lofted_row;
 

@@ -90,7 +90,7 @@ static void put_length(writing *w, double x, bool whole)
         batten_text_number(w->text, x);
 }
 
-/* Where the stations are is said in feet, inches and eighths when that is exact for all, else
+/* The positions of the stations are written in feet, inches and eighths when that is exact for all, else
  * in inches, to the last digit. */
 static void put_stations(writing *w)
 {

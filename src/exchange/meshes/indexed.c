@@ -238,7 +238,7 @@ static void check_triangle_colours(bat_indexed *mesh)
     }
 }
 
-/* Drop the colours that are none, with a note. */
+/* Drop colours that are not valid, with a note. */
 static void check_colours(bat_indexed *mesh)
 {
     check_vertex_colours(mesh);

@@ -21,7 +21,7 @@ static size_t count_digits(const char *text, size_t left)
     return count;
 }
 
-/* How long the exponent at the beginning is; 0 when there is none. */
+/* The length of the exponent at the start of a text; 0 without an exponent. */
 static size_t exponent_length(const char *text, size_t left)
 {
     size_t k = 1;

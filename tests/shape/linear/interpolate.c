@@ -662,8 +662,6 @@ TEST(N2_size_does_not_matter_and_what_overflows_is_refused)
 TEST(requests_that_make_no_sense_are_refused)
 {
     const double points[] = {0, 0, 1, 1, 2, 0, 3, 1}, t[] = {0, 2, 1, 3};
-    const batten_derivative wrong[] = {{4, 1, {0}}, {-1, 1, {0}}, {1, 0, {0}}, {1, 4, {0}},
-                                       {1, 1, {0}}, {0, 1, {0}},  {0, 1, {0}}};
     batten_curve *curve = NULL;
     batten_curve_interpolate_options options = given(t);
     CHECK_STATUS(
@@ -682,6 +680,30 @@ TEST(requests_that_make_no_sense_are_refused)
             batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
             BATTEN_BAD_DEGREE);
     }
+    options = batten_curve_interpolate_defaults();
+    options.degree = 5;
+    options.start.kind = BATTEN_END_FAIR;
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
+    options = batten_curve_interpolate_defaults();
+    options.start.kind = BATTEN_END_DIRECTION;
+    CHECK_STATUS(
+        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
+        BATTEN_BAD_ARGUMENT);
+    options.start.kind = BATTEN_END_CURVATURE;
+    CHECK_STATUS(batten_curve_interpolate((batten_points){1, 4, t}, &options, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK(curve == NULL);
+}
+
+TEST(derivatives_that_make_no_sense_are_refused)
+{
+    const double points[] = {0, 0, 1, 1, 2, 0, 3, 1};
+    const batten_derivative wrong[] = {{4, 1, {0}}, {-1, 1, {0}}, {1, 0, {0}}, {1, 4, {0}},
+                                       {1, 1, {0}}, {0, 1, {0}},  {0, 1, {0}}};
+    batten_curve *curve = NULL;
+    batten_curve_interpolate_options options;
     for (int i = 0; i < 5; i++) {
         options = batten_curve_interpolate_defaults();
         options.derivatives = wrong + i;
@@ -710,20 +732,6 @@ TEST(requests_that_make_no_sense_are_refused)
     CHECK_STATUS(
         batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
         BATTEN_BAD_ARGUMENT);
-    options = batten_curve_interpolate_defaults();
-    options.degree = 5;
-    options.start.kind = BATTEN_END_FAIR;
-    CHECK_STATUS(
-        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
-        BATTEN_BAD_ARGUMENT);
-    options = batten_curve_interpolate_defaults();
-    options.start.kind = BATTEN_END_DIRECTION;
-    CHECK_STATUS(
-        batten_curve_interpolate((batten_points){2, 4, points}, &options, NULL, &curve),
-        BATTEN_BAD_ARGUMENT);
-    options.start.kind = BATTEN_END_CURVATURE;
-    CHECK_STATUS(batten_curve_interpolate((batten_points){1, 4, t}, &options, NULL, &curve),
-                 BATTEN_BAD_ARGUMENT);
     CHECK(curve == NULL);
 }
 
