@@ -65,8 +65,8 @@ static batten_status run_pull(bat_run *run)
 const bat_feature bat_feature_pull = {
     .shown =
         {"pull", "Places of a surface moved, with the least change of its control points",
-         "The surface passes exactly through the targets; among all ways to move its control\n"
-         "points for that, the one with the least sum of squares is taken. Knots and weights stay: 'refine'\n"
+         "The surface passes exactly through the targets; of all moves of control points that do\n"
+         "this, the one with the least sum of squares is taken. Knots and weights stay: 'refine'\n"
          "first where the change is to be local. 'keep: edges' holds the four edges, 'keep:\n"
          "tangent-planes' the tangent planes along them too; beside seams and poles both stay always.",
          "features:\n"
