@@ -309,8 +309,8 @@ typedef struct batten_loft_report {
 BATTEN_API void batten_loft_report_release(batten_loft_report *report);
 
 /**
- * The smooth surface of one half of a hull that keeps every point of a table within a bound and
- * gives no plane section more inflections than the points require.
+ * The smooth surface of one half of a hull that keeps every point of a table within a bound, with
+ * as few plane sections as it finds that have more inflections than the points require.
  *
  * Along a station runs v, from the profile to the sheer; along the ship u. Found are the control
  * points of one bicubic B-spline surface with knots at the stations: of all whose distance from
@@ -318,11 +318,12 @@ BATTEN_API void batten_loft_report_release(batten_loft_report *report);
  *
  *     sum (distance / within)^2 + lambda J3,  J3 = sum C(3, a) integral (S_u..uv..v)^2
  *
- * is least, a = 0 .. 3 derivatives along u; lambda makes the mean distance a quarter of the bound.
- * Then stations, waterlines, buttocks, diagonals and the edges are cut; on those that have
- * inflections in excess, and on all stations and waterlines, the sign of curvature becomes a
- * linear condition, sample by sample, and the program is solved again about the surface that it
- * gave, until no cut is in excess or three rounds in turn do not gain. Profile and stem stay on
+ * is least, a = 0 .. 3 derivatives along u; lambda makes the mean distance at most a
+ * quarter of the bound.
+ * Then stations, waterlines, buttocks, diagonals and the edges are cut. Where there are inflections
+ * in excess, the sign of curvature becomes a linear condition, sample by sample, on these cuts and on
+ * all stations, waterlines and edges; the program is solved again about the surface that it gave, until
+ * no cut is in excess, four rounds in turn do not gain, or ten are done. Profile and stem stay on
  * the centre plane or at their half siding, and the surface does not cross it by more than the height
  * of visible bulges.
  *
@@ -338,11 +339,12 @@ BATTEN_API void batten_loft_report_release(batten_loft_report *report);
  * @param[out] out  the half that the table describes, of the table's unit
  * @return BATTEN_OK; BAD_ARGUMENT (the bound: from a billionth of the size to the largest
  * half-breadth; the height; no half-breadth above 0); TOO_FEW_POINTS (3 stations of 3 points,
- * 2 points at each); COINCIDENT; NOT_INCREASING; UNSUPPORTED (knuckles); NOT_COMPATIBLE when no
+ * 2 points at each); COINCIDENT; NOT_INCREASING (a station beyond an end of
+ * the hull); UNSUPPORTED (knuckles); NOT_COMPATIBLE when no
  * smooth surface was found that keeps the bound; INCOMPLETE, CANCELLED, OUT_OF_MEMORY
  *
- * Cost: some 20 programs, each 10 to 20 times n b^2 for n unknowns, three for each of (stations +
- * 2) (points + 2), and the band b of a third of a row of them: half a second for 100 points
+ * Cost: 15 to 30 programs, each 10 to 20 times n b^2 for n = 2 or 3 (stations + 2) (points + 2) unknowns
+ * in a band b of three rows of control points across: one or two seconds for 100 points
  * Source: [EH95] for the energy, [NW06] ch. 16 and 18 for the programs.
  */
 BATTEN_API batten_status batten_surface_loft(const batten_offset_table *table,

@@ -173,8 +173,16 @@ static batten_status make_patch(hull *h, bat_loft *loft)
     double *v = bat_arena_array(&h->arena, (size_t)inner_v + 8, sizeof *v);
     if (!inner || !u || !v)
         return BATTEN_OUT_OF_MEMORY;
-    for (int k = 0; k < inner_u; k++)
+    for (int k = 0; k < inner_u; k++) {
         inner[k] = u_of(h, h->stations[k + 1].x, 1);
+        if (!(inner[k] > (k > 0 ? inner[k - 1] : 0)) || !(inner[k] < 1))
+            return bat_fail(
+                BATTEN_NOT_INCREASING,
+                "station %d (x = %g) does not lie between the one before it and the "
+                "end of the hull at the sheer, which runs from x = %g to %g",
+                k + 2, h->stations[k + 1].x, end_x(h->stations, 1),
+                end_x(h->stations + h->station_count - 1, 1));
+    }
     bat_loft_knots(inner_u, inner, u);
     for (int k = 0; k < inner_v; k++)
         inner[k] = (k + 1.) / (inner_v + 1);

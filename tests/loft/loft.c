@@ -215,6 +215,27 @@ TEST(a_raked_end_beside_a_plumb_one_is_lofted)
     }
 }
 
+TEST(a_station_beyond_a_raked_end_is_refused_by_name)
+{
+    batten_table_point points[4][3];
+    batten_table_station stations[4];
+    batten_offset_table *table = NULL;
+    batten_surface *surface = NULL;
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 3; j++) /* the stem leans aft of the third station */
+            points[i][j] =
+                (batten_table_point){i < 3 ? i : 3 - 0.6 * j, 0.2 * j, 0.04 * j * j, -1};
+        stations[i] = (batten_table_station){"", i, 3, points[i]};
+    }
+    CHECK_OK(batten_offset_table_create(1, 0, NULL, 4, stations, &table));
+    const batten_loft_options options = batten_loft_defaults(0.01);
+    CHECK_STATUS(batten_surface_loft(table, &options, NULL, NULL, &surface),
+                 BATTEN_NOT_INCREASING);
+    CHECK_MESSAGE("station 3 (x = 2) does not lie between");
+    CHECK(!surface);
+    batten_offset_table_unref(table);
+}
+
 TEST(bad_options_and_thin_tables_are_refused_with_their_numbers)
 {
     static const double section[][2] = {{0, 0}, {1, 1}};
