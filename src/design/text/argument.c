@@ -266,18 +266,19 @@ static void unknown_key(bat_document *d, const bat_entry *entry, int key)
             near = f->parameters[i].name;
     /* In { } a comma ends a value, also inside of min(a, b). */
     const bool is_rest = strchr(word, ')') && !strchr(word, '(');
-    batten_text all = BATTEN_TEXT;
-    for (int i = 1; i < f->parameter_count; i++)
-        batten_text_add(&all, "%s%s", i > 1 ? ", " : "", f->parameters[i].name);
-    const bool has_list = all.bytes && !all.failed && !is_rest;
+    char all[512]; /* not allocated, so that the message is whole also where memory is short */
+    size_t used = 0;
+    for (int i = 1; i < f->parameter_count && used < sizeof all; i++)
+        used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i > 1 ? ", " : "",
+                                 f->parameters[i].name);
+    const bool has_list = used > 0 && !is_rest;
     bat_complain(d, key, "%s has no parameter '%.80s'%s%s%s%s%s%s", f->name, word,
                  near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "",
                  is_rest ? "; put an expression with commas in quotes" : "",
                  !has_list ? ""
                  : near    ? " It has "
                            : "; it has ",
-                 has_list ? all.bytes : "");
-    batten_text_free(&all);
+                 has_list ? all : "");
 }
 
 static int find_parameter(const batten_feature *f, const char *name)

@@ -45,7 +45,7 @@ TEST(a_loft_of_what_is_no_table_is_refused_by_name)
         "  hull: {loft: p, within: 1 mm}\n";
     batten_design *design = NULL;
     CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
-    CHECK(batten_design_evaluate(design, "hull", NULL, NULL) != BATTEN_OK);
+    CHECK_STATUS(batten_design_evaluate(design, "hull", NULL, NULL), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("hull");
     CHECK_MESSAGE("'p'");
     batten_design_free(design);
