@@ -156,13 +156,16 @@ batten_status bat_face_extent(const batten_body_parts *parts, int face, double t
     }
     polygons p = {.domain = {batten_surface_domain(of->surface, BATTEN_U),
                              batten_surface_domain(of->surface, BATTEN_V)}};
+    bat_extent joined = *extent;
     batten_status status = add_loops(parts, of, &p);
     if (status == BATTEN_OK)
         status =
-            bat_surface_extent(of->surface, &(bat_region){share_of, &p}, tolerance, extent);
+            bat_surface_extent(of->surface, &(bat_region){share_of, &p}, tolerance, &joined);
     bat_release(p.sides);
-    if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY)
+    if (status == BATTEN_OUT_OF_MEMORY)
         return status;
-    bat_box_join(&extent->within, batten_surface_box(of->surface));
+    *extent = joined;
+    if (status != BATTEN_OK)
+        bat_box_join(&extent->within, batten_surface_box(of->surface));
     return BATTEN_OK;
 }
