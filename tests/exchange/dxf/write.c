@@ -1,40 +1,13 @@
 #include "exchange/dxf/dxf.h"
+#include "exchange/dxf/groups.h"
 #include "exchange/reading.h"
 #include "exchange/shapes/paths.h"
-
-#include <stdlib.h>
-
-/* The next group of a DXF text: its code and value. */
-static const char *next_group(const char *at, int *code, char value[300])
-{
-    if (!at || !*at)
-        return NULL;
-    *code = atoi(at);
-    at = strchr(at, '\n');
-    CHECK(at != NULL);
-    const size_t length = strcspn(at + 1, "\n");
-    CHECK(length < 300);
-    memcpy(value, at + 1, length);
-    value[length] = '\0';
-    return at + 1 + length + 1;
-}
-
-/* Where the groups of the first entity of a kind begin. */
-static const char *entity(const char *text, const char *kind)
-{
-    char head[40];
-    snprintf(head, sizeof head, "  0\n%s\n", kind);
-    const char *section = strstr(text, "\nENTITIES\n");
-    const char *found = strstr(section ? section : text, head);
-    CHECK(found != NULL);
-    return found + strlen(head);
-}
 
 /* All numbers under `code` in the entity that begins at `at`. */
 static int numbers(const char *at, int wanted, double *out, int room)
 {
     int code = -1, count = 0;
-    char value[300];
+    char value[VALUE];
     while ((at = next_group(at, &code, value)) && code != 0)
         if (code == wanted && count < room)
             out[count++] = strtod(value, NULL);
@@ -141,7 +114,7 @@ TEST(handles_are_distinct_and_below_the_seed)
     const char *text = written(model, BATTEN_FORMAT_DXF);
     bool used[256] = {false};
     int code = -1, seen = 0;
-    char value[300];
+    char value[VALUE];
     long seed = 0;
     for (const char *at = text; (at = next_group(at, &code, value));) {
         if (code == 9 && strcmp(value, "$HANDSEED") == 0) {
