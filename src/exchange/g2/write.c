@@ -115,11 +115,10 @@ static void put_surface(writing *w, const batten_surface *surface)
 static void note_changed(writing *w, const char *name)
 {
     if (w->changed > 0)
-        batten_notes_add(
-            w->notes, "", 0, name,
-            "the format has points times weights; %d coordinates come back changed "
-            "in the last place",
-            w->changed);
+        batten_notes_add(w->notes, "", 0, name,
+                         "the format has points times weights; %d coordinate%s back changed "
+                         "in the last place",
+                         w->changed, bat_one_or_many(w->changed, " comes", "s come"));
     w->changed = 0;
 }
 
