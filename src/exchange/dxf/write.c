@@ -372,7 +372,7 @@ static batten_status write_all(writing *w)
             "DXF files hold no names: %d object%s without a layer %s on a layer "
             "of that name",
             w->named, bat_plural(w->named), bat_one_or_many(w->named, "is", "are"));
-    if (status == BATTEN_OK && w->entities == 0 && batten_model_count(w->model) > 0)
+    if (status == BATTEN_OK && w->entities == 0)
         status = bat_fail(BATTEN_UNSUPPORTED,
                           "DXF files hold points and curves; the model has none");
     return status;

@@ -85,3 +85,49 @@ TEST(a_loftsman_s_table_that_makes_no_sense_is_refused_with_its_line)
     for (int k = 0; k < COUNT(wrong); k++)
         check_refused(wrong[k].text, BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT, wrong[k].words);
 }
+
+/* Lengths in decimals have no unit. The titles have many names; 2 is a buttock among heights, a
+ * waterline among breadths. */
+static const char decimals[] = "Stations,a,b\nLengths,,\nk,0,9\nHeights,,\nk,5,6\n2.5,3,x\n"
+                               "Widths,,\nk,4,4.5\n2,3.5,1.5\n";
+
+static const struct {
+    int station;
+    double x, y, z;
+} in_decimals[] = {
+    {0, 0, 3.5, 2}, {0, 0, 2.5, 3}, {0, 0, 4, 5}, {1, 9, 1.5, 2}, {1, 9, 4.5, 6}};
+
+TEST(a_loftsman_s_table_in_decimals_has_no_unit)
+{
+    batten_model *model = read_noting(decimals, BATTEN_FORMAT_AUTO, "");
+    const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
+    CHECK_BITS(batten_model_unit_metres(model), 0);
+    CHECK_INT(batten_offset_table_station(offsets, 0)->point_count, 3);
+    CHECK_INT(batten_offset_table_station(offsets, 1)->point_count, 2);
+    for (int k = 0; k < COUNT(in_decimals); k++) {
+        const int station = in_decimals[k].station;
+        const batten_table_point *p =
+            &batten_offset_table_station(offsets, station)->points[k - 3 * station];
+        CHECK(p->x == in_decimals[k].x && p->y == in_decimals[k].y && p->z == in_decimals[k].z);
+    }
+    batten_model_unref(model);
+}
+
+/* The stem rakes: between its rows of positions its points lie on the line, beyond them at the
+ * nearest. */
+TEST(points_of_a_raking_stem_lie_between_the_positions_that_are_given)
+{
+    static const double due[][2] = {{1, 8}, {2, 8}, {3, 6}, {4, 4}, {5, 0}, {6, 0}};
+    batten_model *model =
+        read_noting("Stations,stem\nPOSITION,\n5,0\n2,8\n4,4\nBREADTH,\n1,1\n2,1\n3,1\n4,1\n"
+                    "5,1\n6,1\n",
+                    BATTEN_FORMAT_AUTO, "");
+    const batten_table_station *stem =
+        batten_offset_table_station(batten_model_object(model, 0)->offset_table, 0);
+    CHECK_INT(stem->point_count, COUNT(due));
+    for (int k = 0; k < COUNT(due); k++) {
+        CHECK_BITS(stem->points[k].z, due[k][0]);
+        CHECK_NEAR(stem->points[k].x, due[k][1], 1e-15);
+    }
+    batten_model_unref(model);
+}

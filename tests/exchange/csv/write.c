@@ -178,3 +178,33 @@ TEST(tables_in_another_unit_have_no_debris_and_no_old_names)
     }
     batten_model_unref(model);
 }
+
+/* The numbers stay: a table is written in its own unit, and in that of the model when it has
+ * none. */
+TEST(a_table_names_its_own_unit_before_that_of_the_model)
+{
+    static const struct {
+        double own;
+        const char *head;
+    } cases[] = {{0.0254, "x_in,z_in,half_breadth_in\n"}, {0, "x_mm,z_mm,half_breadth_mm\n"}};
+    const batten_table_point point = {.x = 1, .y = 2, .z = 3, .line = -1};
+    const batten_table_station station = {
+        .name = "", .x = 1, .point_count = 1, .points = &point};
+    for (int i = 0; i < COUNT(cases); i++) {
+        batten_model *model = NULL;
+        batten_offset_table *table = NULL;
+        char expected[80];
+        CHECK_OK(batten_offset_table_create(cases[i].own, 0, NULL, 1, &station, &table));
+        CHECK_OK(batten_model_create(0.001, &model));
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = "t",
+                                                          .kind = BATTEN_OBJECT_OFFSET_TABLE,
+                                                          .offset_table = table}));
+        const char *text = written(model, BATTEN_FORMAT_OFFSET_TABLE);
+        snprintf(expected, sizeof expected, "%.*s", (int)strcspn(cases[i].head, "\n"),
+                 cases[i].head);
+        CHECK(strncmp(text, expected, strlen(expected)) == 0);
+        CHECK_CONTAINS(text, "\n1,3,2");
+        batten_offset_table_unref(table);
+        batten_model_unref(model);
+    }
+}

@@ -66,6 +66,7 @@ TEST(tables_that_are_not_of_lines_are_refused_in_eighths)
         {"x_m,z_m,half_breadth_m,line\n0,1,0.5,a\n0,2,1,\"\"\n", "is on no line"},
         {"station_m,x_m,z_m,half_breadth_m\n0,0.5,1,0.5\n", "is at x = 0.5, not at 0"},
         {"x,z,half_breadth\n0,1,0.5\n", "the table has no unit"},
+        {"x_m,z_m,half_breadth_m\n0,1,0\n0,1,5\n", "line 'z=1' has two points at station"},
         {"x_m,z_m,half_breadth_m\n1e9,1,0.5\n", "too large for feet"},
     };
     for (int i = 0; i < COUNT(cases); i++) {
@@ -74,7 +75,7 @@ TEST(tables_that_are_not_of_lines_are_refused_in_eighths)
         size_t size = 0;
         CHECK_OK(read_text(cases[i].text, BATTEN_FORMAT_AUTO, NULL, &model));
         CHECK_STATUS(write_eighths(model, NULL, &data, &size),
-                     i < 3 ? BATTEN_NOT_COMPATIBLE : BATTEN_TOO_LARGE);
+                     i < 4 ? BATTEN_NOT_COMPATIBLE : BATTEN_TOO_LARGE);
         CHECK_MESSAGE(cases[i].words);
         CHECK(data == NULL);
         batten_model_unref(model);

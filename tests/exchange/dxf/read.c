@@ -781,3 +781,11 @@ TEST(faces_of_polylines_without_their_corners_are_left_out_with_their_line)
     batten_notes_free(notes);
     batten_model_unref(model);
 }
+
+TEST(a_file_without_entities_is_an_empty_model)
+{
+    batten_model *model =
+        read_noting("0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n", BATTEN_FORMAT_DXF, "");
+    CHECK_INT(batten_model_count(model), 0);
+    batten_model_unref(model);
+}

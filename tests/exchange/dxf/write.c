@@ -352,3 +352,76 @@ TEST(layers_of_dxf_have_the_colour_of_most_and_are_off_when_all_is_hidden)
     batten_model_unref(model);
     batten_curve_unref(line);
 }
+
+/* A layer of lines in these numbered colours, in their order. */
+static const char *text_of_colours(int count, const int *numbers)
+{
+    batten_model *model = NULL;
+    batten_curve *line = NULL;
+    CHECK_OK(batten_curve_line(2, (double[]){0, 0}, (double[]){1, 0}, &line));
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < count; i++) {
+        batten_object object = {.name = "line",
+                                .layer = "holes",
+                                .has_colour = true,
+                                .kind = BATTEN_OBJECT_CURVE,
+                                .curve = line};
+        if (numbers[i])
+            CHECK(bat_dxf_colour(numbers[i], object.colour));
+        CHECK_OK(batten_model_add(model, &object));
+    }
+    const char *text = written(model, BATTEN_FORMAT_DXF);
+    batten_model_unref(model);
+    batten_curve_unref(line);
+    return text;
+}
+
+TEST(of_colours_that_are_equally_frequent_a_layer_has_the_first)
+{
+    CHECK(has_layer(text_of_colours(2, (int[]){2, 5}), "holes", 2));
+    CHECK(has_layer(text_of_colours(2, (int[]){5, 2}), "holes", 5));
+    CHECK(has_layer(text_of_colours(4, (int[]){5, 2, 2, 5}), "holes", 5));
+    CHECK(has_layer(text_of_colours(4, (int[]){2, 5, 5, 2}), "holes", 2));
+    CHECK(has_layer(text_of_colours(3, (int[]){2, 5, 5}), "holes", 5));
+}
+
+/* Black has no number of its own: it is 24 bits of 0. */
+TEST(black_is_a_colour_of_24_bits_and_needs_release_2004)
+{
+    const char *text = text_of_colours(1, (int[]){0});
+    CHECK(strstr(text, "AC1018") && strstr(text, "\n420\n0\n"));
+}
+
+/* Every point and every vertex takes a handle. */
+TEST(the_seed_is_above_the_handles_of_many_points_and_vertices)
+{
+    enum { MANY = 400 };
+    double points[3 * MANY], knots[MANY + 2];
+    batten_curve *curve = NULL;
+    batten_model *model = NULL;
+    for (int i = 0; i < 3 * MANY; i++)
+        points[i] = i % 7 + 10 * (i % 3) * i;
+    for (int i = 0; i < MANY + 2; i++)
+        knots[i] = i < 1 ? 0 : i > MANY ? MANY - 1 : i - 1;
+    CHECK_OK(batten_curve_create((batten_points){3, MANY, points}, 1, NULL, knots, &curve));
+    CHECK_OK(batten_model_create(1, &model));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.name = "c", .kind = BATTEN_OBJECT_CURVE, .curve = curve}));
+    CHECK_OK(batten_model_add(model, &(batten_object){.name = "p",
+                                                      .kind = BATTEN_OBJECT_POINTS,
+                                                      .point_count = MANY,
+                                                      .points = points}));
+    long seed = 0, highest = 0;
+    int code = -1;
+    char value[VALUE];
+    for (const char *at = written(model, BATTEN_FORMAT_DXF);
+         (at = next_group(at, &code, value));)
+        if (code == 5) {
+            const long handle = strtol(value, NULL, 16);
+            seed = seed ? seed : handle;
+            highest = handle != seed && handle > highest ? handle : highest;
+        }
+    CHECK(highest > 2 * MANY && seed > highest && seed < 2 * highest);
+    batten_curve_unref(curve);
+    batten_model_unref(model);
+}

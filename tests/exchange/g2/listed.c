@@ -98,3 +98,38 @@ TEST(objects_of_a_file_are_limited)
     CHECK_OK(batten_read_memory(LINE LINE, strlen(LINE LINE), &options, NULL, NULL, &model));
     batten_model_unref(model);
 }
+
+TEST(triangles_have_the_points_and_corners_of_the_file)
+{
+    static const char text[] =
+        "310 1 0 0\n4 3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\n3 0 1 2\n3 0 3 1\n3 2 1 3\n";
+    static const int corners[] = {0, 1, 2, 0, 3, 1, 2, 1, 3};
+    static const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    batten_model *model = NULL;
+    CHECK_OK(read_text(text, BATTEN_FORMAT_G2, NULL, &model));
+    const batten_mesh_parts *mesh = batten_mesh_view(batten_model_object(model, 0)->mesh);
+    CHECK_INT(mesh->triangle_count, 3);
+    CHECK_INT(mesh->vertex_count, 4);
+    for (int i = 0; i < COUNT(corners); i++)
+        CHECK_INT(mesh->corners[i], corners[i]);
+    for (int i = 0; i < COUNT(points); i++)
+        CHECK_BITS(mesh->points[i], points[i]);
+    batten_model_unref(model);
+}
+
+TEST(what_is_wrong_in_triangles_is_named)
+{
+    static const struct {
+        const char *text, *words;
+    } cases[] = {
+        {"310 1 0 0\n3 1\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2 0\n",
+         "the number of corners of a triangle is 4"},
+        {"310 1 0 0\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a corner is 3"},
+        {"310 1 0 0\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "a corner is -1"},
+        {"310 1 0 0\n3 -1\n", "the number of points or triangles is -1"},
+        {"410 1 0 0\n-1\n", "the number of segments is -1"},
+        {"400 1 0 4 255 0 0 256\n1\n1 2 3\n", "a part of the colour is 256"},
+    };
+    for (int i = 0; i < COUNT(cases); i++)
+        check_refused(cases[i].text, BATTEN_FORMAT_G2, BATTEN_UNSUPPORTED, cases[i].words);
+}

@@ -4,6 +4,8 @@
 
 #include <batten/standard.h>
 
+#include <stdlib.h>
+
 /* A square of side 2 in the plane z = 0; one of its edges rises by that much in its middle. */
 static batten_body *square_with_bulge(double height)
 {
@@ -81,4 +83,37 @@ TEST(a_face_whose_edges_are_off_it_says_so_and_can_be_measured)
         batten_body_unref(read);
         batten_body_unref(body);
     }
+}
+
+/* Of several bodies each is told by its own edges. */
+TEST(each_body_says_its_own_largest_tolerance)
+{
+    static const double heights[] = {0.02, 0.01, 0};
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    batten_write_options options = batten_write_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    int said = 0;
+    options.format = BATTEN_FORMAT_G2;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < COUNT(heights); i++) {
+        batten_body *body = square_with_bulge(heights[i]);
+        CHECK_OK(batten_model_add(
+            model, &(batten_object){.name = "b", .kind = BATTEN_OBJECT_BODY, .body = body}));
+        batten_body_unref(body);
+    }
+    CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+    const bool is_usual = test_cases(1000) >= 1000; /* else it is written twice */
+    for (int i = 0; i < batten_notes_count(notes) && is_usual; i++) {
+        const char *text = strstr(batten_notes_at(notes, i)->text, "tolerances up to ");
+        if (text) /* half as much again as the edge is off, at 16 places */
+            CHECK_NEAR(strtod(text + strlen("tolerances up to "), NULL), 1.5 * heights[said++],
+                       0.05 * heights[0]);
+    }
+    CHECK(!is_usual || said == 2);
+    batten_release(data);
+    batten_notes_free(notes);
+    batten_model_unref(model);
 }
