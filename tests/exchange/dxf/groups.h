@@ -33,4 +33,15 @@ static inline const char *entity(const char *text, const char *kind)
     return found + strlen(head);
 }
 
+/* All numbers under `code` in the entity that begins at `at`. */
+static inline int numbers(const char *at, int wanted, double *out, int room)
+{
+    int code = -1, count = 0;
+    char value[VALUE];
+    while ((at = next_group(at, &code, value)) && code != 0)
+        if (code == wanted && count < room)
+            out[count++] = strtod(value, NULL);
+    return count;
+}
+
 #endif
