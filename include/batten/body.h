@@ -269,8 +269,8 @@ typedef struct batten_body_faults {
  * @param tolerance model units, > 0
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param notes each fault with the face or edge and the number; may be NULL
- * @return BATTEN_OK, however bad the body is; BAD_ARGUMENT (tolerance), CANCELLED ...
- * Cost: n log n for n edges; of bodies that are not traced the search for nearest places.
+ * @return BATTEN_OK, however bad the body is; BAD_ARGUMENT (tolerance), CANCELLED, INCOMPLETE,
+ * OUT_OF_MEMORY. Cost: n log n for n edges; of bodies that are not traced the search for nearest places.
  */
 BATTEN_API batten_status batten_body_check(const batten_body *body, double tolerance,
                                            const batten_job *job, batten_notes *notes,

@@ -71,7 +71,7 @@ typedef struct batten_ribbon {
  * @param tolerance  model units, above 0 when the ribbon is not exact
  * @param[out] error  how far slope and curvature are from the truth, 0 when exact; may be NULL
  * @param[out] curves [order + 1] the curve, slope, curvature; give the references back
- * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, BAD_DEGREE ...
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, TOLERANCE_NOT_MET, BAD_DEGREE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
  *
  * Cost: linear in the control points of the three rows next to the edge; where it is fitted, a
  * fit of 25 samples and more for each span.
@@ -126,7 +126,7 @@ typedef struct batten_loop_place {
  * @param[out] places  [count], which curve comes next, whether reversed, and the gap after it
  * @return BATTEN_OK; NOT_COMPATIBLE naming the corner (k: where the k-th of the loop begins), both
  * curves and the gap ("corner 2, between curves 1 and 4, is open by 0.12"); COINCIDENT for a curve without length or two that
- * are the same; NOT_FINITE ...
+ * are the same; BAD_ARGUMENT (count, tolerance), OVERFLOW, OUT_OF_MEMORY
  *
  * Cost: count^2 distances of ends.
  */
@@ -240,7 +240,7 @@ typedef struct batten_surface_coons_report {
  *              refused
  * @return BATTEN_OK; NOT_COMPATIBLE naming corner, edges and gap, of a slope also the angle at
  * which the boundary curve leaves the tangent plane; UNSUPPORTED (functions that the family
- * lacks); BAD_ARGUMENT, OVERFLOW ...
+ * lacks); BAD_ARGUMENT, NOT_FINITE (twists), BAD_DEGREE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
  *
  * batten_surface_to_nurbs gives one tensor B-spline, equal but for rounding, when nothing is
  * rational, or the rational curves along each direction share their weights; else, and with
@@ -359,8 +359,8 @@ typedef struct batten_curve_net {
  *     along_v: [count_u] the same along v
  * @param options  NULL for the defaults
  * @param[out] gap  the largest distance of two curves at their crossing; may be NULL
- * @return NOT_COMPATIBLE naming the curves and the gap; UNSUPPORTED for rational curves;
- * TOO_LARGE before any work ...
+ * @return BATTEN_OK; NOT_COMPATIBLE naming the curves and the gap; UNSUPPORTED for rational curves; TOO_LARGE before
+ * any work; BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, BAD_DEGREE, OVERFLOW, OUT_OF_MEMORY
  *
  * Interior knots stand p - 1 times (C1) or p - 2 times (C2), p the degree, unless the curves
  * themselves are less smooth. Cost: linear in the number of control points.

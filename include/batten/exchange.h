@@ -91,7 +91,7 @@ BATTEN_API batten_read_options batten_read_defaults(void);
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param notes  receives what was odd; may be NULL
  * @return BATTEN_OK; BATTEN_PARTLY_READ, with a model, when entities were left out (each has a
- * note); BATTEN_BAD_FORMAT, BATTEN_UNSUPPORTED, BATTEN_TOO_LARGE ... without one
+ * note); without one BAD_FORMAT, UNSUPPORTED, TOO_LARGE, OVERFLOW, CANCELLED, INCOMPLETE, OUT_OF_MEMORY
  *
  * Cost: linear in the bytes; memory within the limits of the options, some ten times the file
  * for STEP.

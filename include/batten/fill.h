@@ -287,8 +287,8 @@ typedef struct batten_surface_fill_report {
  * @return BATTEN_OK; BAD_ARGUMENT for fewer than 2 or more than 8 sides; NOT_COMPATIBLE naming
  * the corner of an open loop, the side whose ribbon points out of the hole, or a re-entrant
  * corner with ribbons (curves are counted from 1 in messages); SINGULAR_HERE where a ribbon has
- * no tangent plane at a corner; TOLERANCE_NOT_MET for a fill that folds over, that misses a
- * side, or whose curvature is too uneven, with the numbers; NOT_FINITE, COINCIDENT ...
+ * no tangent plane at a corner; TOLERANCE_NOT_MET for a fill that folds over, that misses a side, or whose
+ * curvature is too uneven, with the numbers; COINCIDENT, UNSUPPORTED, BAD_DEGREE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
  *
  * Degree and knots are those of the sides, three degrees higher. Cost: the cube of some 12 n
  * unknowns, and linear in the knots of two neighbouring sides.

@@ -118,7 +118,7 @@ typedef struct batten_net {
  * @param[out] twists  [count_u][count_v][d]
  * @param[out] clamped  SELESNICK: at how many points the curvature asked for cannot be, and the
  * nearest was taken; may be NULL
- * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, NOT_INCREASING, TOO_LARGE ...
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, NOT_INCREASING, TOO_FEW_POINTS, TOO_LARGE, OUT_OF_MEMORY
  *
  * On the rim Adini takes the patches that are there, Bessel one-sided parabolas. Where S_u and
  * S_v are parallel Selesnick's is Adini's. Cost: linear; ENERGY factors a band matrix, count_u
@@ -167,9 +167,9 @@ BATTEN_API batten_status batten_grid_parametrize(batten_grid points,
  * @param[out] error  the largest distance of a point from the surface at its parameters; may be
  * NULL
  * @return BATTEN_OK, what the methods report (naming the line), NOT_COMPATIBLE when the curves
- * of a method have different knots, UNSUPPORTED when they are rational, TOO_LARGE ... Cost:
- * count_v times the method along u, and for each control point that this gives once the method
- * along v.
+ * of a method have different knots, UNSUPPORTED when they are rational; BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE,
+ * NOT_INCREASING, TOO_LARGE, CANCELLED, INCOMPLETE, OUT_OF_MEMORY
+ * Cost: count_v times the method along u, and for each control point that this gives once the method along v.
  * Source: [deBoor01] ch. XVII.
  */
 BATTEN_API batten_status batten_surface_tensor(batten_grid points, batten_uv uv,

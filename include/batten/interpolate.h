@@ -105,8 +105,8 @@ BATTEN_API batten_curve_interpolate_options batten_curve_interpolate_defaults(vo
  * @param points  [count][dimension]; with a periodic curve each once
  * @param options NULL for the defaults
  * @param[out] parameters [count], those of the points; may be NULL
- * @return BATTEN_OK, NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, NOT_INCREASING, SINGULAR_SYSTEM
- * ...
+ * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, NOT_FINITE, TOO_FEW_POINTS, TOO_LARGE, COINCIDENT, NOT_INCREASING,
+ * SINGULAR_SYSTEM, TOLERANCE_NOT_MET, OVERFLOW, OUT_OF_MEMORY
  *
  * With knots at the data each end takes (degree - 1) / 2 conditions; for each that is missing
  * it does without a knot. Periodic curves of even degree have their knots midway between the

@@ -417,7 +417,7 @@ typedef struct batten_curve_correct_tangents_report {
  * @param[out] out     with every knot three times: speeds differ at joins that were corrected.
  *                     A curve without such spans comes back as it is
  * @return BATTEN_OK, UNSUPPORTED (rational, higher degree, curvatures in space), BAD_ARGUMENT,
- * ...
+ * OVERFLOW, TOO_LARGE, OUT_OF_MEMORY
  * Cost: linear; with CURVATURE about 200 quartic equations for each span near a corrected one,
  * and the best choice for all joins together.
  * Source: [SL] III.6; [dBHS87] for curvatures.
@@ -462,9 +462,9 @@ BATTEN_API batten_curve_cornered_options batten_curve_cornered_defaults(void);
  * @param points [count][dimension], dimension 2 or 3, count >= 2
  * @param options  NULL for the defaults
  * @param[out] parameters [count], those of the points; may be NULL
- * @return BATTEN_OK, BAD_ARGUMENT (indices outside, not rising), TOO_FEW_POINTS, COINCIDENT,
- * ... Cost: linear.
- * Source: [SL] III.7.
+ * @return BATTEN_OK, BAD_ARGUMENT (indices outside, not rising), BAD_DEGREE, NOT_FINITE, TOO_FEW_POINTS, TOO_LARGE,
+ * COINCIDENT, NOT_INCREASING, SINGULAR_SYSTEM, TOLERANCE_NOT_MET, OVERFLOW, OUT_OF_MEMORY
+ * Cost: linear. Source: [SL] III.7.
  */
 BATTEN_API batten_status batten_curve_cornered(batten_points points,
                                                const batten_curve_cornered_options *options,
@@ -511,7 +511,7 @@ typedef struct batten_curve_directed_report {
  * @param[out] parameters [count]; may be NULL
  * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT (indices, tension, a direction of length 0), COINCIDENT,
- * NOT_INCREASING, TOO_FEW_POINTS, NOT_FINITE ...
+ * NOT_INCREASING, TOO_FEW_POINTS, TOO_LARGE, NOT_FINITE, SINGULAR_SYSTEM, OVERFLOW, OUT_OF_MEMORY
  * Cost: linear; once more for each round of clamping.
  * Source: [SL] III.7, [Nielson74].
  */

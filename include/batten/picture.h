@@ -247,8 +247,8 @@ BATTEN_API batten_draw_cubic_plane_options batten_draw_cubic_plane_defaults(void
  * @param options  NULL for the defaults
  * @param[out] data  release with batten_release
  * @param[out] size  of the data, bytes
- * @return BATTEN_OK, BAD_ARGUMENT (low >= high, sizes), UNSUPPORTED (other curves), NOT_FINITE
- * ...
+ * @return BATTEN_OK, BAD_ARGUMENT (low >= high, sizes), UNSUPPORTED (other curves), NOT_FINITE,
+ * TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
  *
  * Cost: constant for the plane, one look-up for each pixel of a coarse grid; linear in the
  * spans.

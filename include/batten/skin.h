@@ -133,8 +133,8 @@ typedef struct batten_surface_skin_report {
  * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT naming two sections, TOO_LARGE with the size it
  * would have, NOT_COMPATIBLE when an interpolated weight is not positive or a section is closed
- * while another is open, TOLERANCE_NOT_MET when a section is missed by more than 1e-13 of its
- * size beyond its deviation; BAD_ARGUMENT ...
+ * while another is open, TOLERANCE_NOT_MET when a section is missed by more than 1e-13 of its size beyond its
+ * deviation; BAD_ARGUMENT, BAD_DEGREE, NOT_FINITE, NOT_INCREASING, OVERFLOW, CANCELLED, INCOMPLETE, OUT_OF_MEMORY
  *
  * Cost: linear in sections times common control points; with a tolerance the search fits every
  * section about three times for each knot it keeps.

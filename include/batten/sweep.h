@@ -190,8 +190,8 @@ typedef struct batten_surface_sweep_report {
  * spine no longer than the tolerance, a single section that is a point); SINGULAR_HERE (no tangent, no
  * frame); BAD_ARGUMENT (a scale that is not above 0 all along, with the place where it is
  * least); TOLERANCE_NOT_MET where 2000 sections would not do, with what was reached, or below
- * the rounding of the coordinates; TOO_LARGE (a path of too many spans, or a surface of more
- * than a million control points, before the work), OVERFLOW ...
+ * the rounding of the coordinates; TOO_LARGE (a path of too many spans, or a surface of more than a million control
+ * points, before the work); TOO_FEW_POINTS (no section), NOT_FINITE, OVERFLOW, CANCELLED, INCOMPLETE, OUT_OF_MEMORY
  *
  * Cost: each section that is placed or measured costs a frame, 6 evaluations of the spine, and
  * one step for each of its control points; minimising frames are found to 1e-10 radians first.

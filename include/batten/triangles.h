@@ -373,7 +373,7 @@ BATTEN_API void batten_triangle_joins_release(batten_triangle_joins *joins);
  *
  * @param tolerance  in model units, > 0
  * @param[out] out  in the order of the first edges; release with batten_triangle_joins_release
- * @return BATTEN_OK, BAD_ARGUMENT ...
+ * @return BATTEN_OK, BAD_ARGUMENT, OVERFLOW, OUT_OF_MEMORY
  * Cost: O(m log m + 33 m n^3) for m edges; corners of which very many lie between two planes
  * `tolerance` apart cost their square.
  * Source: [Farin86] for C1, [Farin02] ch. 17 for the determinant.
