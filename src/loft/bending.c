@@ -6,9 +6,9 @@
 static bool cutting_direction(const bat_loft_place *place, const bat_loft_cut *cut,
                               const double normal[3], double *a, double *b)
 {
-    const double *su = place->s[1][0], *sv = place->s[0][1], *m = cut->m, *n = normal;
-    double t[3] = {n[1] * m[2] - n[2] * m[1], n[2] * m[0] - n[0] * m[2],
-                   n[0] * m[1] - n[1] * m[0]};
+    const double *su = place->s[1][0], *sv = place->s[0][1];
+    double t[3];
+    bat_loft_cross(normal, cut->m, t);
     const double length = bat_norm(3, t);
     const double e = bat_dot(3, su, su), f = bat_dot(3, su, sv), g = bat_dot(3, sv, sv);
     const double det = e * g - f * f;
@@ -55,9 +55,9 @@ static double edge_bending(const bat_loft_place *place, const bat_loft_cut *cut,
     const double square = bat_dot(3, first, first);
     if (!(square > 0))
         return NAN;
-    n[0] = (m[1] * first[2] - m[2] * first[1]) / sqrt(square);
-    n[1] = (m[2] * first[0] - m[0] * first[2]) / sqrt(square);
-    n[2] = (m[0] * first[1] - m[1] * first[0]) / sqrt(square);
+    bat_loft_cross(m, first, n);
+    for (int c = 0; c < 3; c++)
+        n[c] /= sqrt(square);
     out->weight[2][0] = 1;
     out->weight[1][0] = -bat_dot(3, place->s[2][0], first) / square;
     return bat_dot(3, n, place->s[2][0]);

@@ -22,13 +22,10 @@ static void frame_at(const bat_loft_datum *d, const bat_loft_place *place, frame
         out->n[0] = out->n[2] = 0;
         out->n[1] = 1;
     }
-    const double length = bat_norm(3, edge), *n = out->n;
+    const double length = bat_norm(3, edge);
     for (int c = 0; c < 3; c++)
         out->along[c] = length > 0 ? edge[c] / length : c == 0;
-    const double *t = out->along;
-    out->across[0] = n[1] * t[2] - n[2] * t[1];
-    out->across[1] = n[2] * t[0] - n[0] * t[2];
-    out->across[2] = n[0] * t[1] - n[1] * t[0];
+    bat_loft_cross(out->n, out->along, out->across);
 }
 
 /* |direction . (S + move - point)| <= within, and the square of it over `scale`. */

@@ -70,10 +70,7 @@ void bat_loft_place_at(const bat_loft_patch *patch, double u, double v, bat_loft
 
 double bat_loft_normal(const bat_loft_place *place, double normal[3])
 {
-    const double *su = place->s[1][0], *sv = place->s[0][1];
-    normal[0] = su[1] * sv[2] - su[2] * sv[1];
-    normal[1] = su[2] * sv[0] - su[0] * sv[2];
-    normal[2] = su[0] * sv[1] - su[1] * sv[0];
+    bat_loft_cross(place->s[1][0], place->s[0][1], normal);
     const double length = bat_norm(3, normal);
     for (int c = 0; c < 3 && length > 0; c++)
         normal[c] /= length;

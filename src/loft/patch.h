@@ -5,6 +5,7 @@
 #ifndef BAT_LOFT_PATCH_H
 #define BAT_LOFT_PATCH_H
 #include "base/base.h"
+#include "numeric/vector.h"
 #include <batten/geometry.h>
 
 enum { BAT_LOFT_DEGREE = 3, BAT_LOFT_SUPPORT = BAT_LOFT_DEGREE + 1 };
@@ -34,6 +35,14 @@ void bat_loft_patch_free(bat_loft_patch *patch);
 
 /* The basis and the surface at (u, v), which are moved into the unit square. */
 void bat_loft_place_at(const bat_loft_patch *patch, double u, double v, bat_loft_place *out);
+
+/* out = a x b, which may be one of them. */
+static inline void bat_loft_cross(const double a[3], const double b[3], double out[3])
+{
+    const batten_vec3 c =
+        bat_vec3_cross((batten_vec3){a[0], a[1], a[2]}, (batten_vec3){b[0], b[1], b[2]});
+    memcpy(out, (const double[3]){c.x, c.y, c.z}, 3 * sizeof *out);
+}
 
 /* The unit normal S_u x S_v; returns the length of that product. */
 double bat_loft_normal(const bat_loft_place *place, double normal[3]);
