@@ -25,7 +25,7 @@ static hole_misfit from_paraboloid(const hole *h, double bend, bool inside)
 TEST(holes_of_three_to_eight_sides_join_smoothly_inside_and_outside)
 {
     for (int n = 3; n <= 8; n++)
-        for (int shape = 0; shape < 2; shape++) {
+        for (int shape = 0; shape <= n % 2; shape++) { /* uneven: of 3, 5 and 7 sides */
             hole h;
             hole_on_paraboloid(n, shape == 0 ? round_corners : uneven, 0.8, &h);
             CHECK_OK(batten_surface_fill(n, h.ribbons, NULL, &h.report, h.patches));
@@ -46,12 +46,13 @@ TEST(holes_of_three_to_eight_sides_join_smoothly_inside_and_outside)
 TEST(a_flat_hole_is_filled_flat)
 {
     hole h;
-    hole_on_paraboloid(5, uneven, 0, &h);
-    CHECK_EACH_ALLOCATION(batten_surface_fill(5, h.ribbons, NULL, &h.report, h.patches));
+    hole_on_paraboloid(3, uneven, 0, &h);
+    CHECK_EACH_ALLOCATION(batten_surface_fill(3, h.ribbons, NULL, &h.report, h.patches));
     CHECK_NEAR(from_paraboloid(&h, 0, true).angle, 0, 1e-10);
+    hole_free(&h);
+    hole_on_paraboloid(5, uneven, 0, &h);
     for (int i = 0; i < 5; i++) /* and with free sides too */
         h.ribbons[i].slope = NULL;
-    hole_free_patches(&h);
     CHECK_OK(batten_surface_fill(5, h.ribbons, NULL, &h.report, h.patches));
     CHECK_NEAR(from_paraboloid(&h, 0, true).angle, 0, 1e-10);
     CHECK(!h.report.outer[0].has_slope && h.report.inner[0].has_slope);

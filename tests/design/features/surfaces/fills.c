@@ -95,8 +95,9 @@ TEST(a_bound_on_jumps_of_curvature_is_met_or_refused)
 TEST(fills_that_are_formulas_become_splines)
 {
     static const char *features[] = {
-        "{fill: [c, a, b], along: [down, back, left], form: kato, within: 1 mm}",
-        "{fill: [c, a, b], along: [down, back, left], form: charrot-gregory, within: 1 mm}"};
+        "{fill: [c, a, b], along: [down, back, left], form: kato, within: 1 mm, angle: 0.5 deg}",
+        "{fill: [c, a, b], along: [down, back, left], form: charrot-gregory, within: 1 mm, "
+        "angle: 0.5 deg}"};
     for (int i = 0; i < COUNT(features); i++) {
         batten_design *design = NULL;
         CHECK_OK(evaluate(features[i], NULL, &design));
@@ -209,7 +210,7 @@ TEST(G7_a_corner_in_which_surfaces_contradict_each_other_is_named)
                                "  ramp: {extrude: a, along: [0, -1, -1]}\n"
                                "  floor: {extrude: b, along: [1, 0, 0]}\n"
                                "  x: {fill: [d, c, b, a], along: [ramp, floor], form: %s, "
-                               "within: 1 mm}\n";
+                               "within: 1 mm, angle: 1 deg}\n";
     static const char *forms[] = {"split", "kato", "charrot-gregory"};
     for (int i = 0; i < COUNT(forms); i++) {
         char design_text[1000];

@@ -144,8 +144,10 @@ TEST(a_triangle_patch_goes_on_from_the_surfaces_beside_it)
     for (int m = 0; m < 3; m++) {
         char feature[200];
         batten_design *design = NULL;
-        snprintf(feature, sizeof feature,
-                 "{triangle-patch: [ay, ax, az], along: [ex, ey, ez], method: %s}", methods[m]);
+        snprintf(
+            feature, sizeof feature,
+            "{triangle-patch: [ay, ax, az], along: [ex, ey, ez], method: %s, angle: 0.2 deg}",
+            methods[m]);
         CHECK_OK(evaluate(feature, &design));
         const batten_surface *surface = last_object(design)->surface;
         for (int i = 1; i <= 10; i++) /* the B-spline near it has a pole at u = 0 */
