@@ -154,3 +154,126 @@ TEST(what_has_no_value_is_said)
     CHECK_INT(s.state, BAT_PARTLY);
     CHECK(!bat_interval_is_finite(a.c[0]));
 }
+
+static double absolute(double x)
+{
+    return fabs(x);
+}
+
+/* In the order of bat_ijet_function; each is smooth within `range`. */
+static const struct {
+    double (*value)(double);
+    bat_interval range;
+} functions[] = {{sin, {-9, 9}},    {cos, {-9, 9}},     {tan, {-1.4, 1.4}}, {asin, {-1, 1}},
+                 {acos, {-1, 1}},   {atan, {-5, 5}},    {sinh, {-4, 4}},    {cosh, {-4, 4}},
+                 {tanh, {-4, 4}},   {exp, {-5, 5}},     {log, {0.01, 9}},   {log10, {0.01, 9}},
+                 {sqrt, {0.01, 9}}, {absolute, {-3, 3}}};
+
+TEST(every_function_over_an_interval_holds_what_it_is_at_its_points)
+{
+    test_random random = test_random_begin("functions");
+    bat_jet_space s;
+    bat_jet_space_begin(&s, 1, 6);
+    for (int f = 0; f < COUNT(functions); f++)
+        for (int i = 0; i < 300; i++) {
+            const bat_interval range = functions[f].range;
+            const double a = test_random_in(&random, range.lo, range.hi),
+                         b = fmin(a + test_random_in(&random, 0, 0.3), range.hi),
+                         x = fmin(test_random_in(&random, a, b), b);
+            bat_interval_jet wide, at = applied(&s, (bat_ijet_function)f, variable(&s, x));
+            bat_ijet_variable(&s, 0, (bat_interval){a, b}, &wide);
+            bat_ijet_apply(&s, (bat_ijet_function)f, &wide);
+            CHECK_INT(s.state, BAT_DEFINED);
+            const double value = functions[f].value(x);
+            CHECK_NEAR(at.c[0].lo, value, 1e-12 * (1 + fabs(value)));
+            CHECK_NEAR(at.c[0].hi, value, 1e-12 * (1 + fabs(value)));
+            for (int k = 0; k < s.count; k++)
+                CHECK(wide.c[k].lo <= at.c[k].lo && at.c[k].hi <= wide.c[k].hi);
+            CHECK(bat_interval_width(wide.c[0]) < 200 * (b - a) + 1e-9);
+        }
+}
+
+TEST(a_power_with_a_varying_exponent_has_the_derivatives_of_both)
+{
+    /* x^y: slopes y x^(y - 1) and x^y ln x, twist x^(y - 1) (1 + y ln x) */
+    const double x = 1.7, y = 2.3, value = pow(x, y), l = log(x);
+    const double expected[6] = {value,
+                                y * value / x,
+                                value * l,
+                                y * (y - 1) * value / (x * x) / 2,
+                                value / x * (1 + y * l),
+                                value * l * l / 2};
+    bat_jet_space s;
+    bat_interval_jet base, exponent, made;
+    bat_jet_space_begin(&s, 2, 2);
+    bat_ijet_variable(&s, 0, bat_interval_at(x), &base);
+    bat_ijet_variable(&s, 1, bat_interval_at(y), &exponent);
+    bat_ijet_power(&s, &base, &exponent, &made);
+    for (int k = 0; k < s.count; k++) {
+        const int u = s.exponents[k][0], v = s.exponents[k][1];
+        const int row = u + v == 0 ? 0 : u + v == 1 ? 1 + v : 3 + v;
+        CHECK_NEAR(made.c[k].lo, expected[row], 1e-12);
+        CHECK_NEAR(made.c[k].hi, expected[row], 1e-12);
+    }
+}
+
+TEST(functions_end_with_their_domains_and_have_no_slope_there)
+{
+    const double quarter = 1.5707963267948966;
+    const struct {
+        bat_ijet_function f;
+        bat_interval range;
+        bat_definition state;
+        bat_interval value; /* infinite: not known */
+    } rows[] = {
+        {BAT_IJET_ASIN, {-1.5, 0.5}, BAT_PARTLY, {-quarter, asin(0.5)}},
+        {BAT_IJET_ASIN, {0.5, 1.5}, BAT_PARTLY, {asin(0.5), quarter}},
+        {BAT_IJET_ASIN, {-1, 1}, BAT_DEFINED, {-quarter, quarter}},
+        {BAT_IJET_ASIN, {0.5, 1}, BAT_DEFINED, {asin(0.5), quarter}},
+        {BAT_IJET_ASIN, {1.25, 1.5}, BAT_UNDEFINED, BAT_EVERYTHING},
+        {BAT_IJET_ACOS, {-1.5, 0.5}, BAT_PARTLY, {acos(0.5), 2 * quarter}},
+        {BAT_IJET_ACOS, {-3, -2}, BAT_UNDEFINED, BAT_EVERYTHING},
+        {BAT_IJET_LN, {0, 2}, BAT_PARTLY, {-HUGE_VAL, log(2)}},
+        {BAT_IJET_LN, {-2, 0}, BAT_UNDEFINED, BAT_EVERYTHING},
+        {BAT_IJET_LOG10, {-2, -1}, BAT_UNDEFINED, BAT_EVERYTHING},
+        {BAT_IJET_SQRT, {0, 4}, BAT_DEFINED, {0, 2}},
+        {BAT_IJET_SQRT, {-1, 4}, BAT_PARTLY, {0, 2}},
+        {BAT_IJET_SQRT, {-2, -1}, BAT_UNDEFINED, BAT_EVERYTHING},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        bat_jet_space s;
+        bat_interval_jet a;
+        bat_jet_space_begin(&s, 1, 3);
+        bat_ijet_variable(&s, 0, rows[i].range, &a);
+        bat_ijet_apply(&s, rows[i].f, &a);
+        CHECK_INT(s.state, rows[i].state);
+        for (int k = 1; k < s.count; k++)
+            CHECK(!bat_interval_is_finite(a.c[k]));
+        CHECK(a.c[0].lo <= rows[i].value.lo && rows[i].value.hi <= a.c[0].hi);
+        if (isfinite(rows[i].value.lo))
+            CHECK_NEAR(a.c[0].lo, rows[i].value.lo, 1e-14);
+        if (isfinite(rows[i].value.hi))
+            CHECK_NEAR(a.c[0].hi, rows[i].value.hi, 1e-14);
+    }
+}
+
+TEST(powers_below_zero_need_a_base_above_it)
+{
+    static const struct {
+        bat_interval base;
+        double exponent;
+        bat_definition state;
+    } rows[] = {{{0, 1}, -0.5, BAT_PARTLY},  {{-1, 0}, -0.5, BAT_UNDEFINED},
+                {{-1, 1}, 0.5, BAT_PARTLY},  {{-1, 0}, 0.5, BAT_PARTLY},
+                {{1, 2}, -0.5, BAT_DEFINED}, {{-1, 1}, 3, BAT_DEFINED},
+                {{-1, 1}, -3, BAT_PARTLY},   {{-2, -1}, -3, BAT_DEFINED}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        bat_jet_space s;
+        bat_interval_jet base, exponent, made;
+        bat_jet_space_begin(&s, 1, 2);
+        bat_ijet_variable(&s, 0, rows[i].base, &base);
+        bat_ijet_constant(&s, bat_interval_at(rows[i].exponent), &exponent);
+        bat_ijet_power(&s, &base, &exponent, &made);
+        CHECK_INT(s.state, rows[i].state);
+    }
+}

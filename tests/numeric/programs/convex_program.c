@@ -192,3 +192,114 @@ TEST(a_neighbouring_program_starts_from_the_solution_before_it)
     }
     CHECK(warm < cold);
 }
+
+/* The prices of every third row stay infinite. */
+static void set_prices(test_random *random, sample *s)
+{
+    for (int i = 0; i < s->m; i++)
+        s->prices[i] = i % 3 == 0 ? HUGE_VAL : test_random_in(random, 0.2, 4);
+}
+
+/* Kuhn and Tucker's conditions with excess: what yields costs its price, what holds less. */
+static void check_priced(const sample *s)
+{
+    CHECK(gradient_left(s) < 1e-5);
+    for (int i = 0; i < s->m; i++) {
+        const double room = s->bounds[i] - row_value(s, i, s->x);
+        CHECK(s->beyond[i] >= 0 && s->multipliers[i] >= 0);
+        CHECK(isinf(s->prices[i]) ? s->beyond[i] == 0
+                                  : s->multipliers[i] <= s->prices[i] * (1 + 1e-9));
+        CHECK(room + s->beyond[i] > -1e-9);
+        CHECK(fabs((room + s->beyond[i]) * s->multipliers[i]) < 1e-5);
+        if (isfinite(s->prices[i]))
+            CHECK(s->beyond[i] * (s->prices[i] - s->multipliers[i]) < 1e-5);
+    }
+}
+
+TEST(priced_rows_start_from_the_solution_before_too)
+{
+    test_random random = test_random_begin("priced");
+    int cold = 0, warm = 0, yielding = 0;
+    for (int c = 0; c < test_cases(20); c++) {
+        sample s;
+        double x[N];
+        fill_sample(&random, N, M, &s);
+        set_prices(&random, &s);
+        const bat_convex_program program = program_of(&s);
+        bat_convex_solution out = solution_of(&s);
+        bat_convex_report report;
+        CHECK_OK(bat_convex_program_solve(&program, NULL, &out, &report));
+        check_priced(&s);
+        for (int i = 0; i < M; i++)
+            yielding += s.beyond[i] > 1e-3;
+        s.bounds[c % M] *= 0.9;
+        CHECK_OK(bat_convex_program_solve(&program, &out, &out, &report));
+        check_priced(&s);
+        warm += report.iterations;
+        memcpy(x, s.x, sizeof x);
+        CHECK_OK(bat_convex_program_solve(&program, NULL, &out, &report));
+        cold += report.iterations;
+        for (int i = 0; i < N; i++)
+            CHECK_NEAR(x[i], s.x[i], 1e-5);
+    }
+    CHECK(yielding > 0);
+    CHECK(2 * warm < 3 * cold); /* what rows yield is not taken over: it has to be found again */
+}
+
+TEST(objectives_without_a_minimum_are_refused)
+{
+    static const struct {
+        double hessian[2];
+        batten_status status;
+        const char *says;
+    } rows[] = {{{0, 0}, BATTEN_SINGULAR_SYSTEM, "is flat"},
+                {{HUGE_VAL, 1}, BATTEN_SINGULAR_SYSTEM, "is flat"},
+                {{-3, 1}, BATTEN_SINGULAR_SYSTEM, "is flat"},
+                {{3, -1}, BATTEN_INCOMPLETE, "of 2 unknowns did not reach its minimum in 1 "}};
+    const int start[] = {0};
+    const double linear[] = {1, 1};
+    for (int i = 0; i < COUNT(rows); i++) {
+        const bat_convex_program program = {
+            2, 0, rows[i].hessian, linear, {0, start, NULL, NULL}, NULL, NULL};
+        double x[2] = {7, 7};
+        bat_convex_solution out = {x, NULL, NULL};
+        bat_convex_report report;
+        CHECK_STATUS(bat_convex_program_solve(&program, NULL, &out, &report), rows[i].status);
+        CHECK_MESSAGE(rows[i].says);
+        CHECK(x[0] == 7 && x[1] == 7);
+    }
+}
+
+TEST(sizes_of_objective_and_rows_change_the_minimum_by_nothing)
+{
+    test_random random = test_random_begin("scaled");
+    for (int c = 0; c < test_cases(10); c++) {
+        sample s, scaled;
+        const double size = c % 2 ? 1e9 : 1e-9;
+        fill_sample(&random, 12, 20, &s);
+        set_prices(&random, &s);
+        scaled = s;
+        for (int k = 0; k < s.n * WIDE; k++)
+            scaled.hessian[k] *= size;
+        for (int i = 0; i < s.n; i++)
+            scaled.linear[i] *= size;
+        for (int i = 0; i < s.m;
+             i++) { /* rows in another unit: a price is of the objective's */
+            for (int k = s.start[i]; k < s.start[i + 1]; k++)
+                scaled.value[k] /= 1000;
+            scaled.bounds[i] /= 1000;
+            scaled.prices[i] *= 1000 * size;
+        }
+        const bat_convex_program program = program_of(&s), other = program_of(&scaled);
+        bat_convex_solution out = solution_of(&s), into = solution_of(&scaled);
+        bat_convex_report report;
+        CHECK_OK(bat_convex_program_solve(&program, NULL, &out, &report));
+        CHECK_OK(bat_convex_program_solve(&other, NULL, &into, &report));
+        for (int i = 0; i < s.n; i++)
+            CHECK_NEAR(scaled.x[i], s.x[i], 1e-6);
+        for (int i = 0; i < s.m; i++) {
+            CHECK_NEAR(scaled.beyond[i] * 1000, s.beyond[i], 1e-6);
+            CHECK_NEAR(scaled.multipliers[i] / (1000 * size), s.multipliers[i], 1e-4);
+        }
+    }
+}

@@ -10,30 +10,32 @@ typedef struct {
     double half, tolerance;
     int curves, nodes, isolated, singular;
     double length; /* of all; 0: not known */
+    int corners;
 } row;
 
 static const row rows[] = {
-    {{"x^2 + y^2 = 1"}, 2, 1e-6, 1, 0, 0, 0, 6.283185307179586},
-    {{"x^2 + y^2 = 1"}, 1, 1e-6, 1, 0, 0, 0, 6.283185307179586},
-    {{"x^2/4 + y^2 = 1"}, 3, 1e-9, 1, 0, 0, 0, 9.688448220547675},
-    {{"x*y = 1"}, 2, 1e-6, 2, 0, 0, 0, 0},
-    {{"x = 0.5"}, 1, 1e-6, 1, 0, 0, 0, 2},
-    {{"x + y = 3"}, 1, 1e-6, 0, 0, 0, 0, 0},
-    {{"(x^2+y^2)^2 = 2*(x^2-y^2)"}, 2, 1e-8, 1, 1, 0, 0, 7.416298709205487},
-    {{"(x^2+y^2)^2 - 2*(x^2-y^2) = -0.1"}, 2, 1e-6, 2, 0, 0, 0, 0},
-    {{"(x^2+y^2)^2 - 2*(x^2-y^2) = 0.1"}, 2, 1e-6, 1, 0, 0, 0, 0},
-    {{"x^3 + y^3 = 3*x*y"}, 3, 1e-6, 1, 1, 0, 0, 0},
-    {{"y^2 = x^3"}, 2, 1e-6, 1, 0, 0, 1, 5.19990706349899},
-    {{"x^2 + y^2 = 0"}, 2, 1e-6, 0, 0, 1, 0, 0},
-    {{"(x-0.3)^2 + (y-0.2)^2 = 1e-8"}, 2, 1e-6, 1, 0, 0, 0, 0},
-    {{"x*y*(x-y) = 0"}, 2, 1e-6, 3, 1, 0, 0, 13.65685424949238},
-    {{"exp(x*y) = sin(3*x) + cos(5*y)"}, 2, 1e-6, 7, 0, 0, 0, 0},
-    {{"abs(x) + abs(y) = 1"}, 2, 1e-6, 1, 0, 0, 0, 0},
-    {{"x^2 + y^2 = -1"}, 2, 1e-6, 0, 0, 0, 0, 0},
-    {{"x^2 + y^2 + z^2 = 4", "(x-1)^2 + y^2 = 1"}, 2, 1e-6, 1, 1, 0, 0, 15.28079129},
-    {{"x^2 + y^2 + z^2 = 1", "z = 0"}, 2, 1e-8, 1, 0, 0, 0, 6.283185307179586},
-    {{"x^2 + y^2 + z^2 = 1", "z = x*y"}, 2, 1e-6, 1, 0, 0, 0, 0},
-    {{"x^2 + y^2 = 1", "z = 3"}, 2, 1e-6, 0, 0, 0, 0, 0},
+    {{"x^2 + y^2 = 1"}, 2, 1e-6, 1, 0, 0, 0, 6.283185307179586, 0},
+    {{"x^2 + y^2 = 1"}, 1, 1e-6, 1, 0, 0, 0, 6.283185307179586, 0},
+    {{"x^2/4 + y^2 = 1"}, 3, 1e-9, 1, 0, 0, 0, 9.688448220547675, 0},
+    {{"x*y = 1"}, 2, 1e-6, 2, 0, 0, 0, 0, 0},
+    {{"x = 0.5"}, 1, 1e-6, 1, 0, 0, 0, 2, 0},
+    {{"x + y = 3"}, 1, 1e-6, 0, 0, 0, 0, 0, 0},
+    {{"(x^2+y^2)^2 = 2*(x^2-y^2)"}, 2, 1e-8, 1, 1, 0, 0, 7.416298709205487, 0},
+    {{"(x^2+y^2)^2 - 2*(x^2-y^2) = -0.1"}, 2, 1e-6, 2, 0, 0, 0, 0, 0},
+    {{"(x^2+y^2)^2 - 2*(x^2-y^2) = 0.1"}, 2, 1e-6, 1, 0, 0, 0, 0, 0},
+    {{"x^3 + y^3 = 3*x*y"}, 3, 1e-6, 1, 1, 0, 0, 0, 0},
+    {{"y^2 = x^3"}, 2, 1e-6, 1, 0, 0, 1, 5.19990706349899, 0},
+    {{"x^2 + y^2 = 0"}, 2, 1e-6, 0, 0, 1, 0, 0, 0},
+    {{"(x-0.3)^2 + (y-0.2)^2 = 1e-8"}, 2, 1e-6, 1, 0, 0, 0, 0, 0},
+    {{"x*y*(x-y) = 0"}, 2, 1e-6, 3, 1, 0, 0, 13.65685424949238, 0},
+    {{"exp(x*y) = sin(3*x) + cos(5*y)"}, 2, 1e-6, 7, 0, 0, 0, 0, 0},
+    {{"abs(x) + abs(y) = 1"}, 2, 1e-6, 1, 0, 0, 0, 0, 4},
+    {{"y = abs(x)"}, 1, 1e-6, 1, 0, 0, 0, 2.8284271247461903, 1},
+    {{"x^2 + y^2 = -1"}, 2, 1e-6, 0, 0, 0, 0, 0, 0},
+    {{"x^2 + y^2 + z^2 = 4", "(x-1)^2 + y^2 = 1"}, 2, 1e-6, 1, 1, 0, 0, 15.28079129, 0},
+    {{"x^2 + y^2 + z^2 = 1", "z = 0"}, 2, 1e-8, 1, 0, 0, 0, 6.283185307179586, 0},
+    {{"x^2 + y^2 + z^2 = 1", "z = x*y"}, 2, 1e-6, 1, 0, 0, 0, 0, 0},
+    {{"x^2 + y^2 = 1", "z = 3"}, 2, 1e-6, 0, 0, 0, 0, 0, 0},
 };
 
 typedef struct {
@@ -98,8 +100,14 @@ static void check_row(const row *r)
     CHECK_INT(t.made.count, r->curves);
     CHECK(t.made.error <= r->tolerance);
     CHECK_INT(t.made.undecided_count, 0);
-    for (int i = 0; i < t.made.point_count; i++)
-        kinds[t.made.points[i].kind]++;
+    for (int i = 0; i < t.made.point_count; i++) {
+        const batten_equation_point *point = &t.made.points[i];
+        kinds[point->kind]++;
+        CHECK(point->parameter == 0); /* these curves have none */
+        CHECK(point->kind == BATTEN_EQUATION_ISOLATED ? point->branches == 0
+                                                      : point->branches >= 2);
+    }
+    CHECK_INT(kinds[BATTEN_EQUATION_CORNER], r->corners);
     CHECK_INT(kinds[BATTEN_EQUATION_NODE], r->nodes);
     CHECK_INT(kinds[BATTEN_EQUATION_ISOLATED], r->isolated);
     CHECK_INT(kinds[BATTEN_EQUATION_SINGULAR], r->singular);
@@ -132,9 +140,9 @@ TEST(closed_branches_end_where_they_begin)
 TEST(squares_poles_and_branches_that_touch_are_incomplete_with_their_boxes)
 {
     static const row incomplete[] = {
-        {{"(x-y)^2 = 0"}, 2, 1e-4, 0, 0, 0, 0, 0},
-        {{"y = 1/x"}, 2, 1e-4, 2, 0, 0, 0, 0},
-        {{"(x^2+y^2)^3 = 4*x^2*y^2"}, 2, 1e-6, 0, 0, 0, 0, 0},
+        {{"(x-y)^2 = 0"}, 2, 1e-4, 0, 0, 0, 0, 0, 0},
+        {{"y = 1/x"}, 2, 1e-4, 2, 0, 0, 0, 0, 0},
+        {{"(x^2+y^2)^3 = 4*x^2*y^2"}, 2, 1e-6, 0, 0, 0, 0, 0, 0},
     };
     for (int i = 0; i < COUNT(incomplete); i++) {
         traced t;
@@ -150,16 +158,84 @@ TEST(boxes_tolerances_and_numbers_of_variables_are_checked)
     batten_equation *plane = NULL;
     batten_equation_curves made = {0};
     const batten_equation_names names = {2, 0, variables, NULL};
-    const batten_box good = {{0, 0, 0}, {1, 1, 1}}, flat = {{0, 0, 0}, {1, 0, 1}};
+    const batten_box good = {{0, 0, 0}, {1, 1, 1}}, flat = {{0, 0.5, 0}, {1, 0.25, 1}},
+                     endless = {{0, 0, 0}, {1, HUGE_VAL, 1}};
     CHECK_OK(batten_equation_read("x + y", &names, &plane));
     const batten_equation *const two[] = {plane, plane};
     CHECK_STATUS(batten_curves_implicit(2, two, &good, 1e-6, NULL, &made), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("equation 1 has 2 variables, expected 3");
     CHECK_STATUS(batten_curves_implicit(1, two, &flat, 1e-6, NULL, &made), BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("the box is empty along y");
+    CHECK_MESSAGE("the box is empty along y: 0.5 to 0.25");
+    CHECK_STATUS(batten_curves_implicit(1, two, &endless, 1e-6, NULL, &made),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curves_implicit(1, two, &good, HUGE_VAL, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curves_implicit(0, two, &good, 1e-6, NULL, &made), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curves_implicit(1, two, &good, -1, NULL, &made), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curves_implicit(1, two, &good, 1e-15, NULL, &made),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_STATUS(batten_curves_implicit(3, two, &good, 1e-6, NULL, &made), BATTEN_BAD_ARGUMENT);
     batten_equation_free(plane);
+}
+
+/* f(p) = 0 at p: so far is a place of the curve from the circle, and so far the circle's places
+ * from the curve, at most. */
+TEST(coarse_curves_are_within_the_error_that_was_proved_too)
+{
+    static const double tolerances[] = {0.3, 0.1, 0.03, 0.01, 1e-4, 1e-7};
+    for (int i = 0; i < COUNT(tolerances); i++) {
+        const row circle = {{"x^2 + y^2 = 1"}, 2, tolerances[i], 1, 0, 0, 0, 0, 0};
+        traced t;
+        double worst = 0, p[2];
+        CHECK_OK(trace(&circle, &t));
+        CHECK(t.made.error <= tolerances[i]);
+        const batten_interval domain = batten_curve_domain(t.made.curves[0]);
+        for (int k = 0; k <= 3000; k++) {
+            const double u = fmin(domain.a + (domain.b - domain.a) * k / 3000, domain.b);
+            CHECK_OK(batten_curve_evaluate(t.made.curves[0], u, 0, p));
+            worst = fmax(worst, fabs(hypot(p[0], p[1]) - 1));
+        }
+        CHECK(worst <= t.made.error);
+        end_trace(&t);
+    }
+}
+
+/* Where the four leaves of a node and the three lines through a point meet. */
+TEST(points_where_branches_meet_are_named_with_their_place_and_their_branches)
+{
+    static const struct {
+        row of;
+        double x, y;
+        batten_equation_point_kind kind;
+        int branches;
+    } at[] = {
+        {{{"(x-0.3)*(y-0.2) = 0"}, 1, 1e-6, 0, 0, 0, 0, 0, 0},
+         0.3,
+         0.2,
+         BATTEN_EQUATION_NODE,
+         4},
+        {{{"x*y*(x-y) = 0"}, 2, 1e-6, 0, 0, 0, 0, 0, 0}, 0, 0, BATTEN_EQUATION_NODE, 6},
+        {{{"(y-0.1)^2 = (x-0.2)^3"}, 1, 1e-6, 0, 0, 0, 0, 0, 0},
+         0.2,
+         0.1,
+         BATTEN_EQUATION_SINGULAR,
+         2},
+        {{{"(x+0.5)^2 + (y-0.5)^2 = 0"}, 1, 1e-6, 0, 0, 0, 0, 0, 0},
+         -0.5,
+         0.5,
+         BATTEN_EQUATION_ISOLATED,
+         0},
+        {{{"y = abs(x-0.25)"}, 1, 1e-6, 0, 0, 0, 0, 0, 0}, 0.25, 0, BATTEN_EQUATION_CORNER, 2},
+    };
+    for (int i = 0; i < COUNT(at); i++) {
+        traced t;
+        CHECK_OK(trace(&at[i].of, &t));
+        CHECK_INT(t.made.point_count, 1);
+        CHECK_INT(t.made.points[0].kind, at[i].kind);
+        CHECK_INT(t.made.points[0].branches, at[i].branches);
+        CHECK_NEAR(t.made.points[0].point.x, at[i].x, 1e-6);
+        CHECK_NEAR(t.made.points[0].point.y, at[i].y, 1e-6);
+        CHECK(t.made.points[0].point.z == 0);
+        end_trace(&t);
+    }
 }
