@@ -15,13 +15,13 @@ typedef struct {
     bat_stroke *strokes;
 } bat_strokes;
 
-/* Points along a curve, each knot among them; coordinates it has not are 0. */
+/* As few points as keep the polyline within 1/40,000 of the size of the curve, each knot among them;
+ * coordinates it has not are 0. */
 batten_status bat_stroke_curve(const batten_curve *curve, bat_stroke *out);
 /* The same for the curve on a surface at a fixed parameter. */
 batten_status bat_stroke_isoline(const batten_surface *surface, batten_direction direction,
                                  double at, bat_stroke *out);
-/* The same from the surface itself, of any kind: as few points as keep the polyline within
- * `tolerance`. */
+/* The same within `tolerance`. */
 batten_status bat_stroke_isoline_within(const batten_surface *surface,
                                         batten_direction direction, double at, double tolerance,
                                         bat_stroke *out);

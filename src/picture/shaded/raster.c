@@ -91,18 +91,6 @@ static bool bound(const bat_raster *raster, triangle *t)
     return true;
 }
 
-static void measure_slopes(const triangle *t, bat_fragment *fragment)
-{
-    for (int n = 0; n < BAT_VALUES; n++) {
-        double along = 0, down = 0;
-        for (int k = 0; k < 3; k++) {
-            along += t->along[k] * t->corners[k]->value[n];
-            down += t->down[k] * t->corners[k]->value[n];
-        }
-        fragment->slope[n] = sqrt(along * along + down * down);
-    }
-}
-
 static void fill_row(bat_raster *raster, const triangle *t, int row, bat_fragment *fragment,
                      bat_shader *shader, const void *user)
 {
@@ -133,7 +121,6 @@ void bat_raster_triangle(bat_raster *raster, const bat_corner *a, const bat_corn
     if (!bound(raster, &t) || !weigh(&t))
         return;
     bat_fragment fragment;
-    measure_slopes(&t, &fragment);
     for (int row = t.top; row <= t.bottom; row++)
         fill_row(raster, &t, row, &fragment, shader, user);
 }

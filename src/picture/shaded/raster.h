@@ -25,7 +25,6 @@ typedef struct {
 /* What a shader knows of one sample. */
 typedef struct {
     double value[BAT_VALUES];
-    double slope[BAT_VALUES]; /* length of the gradient of each value, per sample */
 } bat_fragment;
 
 typedef void bat_shader(const void *user, const bat_fragment *fragment, float colour[3]);

@@ -133,6 +133,8 @@ static void change_all(const bat_shaded *p, change_points *change, void *user)
     for (int i = 0; i < p->solid_count; i++) {
         const bat_tiles *t = &p->solids[i].tiles;
         change(user, t->count_u * t->count_v, t->points);
+        change_strokes(&p->solids[i].edges, change, user);
+        change_strokes(&p->solids[i].isolines, change, user);
     }
     for (int i = 0; i < p->mesh_count; i++) {
         change(user, (size_t)p->meshes[i].mesh->vertex_count, p->meshes[i].points);
@@ -263,6 +265,22 @@ static batten_status prepare(bat_shaded *p)
     return status == BATTEN_OK ? fit_picture(p) : status;
 }
 
+static void free_shaded(bat_shaded *p)
+{
+    for (int i = 0; p->solids && i < p->solid_count; i++) {
+        bat_tiles_free(&p->solids[i].tiles);
+        bat_strokes_free(&p->solids[i].edges);
+        bat_strokes_free(&p->solids[i].isolines);
+    }
+    for (int i = 0; p->meshes && i < p->mesh_count; i++)
+        bat_mesh_solid_free(&p->meshes[i]);
+    bat_release(p->solids);
+    bat_release(p->meshes);
+    bat_release(p->smooth);
+    bat_strokes_free(&p->curves);
+    bat_release(p->styles);
+}
+
 batten_status batten_draw_shaded(const batten_model *model, const batten_draw_options *options,
                                  const batten_job *job, char **data, size_t *size)
 {
@@ -285,15 +303,7 @@ batten_status batten_draw_shaded(const batten_model *model, const batten_draw_op
         status = prepare(&p);
     if (status == BATTEN_OK)
         status = make_picture(&p, data, size);
-    for (int i = 0; p.solids && i < p.solid_count; i++)
-        bat_tiles_free(&p.solids[i].tiles);
-    for (int i = 0; p.meshes && i < p.mesh_count; i++)
-        bat_mesh_solid_free(&p.meshes[i]);
-    bat_release(p.solids);
-    bat_release(p.meshes);
-    bat_release(p.smooth);
-    bat_strokes_free(&p.curves);
-    bat_release(p.styles);
+    free_shaded(&p);
     batten_model_unref(patches);
     batten_model_unref(flat);
     return status;

@@ -12,22 +12,15 @@
 #include "picture/sheet/sheet.h"
 
 /* What each sample of a surface carries. */
-enum {
-    BAT_SAMPLE_NORMAL = 0,
-    BAT_SAMPLE_LINE_U = 3,
-    BAT_SAMPLE_LINE_V = 4,
-    BAT_SAMPLE_CURVATURE = 5
-};
+enum { BAT_SAMPLE_NORMAL = 0, BAT_SAMPLE_CURVATURE = 3 };
 
 /* One surface, ready to be filled in. */
 typedef struct {
     bat_tiles tiles; /* after fit_picture its points are in samples, depth towards the eye */
     const bat_scene *scene;
     bat_light albedo;
-    double lines;         /* isolines in each direction */
-    bool edges[2];        /* does the domain end in u, in v, at edges? */
-    unsigned char smooth; /* sides that go over into others and are not drawn */
-    bool shows_isolines;
+    bat_strokes edges;    /* where the domain ends, but for sides that continue in others */
+    bat_strokes isolines; /* inside; in samples too after fit_picture */
 } bat_shaded_solid;
 
 /* How a stroke is drawn. */

@@ -10,17 +10,6 @@ static void set_sample(bat_light light, float colour[3])
     colour[2] = (float)light.blue;
 }
 
-/* Is this sample on an isoline? Lines are half a pixel to both sides. Edges are drawn as
- * strokes, for on the surface they would thin out where it turns edge on. */
-static bool is_on_line(const bat_shaded_solid *s, const bat_fragment *f, int direction)
-{
-    const int n = BAT_SAMPLE_LINE_U + direction;
-    const double place = f->value[n], line = round(place);
-    const bool is_edge = s->edges[direction] && (line <= 0 || line >= s->lines);
-    return s->shows_isolines && !is_edge &&
-           fabs(place - line) < 0.5 * BAT_SAMPLES * f->slope[n];
-}
-
 static void shade_solid(const void *user, const bat_fragment *f, float colour[3])
 {
     const bat_shaded_solid *s = user;
@@ -31,10 +20,8 @@ static void shade_solid(const void *user, const bat_fragment *f, float colour[3]
     for (int k = 0; k < 3; k++)
         n[k] = length > 0 ? n[k] / length : s->scene->eye[k];
 
-    const bat_light light =
-        bat_light_of_sample(s->scene, s->albedo, f->value[BAT_SAMPLE_CURVATURE], n);
-    const double ink = is_on_line(s, f, 0) || is_on_line(s, f, 1) ? 0.12 : 1;
-    set_sample((bat_light){ink * light.red, ink * light.green, ink * light.blue}, colour);
+    set_sample(bat_light_of_sample(s->scene, s->albedo, f->value[BAT_SAMPLE_CURVATURE], n),
+               colour);
 }
 
 static void shade_flat(const void *user, const bat_fragment *f, float colour[3])
@@ -50,13 +37,8 @@ static bat_corner corner(const bat_shaded_solid *s, size_t i, size_t j)
     const bat_tiles *t = &s->tiles;
     const size_t at = i * t->count_v + j;
     const double *p = t->points + 3 * at, *n = t->normals + 3 * at;
-    const double u = (t->u[i] - t->u[0]) / (t->u[t->count_u - 1] - t->u[0]);
-    const double v = (t->v[j] - t->v[0]) / (t->v[t->count_v - 1] - t->v[0]);
     return (bat_corner){
-        p[0],
-        p[1],
-        p[2],
-        {n[0], n[1], n[2], s->lines * u, s->lines * v, t->curvature ? t->curvature[at] : 0}};
+        p[0], p[1], p[2], {n[0], n[1], n[2], t->curvature ? t->curvature[at] : 0}};
 }
 
 /* Does the cell reach into the band? Most do not, and making corners costs more than asking. */
@@ -89,6 +71,9 @@ static void fill_segment(bat_raster *band, const double *from, const double *to,
                          double nearer, const bat_light *light)
 {
     double x = to[0] - from[0], y = to[1] - from[1];
+    if (bat_max(from[1], to[1]) + half < band->first_row ||
+        bat_min(from[1], to[1]) - half > band->first_row + band->rows)
+        return;
     const double length = bat_hypot(x, y);
     x = length > 0 ? half * x / length : half;
     y = length > 0 ? half * y / length : 0;
@@ -100,40 +85,30 @@ static void fill_segment(bat_raster *band, const double *from, const double *to,
     bat_raster_triangle(band, &c[0], &c[2], &c[3], shade_flat, light);
 }
 
-/* An edge of the grid: `count` points from `first` on, `step` apart. */
-static void fill_edge(bat_raster *band, const bat_shaded_solid *s, size_t first, size_t step,
-                      size_t count)
+/* Lines on a surface or mesh, `half` a width to both sides, in a dark shade of its colour. */
+static void fill_lines(bat_raster *band, const bat_strokes *lines, double half, double shade,
+                       bat_light albedo)
 {
-    const bat_light a = s->albedo, ink = {0.05 * a.red, 0.05 * a.green, 0.05 * a.blue};
-    const double half = 0.7 * BAT_SAMPLES, nearer = 2 * BAT_SAMPLES;
-    for (size_t k = 0; k + 1 < count; k++) {
-        const double *from = s->tiles.points + 3 * (first + k * step), *to = from + 3 * step;
-        fill_segment(band, from, to, half, nearer, &ink);
-    }
-}
-
-static void fill_edges(bat_raster *band, const bat_shaded_solid *s)
-{
-    const size_t m = s->tiles.count_u, n = s->tiles.count_v;
-    if (s->edges[0] && !(s->smooth & BAT_SIDE_U0))
-        fill_edge(band, s, 0, 1, n);
-    if (s->edges[0] && !(s->smooth & BAT_SIDE_U1))
-        fill_edge(band, s, (m - 1) * n, 1, n);
-    if (s->edges[1] && !(s->smooth & BAT_SIDE_V0))
-        fill_edge(band, s, 0, n, m);
-    if (s->edges[1] && !(s->smooth & BAT_SIDE_V1))
-        fill_edge(band, s, n - 1, n, m);
-}
-
-static void fill_mesh_lines(bat_raster *band, const bat_mesh_solid *m)
-{
-    const bat_light a = m->albedo, ink = {0.05 * a.red, 0.05 * a.green, 0.05 * a.blue};
-    const double half = 0.7 * BAT_SAMPLES, nearer = 2 * BAT_SAMPLES;
-    for (size_t i = 0; i < m->lines.count; i++) {
-        const bat_stroke *s = &m->lines.strokes[i];
+    const bat_light ink = {shade * albedo.red, shade * albedo.green, shade * albedo.blue};
+    const double nearer = 2 * BAT_SAMPLES;
+    for (size_t i = 0; i < lines->count; i++) {
+        const bat_stroke *s = &lines->strokes[i];
         for (size_t k = 0; k + 1 < s->count; k++)
             fill_segment(band, s->points + 3 * k, s->points + 3 * (k + 1), half, nearer, &ink);
     }
+}
+
+/* Isolines are a pixel wide, edges half as much again and darker. */
+static void fill_lines_of_all(bat_raster *band, const bat_shaded *p)
+{
+    const double thin = 0.5 * BAT_SAMPLES, strong = 0.7 * BAT_SAMPLES;
+    const double pale = 0.09, dark = 0.05;
+    for (int i = 0; i < p->solid_count; i++)
+        fill_lines(band, &p->solids[i].isolines, thin, pale, p->solids[i].albedo);
+    for (int i = 0; i < p->solid_count; i++)
+        fill_lines(band, &p->solids[i].edges, strong, dark, p->solids[i].albedo);
+    for (int i = 0; i < p->mesh_count; i++)
+        fill_lines(band, &p->meshes[i].lines, strong, dark, p->meshes[i].albedo);
 }
 
 /* A disc that faces the eye, before the surface by its radius: a point on it, or near it, is
@@ -208,10 +183,7 @@ batten_status bat_shaded_fill(const bat_shaded *p, bat_canvas *canvas)
             fill_solid(&band, &p->solids[i]);
         for (int i = 0; i < p->mesh_count; i++)
             bat_mesh_solid_fill(&band, &p->meshes[i]);
-        for (int i = 0; i < p->solid_count; i++)
-            fill_edges(&band, &p->solids[i]);
-        for (int i = 0; i < p->mesh_count; i++)
-            fill_mesh_lines(&band, &p->meshes[i]);
+        fill_lines_of_all(&band, p);
         fill_curves(&band, p);
         bat_raster_resolve(&band, pixels + (size_t)y * stride, stride);
         status = ask(p, (double)y / height);

@@ -38,8 +38,49 @@ static bat_colour colour_of(const batten_object *object, bat_colour otherwise)
     return (bat_colour){object->colour[0], object->colour[1], object->colour[2]};
 }
 
-static batten_status make_solid(bat_shaded *p, const batten_object *object, double size,
-                                bat_shaded_solid *out)
+/* The line at a fixed parameter, unless it is a pole. */
+static batten_status add_line(const batten_surface *surface, batten_direction direction,
+                              double at, double pixel, bat_strokes *lines)
+{
+    /* A thirtieth of a pixel turns by less than the eye sees; a thousandth is a point. */
+    bat_stroke stroke = {0, NULL};
+    const batten_status status =
+        bat_stroke_isoline_within(surface, direction, at, pixel / 30, &stroke);
+    if (status != BATTEN_OK)
+        return status;
+    if (!bat_stroke_is_point(&stroke, pixel / 1000))
+        return bat_strokes_add(lines, stroke);
+    bat_stroke_free(&stroke);
+    return BATTEN_OK;
+}
+
+/* The edges at both ends of a direction that is not closed, and the isolines between them; of one
+ * that is closed the seam is an isoline. */
+static batten_status add_lines(const bat_shaded *p, const batten_surface *surface,
+                               batten_direction direction, unsigned char smooth, double size,
+                               bat_shaded_solid *solid)
+{
+    static const unsigned char sides[2][2] = {{BAT_SIDE_U0, BAT_SIDE_U1},
+                                              {BAT_SIDE_V0, BAT_SIDE_V1}};
+    const batten_draw_options *o = p->options;
+    const double pixel = size / bat_max_int(o->width, o->height);
+    const batten_interval domain = batten_surface_domain(surface, direction);
+    /* Closed to the rounding of files. */
+    const bool closed = batten_surface_is_closed(surface, direction, 1e-9 * size);
+    const bool inside = o->shading == BATTEN_SHADING_ISOLINES;
+    batten_status status = BATTEN_OK;
+    for (int k = 0; k < 2 && !closed && status == BATTEN_OK; k++)
+        if (!(smooth & sides[direction == BATTEN_V][k]))
+            status =
+                add_line(surface, direction, k ? domain.b : domain.a, pixel, &solid->edges);
+    for (int k = closed ? 0 : 1; inside && k < o->isolines && status == BATTEN_OK; k++)
+        status =
+            add_line(surface, direction, domain.a + (domain.b - domain.a) * k / o->isolines,
+                     pixel, &solid->isolines);
+    return status;
+}
+
+static batten_status make_solid(bat_shaded *p, int object, double size, bat_shaded_solid *out)
 {
     const batten_draw_options *o = p->options;
     /* A fifth of a pixel, if the shape filled the picture. Colours of curvature and mirror
@@ -48,19 +89,16 @@ static batten_status make_solid(bat_shaded *p, const batten_object *object, doub
     const bool finer = curvature != BAT_CURVATURE_NONE || bat_has_stripes(o->shading);
     const double tolerance = (finer ? 0.02 : 0.2) * size / bat_max_int(o->width, o->height);
     const int least = finer ? 16 : 4;
-    const batten_surface *s = object->surface;
-    bat_shaded_solid made = {.scene = &p->scene, .lines = o->isolines};
-    const batten_status status =
-        bat_tiles_make(s, tolerance, least, (size_t)(point_limit / p->solid_count), curvature,
-                       p->job, &made.tiles);
-    if (status != BATTEN_OK)
-        return status;
-    /* Closed to the rounding of files. */
-    made.edges[0] = !batten_surface_is_closed(s, BATTEN_U, 1e-9 * size);
-    made.edges[1] = !batten_surface_is_closed(s, BATTEN_V, 1e-9 * size);
-    made.shows_isolines = o->shading == BATTEN_SHADING_ISOLINES;
-    *out = made;
-    return BATTEN_OK;
+    const batten_object *shown = batten_model_object(p->model, object);
+    out->scene = &p->scene;
+    out->albedo = bat_light_of(colour_of(shown, soft));
+    batten_status status =
+        bat_tiles_make(shown->surface, tolerance, least, (size_t)(point_limit / p->solid_count),
+                       curvature, p->job, &out->tiles);
+    for (int d = 0; d < 2 && status == BATTEN_OK; d++)
+        status =
+            add_lines(p, shown->surface, d ? BATTEN_V : BATTEN_U, p->smooth[object], size, out);
+    return status;
 }
 
 static batten_status gather_solids(bat_shaded *p, double size)
@@ -72,12 +110,8 @@ static batten_status gather_solids(bat_shaded *p, double size)
     int count = 0;
     batten_status status = BATTEN_OK;
     for (int i = 0; i < batten_model_count(p->model) && status == BATTEN_OK; i++) {
-        const batten_object *object = batten_model_object(p->model, i);
-        if (!is_surface(object))
-            continue;
-        status = make_solid(p, object, size, &p->solids[count]);
-        p->solids[count].smooth = p->smooth[i];
-        p->solids[count++].albedo = bat_light_of(colour_of(object, soft));
+        if (is_surface(batten_model_object(p->model, i)))
+            status = make_solid(p, i, size, &p->solids[count++]);
     }
     return status;
 }

@@ -88,7 +88,7 @@ TEST(the_nearer_triangle_wins_whatever_the_order)
     bat_raster_free(&raster);
 }
 
-TEST(values_run_linearly_and_their_slope_is_known)
+TEST(values_run_linearly)
 {
     bat_raster raster;
     CHECK_OK(bat_raster_make(WIDTH, HEIGHT, &raster));
@@ -98,24 +98,6 @@ TEST(values_run_linearly_and_their_slope_is_known)
         for (int i = 0; i < 100 - 1 - j && i < WIDTH; i++)
             CHECK_NEAR(raster.colour[3 * (j * WIDTH + i)], 0.01 * (i + 0.5) + 0.02 * (j + 0.5),
                        1e-6);
-    bat_raster_free(&raster);
-}
-
-static void keep_slope(const void *user, const bat_fragment *fragment, float colour[3])
-{
-    (void)colour;
-    *(double *)(uintptr_t)user = fragment->slope[0];
-}
-
-TEST(the_slope_is_the_length_of_the_gradient)
-{
-    bat_raster raster;
-    CHECK_OK(bat_raster_make(WIDTH, HEIGHT, &raster));
-    bat_raster_begin(&raster, 0, HEIGHT, black, black);
-    const bat_corner a = at(0, 0, 0, 0), b = at(100, 0, 0, 3), c = at(0, 100, 0, 4);
-    double slope = 0;
-    bat_raster_triangle(&raster, &a, &b, &c, keep_slope, &slope);
-    CHECK_NEAR(slope, 0.05, 1e-15);
     bat_raster_free(&raster);
 }
 
