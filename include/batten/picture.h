@@ -65,7 +65,8 @@ typedef enum batten_shading {
 typedef struct batten_draw_options {
     size_t size;
     batten_picture_format format; /**< PNG; shaded pictures can be nothing else */
-    int width, height; /**< pixels, or points of 1/72 inch, 64..16384; 1200 x 800. A lines
+    int width, height; /**< pixels, or points of 1/72 inch, 64..16384; 1200 x 0. The height 0
+                            follows the shape: from a quarter of the width to all of it. A lines
                             plan looks best on 1684 x 1191 (A2) or 1191 x 842 (A3) */
     const char *title; /**< "" */
     batten_view view;

@@ -8,7 +8,7 @@ batten_draw_options batten_draw_defaults(void)
         .size = sizeof(batten_draw_options),
         .format = BATTEN_PICTURE_PNG,
         .width = 1200,
-        .height = 800,
+        .height = 0,
         .title = "",
         .view = BATTEN_VIEW_AUTO,
         /* From ahead of the bow, to port, a little above: both bows show, and little of the

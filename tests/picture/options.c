@@ -30,7 +30,7 @@ TEST(defaults_are_those_of_the_header)
     const double degree = acos(-1) / 180;
     CHECK_INT(o.format, BATTEN_PICTURE_PNG);
     CHECK_INT(o.width, 1200);
-    CHECK_INT(o.height, 800);
+    CHECK_INT(o.height, 0);
     CHECK_TEXT(o.title, "");
     CHECK_INT(o.view, BATTEN_VIEW_AUTO);
     CHECK_NEAR(o.azimuth, 28 * degree, 1e-15);

@@ -16,8 +16,7 @@ static const batten_parameter parameters[] = {
      "show the curvature of the curves"},
     {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "above the picture"},
     {"width", BATTEN_VALUE_COUNT, false, false, "1600", NULL, "pixels, or points of 1/72 inch"},
-    {"height", BATTEN_VALUE_COUNT, false, false, "1100", NULL,
-     "pixels, or points of 1/72 inch"},
+    {"height", BATTEN_VALUE_COUNT, false, false, "0", NULL, "0: follows the shape"},
 };
 
 /* What the curves of one feature add up to. */

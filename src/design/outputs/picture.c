@@ -39,7 +39,7 @@ static const batten_parameter parameters[] = {
     {"stereo-angle", BATTEN_VALUE_ANGLE, false, false, "5 deg", NULL, "between both eyes"},
     {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "above the picture"},
     {"width", BATTEN_VALUE_COUNT, false, false, "1200", NULL, "pixels, or points of 1/72 inch"},
-    {"height", BATTEN_VALUE_COUNT, false, false, "800", NULL, "pixels, or points of 1/72 inch"},
+    {"height", BATTEN_VALUE_COUNT, false, false, "0", NULL, "0: follows the shape"},
 };
 
 /* What line drawings of surfaces have beyond others. */

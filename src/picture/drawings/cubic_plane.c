@@ -1,6 +1,7 @@
 /* The map of all cubic spans with the same ends and end tangents, and marks for given ones. */
 #include "picture/drawings/cubic_names.h"
 #include "picture/sheet/sheet.h"
+#include "picture/sheet/size.h"
 #include <batten/invariants.h>
 
 #include <stdio.h>
@@ -361,9 +362,10 @@ batten_status batten_draw_cubic_plane(const batten_model *model,
     options = &picture;
     if (status != BATTEN_OK)
         return status;
+    bat_size_take_share(&picture, 1);
     bat_canvas canvas;
     bat_cubic_drawing d = {.plane = &chosen, .canvas = &canvas};
-    const double em = bat_max(5, 0.0165 * bat_min_int(options->width, options->height));
+    const double em = bat_size_em(options);
     status = check_plane(d.plane);
     d.low = d.plane->low;
     d.high = d.plane->high;

@@ -2,6 +2,7 @@
 #include "picture/drawings/drawing.h"
 #include "picture/sheet/axes.h"
 #include "picture/sheet/flat.h"
+#include "picture/sheet/size.h"
 
 /* ---- drawing ---- */
 
@@ -196,41 +197,60 @@ static void fill_legend(const bat_drawing *d, double em, bat_legend *legend)
                        "curvature comb: 1/%s is %s %s long", unit_of(d), length, unit_of(d));
 }
 
-/* The plot takes what title, legend and numbers leave. */
-static void place_plot(bat_canvas *canvas, bat_drawing *d, double legend)
+/* The plot takes what title, legend and numbers leave; returns the height of the picture, which
+ * follows it unless one was asked for. */
+static int place_plot(bat_canvas *canvas, bat_drawing *d, double legend)
 {
     const double em = canvas->em, top = *d->options->title ? 3 * em : em;
-    double left = em, bottom = legend + em;
+    const double range[2] = {d->high[0] - d->low[0], d->high[1] - d->low[1]};
     const bool grid = d->kind != BATTEN_VIEW_AXONOMETRIC;
-    if (grid)
-        bottom += 2.4 * em;
+    const double bottom = legend + em + (grid ? 2.4 * em : 0);
+    double left = em;
+    int height = 0;
     for (int pass = 0; pass < 2; pass++) {
         /* The numbers depend a little on the scale, and the scale on the room they leave. */
         if (grid)
             left = (pass == 0 ? 4 * em : bat_plot_numbers_width(canvas, &d->plot)) + 2.4 * em;
-        const bat_rectangle frame = {left, top, bat_max(canvas->width - left - em, em),
-                                     bat_max(canvas->height - top - bottom, em)};
+        const double wide = bat_max(canvas->width - left - em, em);
+        height = bat_size_height(d->options, wide, range, top + bottom);
+        const bat_rectangle frame = {left, top, wide, bat_max(height - top - bottom, em)};
         d->plot = bat_plot_fit(frame, d->low, d->high);
     }
+    return height;
+}
+
+/* The plot on a sheet whose height is not known before: a small one measures the letters. */
+static batten_status lay_out(bat_drawing *d, double em, bat_legend *legend, int *height)
+{
+    const batten_draw_options *o = d->options;
+    bat_canvas canvas;
+    const batten_status status =
+        bat_canvas_begin(BATTEN_PICTURE_PNG, o->width, BAT_LEAST_SIZE, em, "", &canvas);
+    if (status != BATTEN_OK)
+        return status;
+    fill_legend(d, em, legend);
+    *height = place_plot(&canvas, d, bat_legend_height(&canvas, legend, canvas.width - 4 * em));
+    legend->count = 0; /* again, for only now it is known how close the points stand */
+    fill_legend(d, em, legend);
+    bat_canvas_end(&canvas);
+    return BATTEN_OK;
 }
 
 static batten_status draw_picture(bat_drawing *d, char **data, size_t *size)
 {
     const batten_draw_options *o = d->options;
     bat_canvas canvas;
-    const double em = bat_max(5, 0.0165 * bat_min_int(o->width, o->height));
-    batten_status status =
-        bat_canvas_begin(o->format, o->width, o->height, em, o->title, &canvas);
+    bat_legend legend = {0};
+    int tall = 0;
+    const double em = bat_size_em(o);
+    batten_status status = lay_out(d, em, &legend, &tall);
+    if (status == BATTEN_OK)
+        status = bat_canvas_begin(o->format, o->width, tall, em, o->title, &canvas);
     if (status != BATTEN_OK)
         return status;
 
-    bat_legend legend = {0};
-    fill_legend(d, em, &legend);
     const double width = canvas.width - 4 * em;
     const double height = bat_legend_height(&canvas, &legend, width);
-    place_plot(&canvas, d, height);
-    legend.count = 0; /* again, for only now it is known how close the points stand */
-    fill_legend(d, em, &legend);
     bat_canvas_bold(&canvas, bat_ink, 1.25 * em, BAT_MIDDLE, 0.5 * canvas.width, 1.6 * em,
                     o->title);
     bat_axes_draw(&canvas, &d->plot, &d->view, d->kind, unit_of(d));
@@ -285,7 +305,7 @@ batten_status batten_draw(const batten_model *model, const batten_draw_options *
     options = &chosen;
     bat_drawing d = {.options = options};
     batten_model *flat = NULL;
-    status = bat_canvas_check_size(options->width, options->height);
+    status = bat_size_check(options);
     if (status == BATTEN_OK)
         status = bat_picture_model(model, options, NULL, &flat);
     d.model = flat;

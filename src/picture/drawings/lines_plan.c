@@ -1,6 +1,7 @@
 /* The lines plan: body plan, profile and half-breadth plan on one sheet. */
 #include "picture/drawings/lines_plan.h"
 
+#include "picture/sheet/size.h"
 #include <stdio.h>
 
 static const bat_pen grid_pen = {{0.72, 0.75, 0.78}, 0.5, BAT_SOLID};
@@ -307,6 +308,7 @@ batten_status batten_draw_lines_plan(const batten_model *model,
     if (status != BATTEN_OK)
         return status;
     plan = &chosen;
+    bat_size_take_share(&picture, sqrt(0.5)); /* as paper of DIN */
     bat_canvas canvas;
     const double em = bat_max(4, 0.0102 * bat_min_int(options->width, options->height));
     status = bat_canvas_begin(options->format, options->width, options->height, em,

@@ -1,5 +1,6 @@
 /* Several drawings on one sheet, at one scale. */
 #include "picture/drawings/drawing.h"
+#include "picture/sheet/size.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -173,14 +174,20 @@ static batten_status draw(sheet *s, char **data, size_t *size)
 {
     const batten_draw_options *o = s->options;
     bat_canvas canvas;
-    const double em = bat_max(5, 0.0135 * bat_min_int(o->width, o->height));
+    const double em =
+        bat_max(5, 0.82 * bat_size_em(o)); /* several panels want smaller letters */
+    const double top = *o->title ? 3 * em : em, width = o->width - 2 * em;
+    const double below = (2.2 + 1.3 * s->lines) * em;
+    choose_columns(s, width, (o->height ? o->height : 2.0 / 3 * o->width) - top - em, below);
+    const double range[2] = {s->columns * (s->high[0] - s->low[0]),
+                             s->rows * (s->high[1] - s->low[1])};
+    const int tall =
+        bat_size_height(o, width - s->columns * em, range, top + em + s->rows * below);
     const batten_status status =
-        bat_canvas_begin(o->format, o->width, o->height, em, o->title, &canvas);
+        bat_canvas_begin(o->format, o->width, tall, em, o->title, &canvas);
     if (status != BATTEN_OK)
         return status;
-    const double top = *o->title ? 3 * em : em;
-    const double width = canvas.width - 2 * em, height = canvas.height - top - em;
-    choose_columns(s, width, height, (2.2 + 1.3 * s->lines) * em);
+    const double height = canvas.height - top - em;
     bat_canvas_bold(&canvas, bat_ink, 1.25 * em, BAT_MIDDLE, 0.5 * canvas.width, 1.6 * em,
                     o->title);
     for (int i = 0; i < s->count; i++)

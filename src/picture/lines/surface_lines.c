@@ -214,8 +214,8 @@ static void write_around(bat_canvas *canvas, const bat_looks_drawing *d)
     for (int i = 0; i < d->look_count; i++) {
         const bat_look *l = &d->looks[i];
         const bat_rectangle f = l->plot.frame;
-        bat_canvas_text(canvas, bat_grey, 0.85 * d->em, BAT_LEFT, f.x, f.y - 0.6 * d->em,
-                        l->title);
+        bat_canvas_text(canvas, bat_grey, 0.85 * d->em, BAT_MIDDLE, f.x + 0.5 * f.width,
+                        f.y - 0.6 * d->em, l->title);
         if (l->kind == BATTEN_VIEW_AXONOMETRIC || l->kind == BATTEN_VIEW_ISOMETRIC)
             bat_axes_draw(canvas, &l->plot, &l->eye.view, l->kind, unit_of(d));
     }
@@ -226,7 +226,7 @@ static batten_status make_sheet(bat_looks_drawing *d, char **data, size_t *size)
     const batten_draw_options *o = d->options;
     bat_canvas canvas;
     batten_status status =
-        bat_canvas_begin(o->format, o->width, o->height, d->em, o->title, &canvas);
+        bat_canvas_begin(o->format, o->width, d->height, d->em, o->title, &canvas);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i < d->look_count && status == BATTEN_OK; i++)
@@ -254,7 +254,7 @@ static batten_status check_options(const batten_draw_options *o)
         return bat_fail(BATTEN_BAD_ARGUMENT, "contours cannot be %g apart", o->contour_spacing);
     if (!(o->distance >= 0) || !isfinite(o->distance))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the eye cannot be %g away", o->distance);
-    return bat_canvas_check_size(o->width, o->height);
+    return bat_size_check(o);
 }
 
 static batten_status prepare(bat_looks_drawing *d)
@@ -268,7 +268,7 @@ static batten_status prepare(bat_looks_drawing *d)
     if (status != BATTEN_OK)
         return status;
     /* The box is larger than what is in it, at most by the half: so the final scale is. */
-    bat_looks_place(d, bat_looks_stage(d));
+    bat_looks_place(d);
     double scale = 0;
     for (int i = 0; i < d->look_count; i++)
         scale = bat_max(scale, 1.5 * d->looks[i].plot.scale);
@@ -284,7 +284,7 @@ static batten_status prepare(bat_looks_drawing *d)
             return status;
         bat_looks_measure_lines(d, &d->looks[i]);
     }
-    bat_looks_place(d, bat_looks_stage(d));
+    bat_looks_place(d);
     return BATTEN_OK;
 }
 
@@ -297,10 +297,9 @@ batten_status batten_draw_surface_lines(const batten_model *model,
     if (status != BATTEN_OK)
         return status;
     options = &chosen;
-    bat_looks_drawing d = {
-        .options = options,
-        .wires = {.options = options, .job = job},
-        .em = bat_max(5, 0.0165 * bat_min_int(options->width, options->height))};
+    bat_looks_drawing d = {.options = options,
+                           .wires = {.options = options, .job = job},
+                           .em = bat_size_em(options)};
     batten_model *flat = NULL, *patches = NULL; /* triangles as surfaces with a pole */
     status = check_options(options);
     if (status == BATTEN_OK)

@@ -31,7 +31,7 @@ void bat_looks_choose(bat_looks_drawing *d)
         d->looks[d->look_count++] = look_from(d, BATTEN_VIEW_TOP, 0, "top");
         d->looks[d->look_count++] =
             look_from(d, o->view == BATTEN_VIEW_ISOMETRIC ? o->view : BATTEN_VIEW_AXONOMETRIC,
-                      o->azimuth, "");
+                      o->azimuth, "axonometric");
         break;
     case BATTEN_SHEET_STEREO_PARALLEL:
     case BATTEN_SHEET_STEREO_CROSSED:
@@ -121,7 +121,7 @@ static void place_three(bat_looks_drawing *d, bat_rectangle all)
     }
 }
 
-void bat_looks_place(bat_looks_drawing *d, bat_rectangle all)
+static void place_looks(bat_looks_drawing *d, bat_rectangle all)
 {
     if (d->look_count == 4) {
         place_three(d, all);
@@ -135,11 +135,42 @@ void bat_looks_place(bat_looks_drawing *d, bat_rectangle all)
                          d->looks[i].low, d->looks[i].high);
 }
 
-bat_rectangle bat_looks_stage(const bat_looks_drawing *d)
+static double above(const bat_looks_drawing *d)
+{
+    const double views = d->look_count == BAT_MOST_VIEWS ? 1 : 0; /* their names */
+    return (*d->options->title ? 3.5 + views : 1.5 + views) * d->em;
+}
+
+/* What title and legend take of the height. */
+static double around(const bat_looks_drawing *d)
+{
+    return above(d) + (d->options->contours ? 3.5 * d->em : 1.5 * d->em);
+}
+
+/* The size of all looks side by side, model units, without the gaps between them. */
+static void range_of_all(const bat_looks_drawing *d, double range[2])
+{
+    const bat_look *l = d->looks;
+    const double first[2] = {l[0].high[0] - l[0].low[0], l[0].high[1] - l[0].low[1]};
+    range[0] = d->look_count * first[0];
+    range[1] = first[1];
+    for (int i = 1; d->look_count < 4 && i < d->look_count; i++)
+        range[1] = bat_max(range[1], l[i].high[1] - l[i].low[1]);
+    if (d->look_count < 4)
+        return;
+    range[0] = bat_max(first[0], l[2].high[0] - l[2].low[0]) + l[1].high[0] - l[1].low[0];
+    range[1] = bat_max(first[1], l[1].high[1] - l[1].low[1]) + l[2].high[1] - l[2].low[1];
+}
+
+void bat_looks_place(bat_looks_drawing *d)
 {
     const batten_draw_options *o = d->options;
-    const double em = d->em, top = *o->title ? 3.5 * em : 1.5 * em;
-    const double bottom = o->contours ? 3.5 * em : 1.5 * em;
-    return (bat_rectangle){2 * em, top, bat_max(o->width - 4 * em, 8),
-                           bat_max(o->height - top - bottom, 8)};
+    const double em = d->em, wide = bat_max(o->width - 4 * em, 8);
+    const double gap = d->look_count == 1 ? 0 : d->look_count == 4 ? 3 * em : 2 * em;
+    double range[2];
+    range_of_all(d, range);
+    const int height =
+        bat_size_height(o, wide - gap, range, around(d) + (d->look_count == 4 ? gap : 0));
+    d->height = height;
+    place_looks(d, (bat_rectangle){2 * em, above(d), wide, bat_max(height - around(d), 8)});
 }

@@ -3,6 +3,7 @@
 #define BAT_PICTURE_LINES_SURFACE_LOOKS_H
 #include "picture/lines/wires.h"
 #include "picture/sheet/axes.h"
+#include "picture/sheet/size.h"
 
 enum { BAT_MOST_VIEWS = 4 };
 
@@ -21,6 +22,7 @@ typedef struct {
     int look_count;
     bat_look looks[BAT_MOST_VIEWS];
     double em;
+    int height; /* of the sheet, after bat_looks_place */
 } bat_looks_drawing;
 
 void bat_looks_choose(bat_looks_drawing *d);
@@ -28,7 +30,7 @@ void bat_looks_choose(bat_looks_drawing *d);
 void bat_looks_measure_lines(const bat_looks_drawing *d, bat_look *l);
 /* What a look shows: the corners of the box. Fails where one is behind the eye. */
 batten_status bat_look_measure(const bat_looks_drawing *d, bat_look *l);
-void bat_looks_place(bat_looks_drawing *d, bat_rectangle all);
-bat_rectangle bat_looks_stage(const bat_looks_drawing *d);
+/* Place the looks on the sheet, whose height follows them where none was asked for. */
+void bat_looks_place(bat_looks_drawing *d);
 
 #endif

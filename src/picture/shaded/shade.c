@@ -108,16 +108,26 @@ static void move_points(void *user, size_t count, double *points)
     }
 }
 
+static double above(const bat_shaded *p)
+{
+    return *p->options->title ? 4 * p->em : 2 * p->em;
+}
+
+/* What title and legend take of the height. */
+static double around(const bat_shaded *p)
+{
+    return above(p) + (bat_has_stripes(p->options->shading) ? 3.5 * p->em : 2 * p->em);
+}
+
 /* The part of the picture that title and legend leave to the shape. */
 static bat_rectangle stage(const bat_shaded *p)
 {
     const batten_draw_options *o = p->options;
-    const double em = p->em, top = *o->title ? 4 * em : 2 * em;
+    const double em = p->em;
     const double right =
         bat_curvature_of_shading(o->shading) != BAT_CURVATURE_NONE ? 9 * em : 2 * em;
-    const double bottom = bat_has_stripes(o->shading) ? 3.5 * em : 2 * em;
-    return (bat_rectangle){2 * em, top, bat_max(o->width - 2 * em - right, 8),
-                           bat_max(o->height - top - bottom, 8)};
+    return (bat_rectangle){2 * em, above(p), bat_max(o->width - 2 * em - right, 8),
+                           bat_max(o->height - around(p), 8)};
 }
 
 typedef void change_points(void *user, size_t count, double *points);
@@ -147,7 +157,11 @@ static batten_status fit_picture(bat_shaded *p)
 {
     projection seen = {&p->view, {HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
     change_all(p, project_points, &seen);
-    bat_plot plot = bat_plot_fit(stage(p), seen.low, seen.high);
+    const double range[2] = {seen.high[0] - seen.low[0], seen.high[1] - seen.low[1]};
+    bat_rectangle at = stage(p);
+    p->options->height = bat_size_height(p->options, at.width, range, around(p));
+    at = stage(p);
+    bat_plot plot = bat_plot_fit(at, seen.low, seen.high);
     if (!isfinite(plot.x0) || !isfinite(plot.y0) || !(plot.scale > 0))
         return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw",
                         seen.low[0], seen.high[0]);
@@ -237,7 +251,7 @@ static batten_status check_options(const batten_draw_options *o)
     if (!isfinite(o->azimuth) || !isfinite(o->elevation))
         return bat_fail(BATTEN_NOT_FINITE, "azimuth %g and elevation %g must be finite",
                         o->azimuth, o->elevation);
-    return bat_canvas_check_size(o->width, o->height);
+    return bat_size_check(o);
 }
 
 static batten_status prepare(bat_shaded *p)
@@ -255,7 +269,7 @@ static batten_status prepare(bat_shaded *p)
     if (!isfinite(size))
         return bat_fail(BATTEN_OVERFLOW, "coordinates up to %g are too large to draw",
                         box.high.x);
-    p->em = bat_max(5, 0.0165 * bat_min_int(o->width, o->height));
+    p->em = bat_size_em(o);
     p->view = bat_view_make(o->view, o->azimuth, o->elevation);
     p->scene = bat_scene_make(o->shading, &p->view, longest_axis(&box), o->stripes);
 
@@ -288,12 +302,11 @@ batten_status batten_draw_shaded(const batten_model *model, const batten_draw_op
     batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    options = &chosen;
-    bat_shaded p = {.options = options, .job = job};
+    bat_shaded p = {.options = &chosen, .job = job};
     batten_model *flat = NULL, *patches = NULL;
-    status = check_options(options);
+    status = check_options(&chosen);
     if (status == BATTEN_OK)
-        status = bat_picture_model(model, options, job, &flat);
+        status = bat_picture_model(model, &chosen, job, &flat);
     if (status == BATTEN_OK)
         status = batten_model_with_patches(flat, BATTEN_PATCHES_POLE, &patches);
     p.model = patches;

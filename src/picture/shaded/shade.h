@@ -10,6 +10,7 @@
 #include "picture/shaded/smooth_edges.h"
 #include "picture/sheet/flat.h"
 #include "picture/sheet/sheet.h"
+#include "picture/sheet/size.h"
 
 /* What each sample of a surface carries. */
 enum { BAT_SAMPLE_NORMAL = 0, BAT_SAMPLE_CURVATURE = 3 };
@@ -31,8 +32,8 @@ typedef struct {
 
 typedef struct {
     const batten_model *model;
-    unsigned char *smooth; /* [count of the model], see smooth_edges.h */
-    const batten_draw_options *options;
+    unsigned char *smooth;        /* [count of the model], see smooth_edges.h */
+    batten_draw_options *options; /* their height is known after fit_picture */
     const batten_job *job;
     bat_view view;
     bat_scene scene;

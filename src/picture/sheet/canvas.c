@@ -6,8 +6,6 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Between a postage stamp and what cairo's images hold with room for their bytes. */
-enum { LEAST_SIZE = 64, LARGEST_SIZE = 16384 };
 /* Longer texts are cut, with dots at the end. */
 enum { LONGEST_TEXT = 256 };
 
@@ -21,14 +19,14 @@ static cairo_status_t append(void *closure, const unsigned char *data, unsigned 
 batten_status bat_canvas_check_size(int width, int height)
 {
     const int smaller = bat_min_int(width, height), larger = bat_max_int(width, height);
-    if (smaller < LEAST_SIZE)
+    if (smaller < BAT_LEAST_SIZE)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "a picture of %d x %d is too small; each side needs at least %d", width,
-                        height, LEAST_SIZE);
-    if (larger > LARGEST_SIZE)
+                        height, BAT_LEAST_SIZE);
+    if (larger > BAT_LARGEST_SIZE)
         return bat_fail(BATTEN_TOO_LARGE,
                         "a picture of %d x %d is too large; a side may have %d", width, height,
-                        LARGEST_SIZE);
+                        BAT_LARGEST_SIZE);
     return BATTEN_OK;
 }
 

@@ -42,6 +42,8 @@ typedef struct {
     batten_status status;
 } bat_canvas;
 
+/* Between a postage stamp and what cairo's images hold with room for their bytes. */
+enum { BAT_LEAST_SIZE = 64, BAT_LARGEST_SIZE = 16384 };
 /* BAD_ARGUMENT or TOO_LARGE for sizes that cannot be. */
 batten_status bat_canvas_check_size(int width, int height);
 /* A white sheet. `em` is the size of its text. */

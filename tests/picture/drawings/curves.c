@@ -1,5 +1,12 @@
 #include "picture/scenes.h"
 
+static batten_draw_options usual(void)
+{
+    batten_draw_options options = batten_draw_defaults();
+    options.height = 800;
+    return options;
+}
+
 static scene_words words_of(const batten_model *model, batten_draw_options options)
 {
     char *data = NULL;
@@ -46,7 +53,7 @@ static extent red_extent(const scene_image *image, int green)
 TEST(an_empty_model_is_refused)
 {
     batten_model *model = scene_empty();
-    const batten_draw_options options = batten_draw_defaults();
+    const batten_draw_options options = usual();
     char *data = NULL;
     size_t size = 0;
     CHECK_STATUS(batten_draw(model, &options, &data, &size), BATTEN_BAD_ARGUMENT);
@@ -59,7 +66,7 @@ TEST(a_circle_is_round_on_paper)
 {
     batten_model *model = scene_empty();
     scene_add_curve(model, "circle", scene_circle(3));
-    const scene_image image = image_of(model, batten_draw_defaults());
+    const scene_image image = image_of(model, usual());
     const extent e = red_extent(&image, 60);
     CHECK(e.right - e.left > 500);
     CHECK_NEAR(e.right - e.left, e.bottom - e.top, 1);
@@ -71,7 +78,7 @@ TEST(the_longest_tooth_is_a_tenth_of_what_is_drawn)
     /* All teeth of a circle are equal and stand outside: its diameter grows by a fifth. */
     batten_model *model = scene_empty();
     scene_add_curve(model, "circle", scene_circle(3));
-    batten_draw_options options = batten_draw_defaults();
+    batten_draw_options options = usual();
     options.comb = true;
     const scene_image image = image_of(model, options);
     const extent curve = red_extent(&image, 60), comb = red_extent(&image, 130);
@@ -89,7 +96,7 @@ TEST(the_legend_names_curves_and_their_sharpest_curvature)
 {
     batten_model *model = scene_empty();
     scene_add_curve(model, "Rundspant", scene_circle(4));
-    batten_draw_options options = batten_draw_defaults();
+    batten_draw_options options = usual();
     options.comb = options.control_polygon = true;
     options.title = "Spanten";
     const scene_words words = words_of(model, options);
@@ -97,7 +104,7 @@ TEST(the_legend_names_curves_and_their_sharpest_curvature)
                                            "Spanten",    "x",    "y",       "(m)"};
     for (int i = 0; i < COUNT(expected); i++)
         CHECK(scene_find(&words, expected[i]) != NULL);
-    scene_check_words(&words, options.width, options.height);
+    scene_check_words(&words, options.width, 800);
     batten_model_unref(model);
 }
 
@@ -113,7 +120,7 @@ TEST(the_view_is_the_plane_in_which_all_lies)
     for (int i = 0; i < COUNT(rows); i++) {
         batten_model *model = scene_empty();
         scene_add_curve(model, "line", scene_curve(3, 1, 2, rows[i].points));
-        const scene_words words = words_of(model, batten_draw_defaults());
+        const scene_words words = words_of(model, usual());
         CHECK(scene_find(&words, rows[i].right) != NULL);
         CHECK(scene_find(&words, rows[i].up) != NULL);
         /* Only the last one needs all three. */
@@ -130,7 +137,7 @@ TEST(grid_numbers_are_round_and_do_not_overlap)
         batten_model *model = scene_empty();
         const double points[] = {places[i], places[i], places[i] + 7, places[i] + 4};
         scene_add_curve(model, "line", scene_curve(2, 1, 2, points));
-        const scene_words words = words_of(model, batten_draw_defaults());
+        const scene_words words = words_of(model, usual());
         scene_check_words(&words, 1200, 800);
         CHECK(words.count > 8);
         batten_model_unref(model);
@@ -146,7 +153,7 @@ TEST(many_curves_are_named_where_they_end)
         const double points[] = {0, i, 10, i + 0.2};
         scene_add_curve(model, name, scene_curve(2, 1, 2, points));
     }
-    const scene_words words = words_of(model, batten_draw_defaults());
+    const scene_words words = words_of(model, usual());
     CHECK(scene_find(&words, "frame0") != NULL);
     CHECK(scene_find(&words, "frame11") != NULL);
     scene_check_words(&words, 1200, 800);
@@ -174,7 +181,7 @@ static int mark_ink(int count)
                                   .points = points};
     CHECK_OK(batten_model_add(model, &object));
     batten_curve_unref(curve);
-    batten_draw_options options = batten_draw_defaults();
+    batten_draw_options options = usual();
     options.data_points = true;
     const scene_image image = image_of(model, options);
     int ink = 0;
@@ -232,7 +239,7 @@ static batten_model *everything(void)
 TEST(every_kind_of_object_is_drawn_the_same_twice_without_nan)
 {
     batten_model *model = everything();
-    batten_draw_options options = batten_draw_defaults();
+    batten_draw_options options = usual();
     options.comb = options.control_polygon = options.data_points = true;
     for (int format = BATTEN_PICTURE_PNG; format <= BATTEN_PICTURE_PDF; format++) {
         options.format = format;
@@ -262,7 +269,7 @@ TEST(N2_single_points_and_far_coordinates_are_drawn_or_refused)
                                       .point_count = 2,
                                       .points = points};
         CHECK_OK(batten_model_add(model, &object));
-        batten_draw_options options = batten_draw_defaults();
+        batten_draw_options options = usual();
         options.format = BATTEN_PICTURE_SVG;
         char *data = NULL;
         size_t size = 0;
@@ -288,7 +295,7 @@ TEST(G4_a_curve_with_a_cusp_is_drawn)
     const double points[] = {0, 0, 1, 1, 1, 1, 1, 1, 2, 0};
     batten_model *model = scene_empty();
     scene_add_curve(model, "cusp", scene_curve(2, 3, 5, points));
-    batten_draw_options options = batten_draw_defaults();
+    batten_draw_options options = usual();
     options.comb = true;
     options.format = BATTEN_PICTURE_SVG;
     char *data = NULL;
@@ -302,8 +309,8 @@ TEST(G4_a_curve_with_a_cusp_is_drawn)
 TEST(options_that_make_no_sense_are_refused)
 {
     batten_model *model = everything();
-    const batten_draw_options usual = batten_draw_defaults();
-    batten_draw_options rows[] = {usual, usual, usual, usual, usual};
+    const batten_draw_options base = usual();
+    batten_draw_options rows[] = {base, base, base, base, base};
     rows[0].width = 0;
     rows[1].isolines = 0;
     rows[2].isolines = 1 << 30;

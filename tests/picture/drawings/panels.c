@@ -34,6 +34,7 @@ TEST(panels_have_their_titles_and_lines_on_the_sheet)
     options.format = BATTEN_PICTURE_PDF;
     options.comb = true;
     options.title = "both";
+    options.height = 800;
     CHECK_OK(batten_draw_panels(2, panels, &options, &data, &size));
     char *copy = test_array(size, 1);
     memcpy(copy, data, size);
@@ -41,7 +42,7 @@ TEST(panels_have_their_titles_and_lines_on_the_sheet)
     batten_model_unref(low);
     batten_model_unref(high);
     const scene_words words = scene_read_pdf(copy, size);
-    scene_check_words(&words, options.width, options.height);
+    scene_check_words(&words, options.width, 800);
     const char *const wanted[] = {"both", "first", "second", "energy", "length"};
     for (int i = 0; i < COUNT(wanted); i++)
         CHECK(scene_find(&words, wanted[i]) != NULL);
