@@ -2,7 +2,7 @@
 #define BATTEN_APPROXIMATE_H
 /**
  * @file
- * Curves near points: least squares, smoothing, fits within a bound.
+ * Curves near points: least squares, smoothing, fits within a bound, aerofoil sections.
  *
  * Points are [count][dimension], dimension 1 to 3; dimension 1 is a function of its parameter.
  * Weights are finite and never negative; 0 leaves a point out. Points may coincide and
@@ -518,6 +518,85 @@ typedef struct batten_points_thin_report {
 BATTEN_API batten_status batten_points_thin(batten_points points, double tolerance, bool closed,
                                             batten_points_thin_report *report, int *kept,
                                             int *kept_count);
+
+/* ---- aerofoils ---- */
+
+/** What batten_curve_aerofoil makes of a section. */
+typedef struct batten_curve_aerofoil_options {
+    size_t size;
+    double chord;         /**< of the result, model units; 0: that of the points */
+    double trailing_edge; /**< its height as a part of the chord, 0 (closed) to 0.5; below 0: as
+                             the points have it */
+    double thickness;     /**< the largest, as a part of the chord, up to 1; 0: as it comes */
+    double blend;         /**< over what part of the chord a change of the trailing edge fades,
+                             above 0 to 1; 1: in proportion to the distance from the nose */
+    int panels;           /**< 160; even, 8 to 10000: the curve passes one point more */
+} batten_curve_aerofoil_options;
+
+/** The given chord, no change of shape, 160 panels. */
+BATTEN_API batten_curve_aerofoil_options batten_curve_aerofoil_defaults(void);
+
+/** What is known about one shape of a section; all but the chord are parts of the chord. */
+typedef struct batten_aerofoil_shape {
+    double chord;                   /**< from the nose to the middle of the trailing edge, model
+                                       units */
+    double thickness, thickness_at; /**< the largest across the chord, and where */
+    double camber, camber_at;       /**< the largest of the middle line, with its sign */
+    double trailing_edge;           /**< upper end above lower end; below 0 where sides cross */
+} batten_aerofoil_shape;
+
+/** What was found in the points, and what the delivered curve has, measured on it. */
+typedef struct batten_curve_aerofoil_report {
+    batten_aerofoil_shape given, made;
+    double distance, rms; /**< of the given points, moved by the asked changes alone, from the
+                             curve; model units of the result */
+    int worst;            /**< index of the given point that is farthest */
+    double moved;         /**< the largest distance by which thickness and trailing edge moved a
+                             given point; model units of the result */
+    double turn;          /**< the angle from the x axis to the given chord, radians */
+    int repeated;         /**< points left out because they repeat the one before */
+    int base;             /**< points left out because they lie on the base that closes a blunt
+                             trailing edge */
+    int crossings;        /**< places where the delivered curve crosses itself */
+    double crossing;      /**< the first of them, as a part of the chord */
+    bool reversed;        /**< the lower side came first */
+    bool halves;          /**< both sides ran from the nose, as in Lednicer's files */
+    bool closed;     /**< the point of the trailing edge stood at one end alone; now at both */
+    bool mirrored;   /**< the nose was on the right */
+    bool round_tail; /**< the tail is rounder than the nose: the points may begin there */
+} batten_curve_aerofoil_report;
+
+/**
+ * An aerofoil section in one form, so that any two make a skin: the nose at the origin, the
+ * middle of the trailing edge on the x axis, from the trailing edge over the upper side to the
+ * nose (at parameter 1/2) and back below. All results of as many panels have the same knots.
+ *
+ * The points are taken as Selig's or Lednicer's files have them, in either direction, turned,
+ * and with repeated points; where they are closed by the base of a blunt trailing edge, the
+ * points on the base are left out, and where only one end is the point of the trailing edge, it becomes
+ * the other end too. A cubic spline passes the rest. Its nose is its point
+ * farthest from the middle of the trailing edge. Points are placed on it at distances that
+ * follow a cosine, dense at nose and tail, and the C2 cubic through them is the result.
+ *
+ * Thickness is measured and changed across the chord: at each x the middle between both sides
+ * stays, and what is added to open the trailing edge fades to 0 at the nose as
+ * x exp((1 - x)(1 - 1 / blend)). Changes first bring both ends to the same x.
+ *
+ * @param points  [count][2], at least 5 that differ, beginning and ending at the trailing edge
+ * @param options NULL for the defaults
+ * @param[out] report  may be NULL
+ * @param[out] out  of dimension 2, degree 3, domain [0, 1]
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, BAD_ARGUMENT (options out of range),
+ * NOT_COMPATIBLE (points that do not begin and end at the trailing edge, a thickness below what
+ * the trailing edge takes), OUT_OF_MEMORY
+ *
+ * Cost: linear in points and panels, some 100 evaluations for each.
+ * Source: [Drela89] for the nose and the fading of a change of the trailing edge.
+ */
+BATTEN_API batten_status batten_curve_aerofoil(batten_points points,
+                                               const batten_curve_aerofoil_options *options,
+                                               batten_curve_aerofoil_report *report,
+                                               batten_curve **out);
 
 #ifdef __cplusplus
 }

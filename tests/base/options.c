@@ -86,6 +86,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     ROW(batten_curve_least_squares, batten_curve_least_squares, (none, o, NULL, NULL, &curve)) \
     ROW(batten_curve_smooth, batten_curve_smooth, (none, o, NULL, NULL, &curve)) \
     ROW(batten_curve_p_spline, batten_curve_smooth, (none, o, NULL, NULL, &curve)) \
+    ROW(batten_curve_aerofoil, batten_curve_aerofoil, (none, o, NULL, &curve)) \
     ROW(batten_curve_within, batten_curve_within, (none, o, NULL, NULL, &curve)) \
     ROW(batten_chain_biarcs, batten_chain_biarcs, (none, o, NULL, NULL, &chain)) \
     ROW(batten_curve_biarcs, batten_chain_biarcs, (none, o, NULL, &curve)) \

@@ -185,8 +185,8 @@ static batten_status put_made(task *t, const batten_object *from)
         .kind = BATTEN_OBJECT_CURVE,
         .curve = made->curve,
         .chain = made->chain,
-        .point_count = t->row->count,
-        .points = t->row->points,
+        .point_count = made->is_elsewhere ? 0 : t->row->count,
+        .points = made->is_elsewhere ? NULL : t->row->points,
         .parameters = made->has_parameters ? made->parameters : NULL,
     };
     if (made->has_error)

@@ -59,6 +59,7 @@ typedef struct {
     batten_chain *chain;
     double *parameters; /* [count], zeros: fill in those of the points; or set has_parameters
                            to false when the points have none */
+    bool is_elsewhere;  /* the curve was moved away from the points: they are no data of it */
     bool has_parameters;
     bool has_error; /* of an approximation */
     double error_max, error_rms;
