@@ -19,7 +19,8 @@ static inline double angle_from(bat_twin start, double sign, double y, double x)
     const double x1 = bat_first_half(x), y1 = bat_first_half(y);
     const bat_twin top = bat_twin_any_sum(y - c * x1, -c * (x - x1)),
                    first = bat_twin_any_sum(x, c * y1);
-    const bat_twin z = bat_twin_quotient(top, (bat_twin){first.high, first.low + c * (y - y1)});
+    const bat_twin z = bat_twin_quotient(top, (bat_twin){first.high, first.low + c * (y - y1)},
+                                         1 / first.high);
     const double whole = z.high + z.low, square = whole * whole;
     const double tail = whole * square * (-1.0 / 3 + square * (1.0 / 5 - square * (1.0 / 7)));
     const bat_twin a = bat_twin_sum(start.high, sign * entry[0]),

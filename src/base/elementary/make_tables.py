@@ -149,22 +149,40 @@ def exponentials():
     return ["{" + pair_text(exponential(two * j // 128)) + "}" for j in range(128)]
 
 
-def logarithms():
-    """For m in [11/16, 11/8), in 128 parts by its bits: r, near 1/m, of nine bits after the point, and -log r in a part
-    that ends at 2^-42 and the rest. In the parts that touch 1, r is 1 and the logarithm 0."""
+def small_exponentials():
+    """e^(j/128) for j = -88 .. 88: 26 bits and the rest."""
     rows = []
+    for j in range(-88, 89):
+        x = exponential(ONE * abs(j) // 128)
+        x = (ONE << BITS) // x if j < 0 else x
+        first = rounded(x, 26)
+        rows.append("{%s, %s}" % (text(first), text(rounded(x - first))))
+    return rows
+
+
+def logarithms():
+    """For m in [11/16, 11/8), in 128 parts by its bits: r, near 1/m, of eight bits after the point and of seven where
+    m < 1, so that m r - 1 is a double; r a - 1 for the begin a of the part; and -log r in a part that ends at 2^-42 and
+    the rest, to the base e and to the base 2. In the parts that touch 1, r is 1 and the logarithm 0."""
+    two, rows, binary = logarithm(2, 1), [], []
     for j in range(128):
         # The parts are equal in the bits of a double: half as wide below 1.
         low, high = ends_of_part(j)
+        places = 128 if high <= 256 * 256 else 256
         if high == 256 * 256 or low == 256 * 256:
-            r = 512
+            r = places
         else:
             middle = low + high               # twice the middle, over 2^16
-            r = (2 * 512 * 65536 * 2 + middle) // (2 * middle)
-        x = -logarithm(r, 512) if r != 512 else 0
+            r = (2 * places * 65536 * 2 + middle) // (2 * middle)
+        x = -logarithm(r, places) if r != places else 0
+        ends = [ONE * r * end // (places * 65536) - ONE for end in (low, high)]
+        assert max(map(abs, ends)) <= ONE >> 7 and (x == 0 or max(map(abs, ends)) < abs(x))
         first = cut(x + (ONE >> 43), 42)
-        rows.append("{%s, %s, %s}" % (text(r * ONE // 512), text(first), text(rounded(x - first))))
-    return rows
+        rows.append("{%s, %s, %s, %s}" % (text(r * ONE // places), text(ends[0]), text(first), text(rounded(x - first))))
+        x = (x << BITS) // two
+        first = cut(x + (ONE >> 43), 42)
+        binary.append("{%s, %s}" % (text(first), text(rounded(x - first))))
+    return rows, binary
 
 
 def ends_of_part(j):
@@ -192,11 +210,24 @@ def arc_tangents():
     return ["{" + pair_text(arc_tangent(j, 128)) + "}" for j in range(129)]
 
 
-def arc_sines():
-    """asin(c + d) for c = j/256, j = 48 .. 128: asin(c) as a pair, and the factors of d, d^2 ... d^6. The derivative g obeys
-    (1 - x^2) g' = x g, so (1 - c^2) (n + 1) g[n + 1] = c (2 n + 1) g[n] + n g[n - 1]."""
+def tangents():
+    """tan(j pi/128) for j = 0 .. 31 and then from -32 to -1: 26 bits and the rest."""
     rows = []
-    for j in range(48, 129):
+    for j in range(64):
+        k = j if j < 32 else 64 - j
+        x = ONE if k == 32 else (sine(pi() * k // 128) << BITS) // sine(pi() * (64 - k) // 128) if k else 0
+        x = x if j < 32 else -x
+        first = rounded(x, 26)
+        rows.append("{%s, %s}" % (text(first), text(rounded(x - first))))
+    return rows
+
+
+def arc_sines():
+    """asin(c + d) for c = j/256, j = 24 .. 128: asin(c) as a pair; the factors of d, less 1, of d^2 ... d^6; and that
+    of d over 2 c. The derivative g obeys (1 - x^2) g' = x g, so (1 - c^2) (n + 1) g[n + 1] =
+    c (2 n + 1) g[n] + n g[n - 1]."""
+    rows = []
+    for j in range(24, 129):
         c = ONE * j // 256
         rest = ONE - (c * c >> BITS)
         root = square_root(rest)
@@ -204,8 +235,8 @@ def arc_sines():
         for n in range(5):
             before = n * g[n - 1] if n else 0
             g.append((((2 * n + 1) * c * g[n] >> BITS) + before << BITS) // ((n + 1) * rest))
-        factors = [text(rounded(x // (n + 1))) for n, x in enumerate(g)]
-        rows.append("{%s, %s}" % (pair_text(arc_tangent(c, root)), ", ".join(factors)))
+        factors = [g[0] - ONE] + [x // (n + 1) for n, x in enumerate(g) if n] + [(g[0] << BITS) // (2 * c)]
+        rows.append("{%s, %s}" % (pair_text(arc_tangent(c, root)), ", ".join(text(rounded(x)) for x in factors)))
     return rows
 
 
@@ -274,12 +305,17 @@ def constants():
 
 TABLES = (
     ("exp", "const double bat_exponentials[128][2]", exponentials, "2^(j / 128), a pair."),
-    ("log", "const double bat_logarithms[128][3]", logarithms,
-     "1/c to nine bits after the point, -log of it: a part that ends at 2^-42, and the rest."),
+    ("expm1", "const double bat_small_exponentials[177][2]", small_exponentials,
+     "e^(j / 128) for j = -88 ... 88: 26 bits and the rest."),
+    ("log", "const double bat_logarithms[128][4]", lambda: logarithms()[0],
+     "1/c to some bits, a/c - 1 for the begin a of the part, log(c): as far as 2^-42, and the rest."),
+    ("log2", "const double bat_binary_logarithms[128][2]", lambda: logarithms()[1],
+     "log2(c) for the same c: as far as 2^-42, and the rest."),
     ("sine", "const double bat_sines[320][2]", sines, "sin(j pi / 128), a pair."),
+    ("tan", "const double bat_tangents[64][2]", tangents, "tan(j pi / 128) for j from 0 to 31 and from -32 to -1: 26 bits and the rest."),
     ("atan", "const double bat_arc_tangents[129][2]", arc_tangents, "atan(j / 128), a pair."),
-    ("asin", "const double bat_arc_sines[81][8]", arc_sines,
-     "asin(c + d) for c = j/256 from j = 48 on: asin(c), a pair, and the factors of d ... d^6."),
+    ("asin", "const double bat_arc_sines[105][9]", arc_sines,
+     "asin(c + d) for c = j/256 from j = 24 on: asin(c), a pair, the factors of d, less 1, of d^2 ... d^6, and that of d over 2 c."),
     ("cbrt", "const double bat_cube_roots[96][2]", cube_roots, "t, near the cube root, of 17 bits; 1 / t^3."),
     ("turn", "const uint32_t bat_turns[41]", turns, "A word that is 0, and the bits of 1 / (2 pi) behind the point."),
 )

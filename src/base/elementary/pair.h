@@ -67,11 +67,12 @@ static inline bat_twin bat_twin_square(double a)
     return (bat_twin){high, (a1 * a1 - high) + a2 * (a + a1)};
 }
 
-/* a / b to about 78 bits: the first part has 26, and the second is no longer below its last place. */
-static inline bat_twin bat_twin_quotient(bat_twin a, bat_twin b)
+/* a / b to about 78 bits, 1/b being given to 40: the first part has 26, and the second is no longer below its last place.
+ * The second parts of a and b may be as large as 2^-13 of the first. */
+static inline bat_twin bat_twin_quotient(bat_twin a, bat_twin b, double inverse)
 {
-    const double inverse = 1 / b.high, first = bat_first_half(a.high * inverse),
-                 b1 = bat_first_half(b.high), b2 = (b.high - b1) + b.low;
+    const double first = bat_first_half(a.high * inverse), b1 = bat_first_half(b.high),
+                 b2 = (b.high - b1) + b.low;
     return (bat_twin){first, ((a.high - first * b1) + (a.low - first * b2)) * inverse};
 }
 

@@ -13,14 +13,13 @@
 static inline bat_twin fine_logarithm(double x, int lift)
 {
     const bat_parts_of_log parts = bat_reduce_logarithm(x, lift);
+    const double *entry = bat_logarithms[parts.part];
     /* Rounded to 2^-33 by adding what ends there. */
     const double round = 0x1.8p19, r = parts.r, r1 = (r + round) - round, r2 = r - r1;
-    const bat_twin first = bat_twin_sum(parts.k * BAT_LOG_2_1 + parts.log_c, r);
+    const bat_twin first = bat_twin_sum(parts.k * BAT_LOG_2_1 + entry[2], r);
     const bat_twin second = bat_twin_sum(first.high, -0.5 * r1 * r1);
-    const double low = (first.low + second.low) +
-                       (parts.rest_of_log_c + parts.k * BAT_LOG_2_2) +
-                       ((parts.rest - r * parts.rest) - 0.5 * (r2 * (r + r1))) +
-                       r * r * r * bat_logarithm_tail(r);
+    const double low = ((first.low + second.low) + (entry[3] + parts.k * BAT_LOG_2_2)) +
+                       (r * r * r * bat_logarithm_tail(r) - 0.5 * (r2 * (r + r1)));
     return (bat_twin){second.high, low};
 }
 

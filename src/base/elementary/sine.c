@@ -33,13 +33,26 @@ void bat_sincos(double x, double *sine, double *cosine)
     *cosine = c.high + c.low;
 }
 
+/* tan(a + d) = (T + t) / (1 - T t) with T = tan a and t = tan d, for an a of the table, which is at most an eighth of a
+ * turn; beyond, the angle is a quarter more, and the tangent is -1 over that. */
 double bat_tan(double x)
 {
     if (fabs(x) < so_small)
         return x;
     const bat_angle angle = bat_reduce_angle(x);
-    const bat_twin s = bat_sine_of(angle.steps, angle.d),
-                   c = bat_sine_of((angle.steps + 64) & 255, angle.d);
-    const bat_twin ratio = bat_twin_quotient(s, bat_twin_sum(c.high, c.low));
+    const double *entry = bat_tangents[angle.steps & 63], d = angle.d.high, square = d * d;
+    const double tail =
+        angle.d.low + d * square *
+                          ((1.0 / 3 + square * (2.0 / 15)) +
+                           square * square * (17.0 / 315 + square * (62.0 / 2835)));
+    const double d1 = bat_first_half(d);
+    const bat_twin top = bat_twin_sum(entry[0], d), bottom = bat_twin_sum(1, -entry[0] * d1);
+    const bat_twin sine = {top.high, top.low + (entry[1] + tail)};
+    const bat_twin cosine = {
+        bottom.high, bottom.low - (entry[0] * ((d - d1) + tail) + entry[1] * (d + tail))};
+    const bool is_turned = (angle.steps + 32) & 64;
+    const bat_twin over = is_turned ? (bat_twin){-cosine.high, -cosine.low} : sine,
+                   under = is_turned ? sine : cosine;
+    const bat_twin ratio = bat_twin_quotient(over, under, 1 / (under.high + under.low));
     return ratio.high + ratio.low;
 }

@@ -5,14 +5,20 @@
 
 /* 2^(j / 128), a pair. */
 extern const double bat_exponentials[128][2];
-/* 1/c to nine bits after the point, -log of it: a part that ends at 2^-42, and the rest. */
-extern const double bat_logarithms[128][3];
+/* e^(j / 128) for j = -88 ... 88: 26 bits and the rest. */
+extern const double bat_small_exponentials[177][2];
+/* 1/c to some bits, a/c - 1 for the begin a of the part, log(c): as far as 2^-42, and the rest. */
+extern const double bat_logarithms[128][4];
+/* log2(c) for the same c: as far as 2^-42, and the rest. */
+extern const double bat_binary_logarithms[128][2];
 /* sin(j pi / 128), a pair. */
 extern const double bat_sines[320][2];
+/* tan(j pi / 128) for j from 0 to 31 and from -32 to -1: 26 bits and the rest. */
+extern const double bat_tangents[64][2];
 /* atan(j / 128), a pair. */
 extern const double bat_arc_tangents[129][2];
-/* asin(c + d) for c = j/256 from j = 48 on: asin(c), a pair, and the factors of d ... d^6. */
-extern const double bat_arc_sines[81][8];
+/* asin(c + d) for c = j/256 from j = 24 on: asin(c), a pair, the factors of d, less 1, of d^2 ... d^6, and that of d over 2 c. */
+extern const double bat_arc_sines[105][9];
 /* t, near the cube root, of 17 bits; 1 / t^3. */
 extern const double bat_cube_roots[96][2];
 /* A word that is 0, and the bits of 1 / (2 pi) behind the point. */

@@ -12,6 +12,8 @@ static const oracle_stretch stretches[] = {
     {"expm1", bat_expm1, oracle_expm1, -1, 1, false},
     {"expm1", bat_expm1, oracle_expm1, 1e-17, 43, true},
     {"expm1", bat_expm1, oracle_expm1, 1e-3, 0.1, true},
+    {"expm1", bat_expm1, oracle_expm1, 0.002, 0.006, true},
+    {"expm1", bat_expm1, oracle_expm1, 0.68, 0.7, true},
     {"expm1", bat_expm1, oracle_expm1, 40, 709.7, false},
 };
 
@@ -48,6 +50,9 @@ TEST(powers_of_e_follow_annex_f_of_c)
 static const double seams[] = {0,
                                0x1.62e42fefa39efp-9,
                                0x1.0a2b23f3bab73p-7,
+                               0x1p-8,
+                               0.6875,
+                               -0.6875,
                                0x1.62e42fefa39efp-2,
                                1,
                                -708,
