@@ -29,7 +29,7 @@ static void note_damage(const reading *r, size_t at, const char *text)
 static bool begins_with(const bat_step_scanner *scan, size_t at, const char *word)
 {
     const size_t length = strlen(word);
-    return scan->size - at >= length && memcmp(scan->data + at, word, length) == 0;
+    return scan->size - at >= length && bat_step_same_word(scan->data + at, word, length);
 }
 
 static size_t past_all(const bat_step_scanner *scan, size_t at, int classes)
@@ -205,19 +205,23 @@ static void take_string(const reading *r, size_t keyword, size_t list, int k, si
         buffer[0] = '\0';
 }
 
+static bool is_word(const bat_step_scanner *scan, size_t at, size_t end, const char *word)
+{
+    return end - at == strlen(word) && bat_step_same_word(scan->data + at, word, end - at);
+}
+
 /* A record of the header, or anything else that begins with a keyword. */
 static void scan_header_record(reading *r, size_t keyword, size_t length, size_t at,
                                size_t *end)
 {
     bat_step_file *file = r->file;
-    const char *word = r->scan.data + keyword;
     *end = at;
     if (!bat_step_scan_list(&r->scan, end) ||
         !bat_step_scan_byte(&r->scan, end, ';', "expected ';' after a record of the header"))
         return;
-    if (length == 11 && memcmp(word, "FILE_SCHEMA", length) == 0)
+    if (is_word(&r->scan, keyword, keyword + length, "FILE_SCHEMA"))
         take_string(r, keyword, at, 0, sizeof file->schema, file->schema);
-    if (length == 9 && memcmp(word, "FILE_NAME", length) == 0) {
+    if (is_word(&r->scan, keyword, keyword + length, "FILE_NAME")) {
         take_string(r, keyword, at, 0, sizeof file->name, file->name);
         take_string(r, keyword, at, 5, sizeof file->system, file->system);
     }
@@ -229,18 +233,6 @@ static size_t behind_section(const bat_step_scanner *scan, size_t at)
     while (at < scan->size && !begins_with(scan, at, "ENDSEC"))
         at++;
     return at;
-}
-
-static bool is_word(const bat_step_scanner *scan, size_t at, size_t end, const char *word)
-{
-    if (end - at != strlen(word))
-        return false;
-    for (size_t i = at; i < end; i++) {
-        const char c = scan->data[i];
-        if ((bat_step_in(c, BAT_STEP_LOWER) ? c - 'a' + 'A' : c) != word[i - at])
-            return false;
-    }
-    return true;
 }
 
 /* ISO-10303-21; HEADER; DATA; DATA(...); ENDSEC; and the like: true when it was one of them. */

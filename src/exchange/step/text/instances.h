@@ -88,6 +88,9 @@ bool bat_step_same_word(const char *bytes, const char *word, size_t length);
 #define BAT_STEP_KEYWORD_SIZE 80
 const char *bat_step_keyword(const bat_step_file *file, const bat_step_instance *instance,
                              char buffer[BAT_STEP_KEYWORD_SIZE]);
+/* The keyword of the record in upper case, cut to the buffer, which is handed back. */
+const char *bat_step_upper_keyword(const bat_step_record *record,
+                                   char buffer[BAT_STEP_KEYWORD_SIZE]);
 
 /* ---- failing ---- */
 

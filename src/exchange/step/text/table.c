@@ -173,24 +173,6 @@ const bat_step_instance *bat_step_find(const bat_step_file *file, uint64_t id)
     return low < file->instances.count && instances[low].id == id ? &instances[low] : NULL;
 }
 
-static char upper(char c)
-{
-    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
-}
-
-static bool is_keyword(const bat_step_record *record, const char *keyword)
-{
-    const uint32_t length = record->keyword_length;
-    if (strlen(keyword) != length)
-        return false;
-    if (memcmp(record->keyword, keyword, length) == 0)
-        return true;
-    for (uint32_t i = 0; i < length; i++)
-        if (upper(record->keyword[i]) != keyword[i])
-            return false;
-    return true;
-}
-
 const bat_step_record *bat_step_first(const bat_step_file *file,
                                       const bat_step_instance *instance)
 {
@@ -202,7 +184,7 @@ const bat_step_record *bat_step_as(const bat_step_file *file, const bat_step_ins
 {
     const bat_step_record *records = bat_step_first(file, instance);
     for (uint32_t i = 0; i < instance->record_count; i++)
-        if (is_keyword(&records[i], keyword))
+        if (bat_step_is_keyword(&records[i], keyword))
             return &records[i];
     return NULL;
 }
@@ -212,7 +194,7 @@ static bool is_spline(const bat_step_record *record)
     const char *const word = "B_SPLINE";
     const size_t length = strlen(word);
     for (size_t i = 0; i + length <= record->keyword_length; i++)
-        if (memcmp(record->keyword + i, word, length) == 0)
+        if (bat_step_same_word(record->keyword + i, word, length))
             return true;
     return false;
 }
@@ -231,9 +213,5 @@ const char *bat_step_keyword(const bat_step_file *file, const bat_step_instance 
     for (uint32_t i = 1; i < instance->record_count; i++)
         if (is_spline(&records[i]) && (!is_spline(best) || is_before(best, &records[i])))
             best = &records[i];
-    const size_t length = least(best->keyword_length, BAT_STEP_KEYWORD_SIZE - 1);
-    for (size_t i = 0; i < length; i++)
-        buffer[i] = upper(best->keyword[i]);
-    buffer[length] = '\0';
-    return buffer;
+    return bat_step_upper_keyword(best, buffer);
 }

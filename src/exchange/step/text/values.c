@@ -185,9 +185,7 @@ static batten_status fail_at(const bat_step_file *file, const bat_step_record *r
     }
     snprintf(whole, sizeof whole, "%sargument %d %s", place == at ? "" : "an item of ", k + 1,
              sentence);
-    snprintf(keyword, sizeof keyword, "%.*s",
-             (int)(record->keyword_length < 79 ? record->keyword_length : 79), record->keyword);
-    return fail_for(record, status, keyword, whole);
+    return fail_for(record, status, bat_step_upper_keyword(record, keyword), whole);
 }
 
 batten_status bat_step_fail_kind(const bat_step_file *file, const bat_step_record *record,
@@ -373,14 +371,8 @@ bool bat_step_is(const bat_step_file *file, const bat_step_record *record, int k
                  const char *word)
 {
     const bat_step_value token = bat_step_value_at(file, bat_step_argument(file, record, k));
-    if (token.kind != BAT_STEP_ENUM || token.length != strlen(word))
-        return false;
-    for (size_t i = 0; i < token.length; i++) {
-        const char c = file->input->data[token.at + i];
-        if ((bat_step_in(c, BAT_STEP_LOWER) ? c - 'a' + 'A' : c) != word[i])
-            return false;
-    }
-    return true;
+    return token.kind == BAT_STEP_ENUM && token.length == strlen(word) &&
+           bat_step_same_word(file->input->data + token.at, word, token.length);
 }
 
 bool bat_step_is_nothing(const bat_step_file *file, const bat_step_record *record, int k)

@@ -194,7 +194,7 @@ TEST(a_token_ends_where_its_kind_does)
                  {"\"0", 2},     {".T.,", 3}, {".T", 2},   {".5,", 2},  {".", 1},
                  {"$,", 1},      {"*,", 1},   {"(1", 1},   {")1", 1},   {",1", 1},
                  {"1.5E-3)", 6}, {"-2 ", 2},  {"#12,", 3}, {"A_B(", 3}, {"1.E+5/", 5},
-                 {"", 0}};
+                 {"\"0F\"", 4},  {".T.", 3},  {"'a'", 3},  {"\"", 1},   {"", 0}};
     for (int i = 0; i < COUNT(cases); i++)
         CHECK_INT((long long)bat_step_token_end(cases[i].text, strlen(cases[i].text), 0),
                   cases[i].length);
