@@ -78,7 +78,10 @@ TEST(a_face_of_bad_corners_is_left_out_with_its_line_and_number)
         {3, {0, 1, -1}, "face 2 is left out: its corner 3 is vertex 0, which does not exist"},
         {4,
          {3, 1, 2, 0},
-         "face 2 is left out: its corner 1 is vertex 4, which could not be read"}};
+         "face 2 is left out: its corner 1 is vertex 4, which could not be read"},
+        {3, {1, 3, 0}, "face 2 is left out: its corner 2 is vertex 4, which could not be read"},
+        {3, {1, 5, 0}, "face 2 is left out: its corner 2 is vertex 6, which does not exist"},
+    };
     only_once();
     for (int i = 0; i < COUNT(cases); i++) {
         batten_notes *notes = NULL;
@@ -341,4 +344,29 @@ TEST(triangles_are_limited_by_the_number_of_entities)
     CHECK_STATUS(bat_indexed_polygon(&mesh, 9), BATTEN_TOO_LARGE);
     CHECK_TEXT(batten_message(), "f:9: 3 triangles; the limit is 2");
     bat_indexed_end(&mesh);
+}
+
+/* A vertex with a colour, a normal and a value; a face of four corners and one of three. Read
+ * with every allocation failing once. */
+TEST(a_mesh_is_read_with_all_that_its_vertices_carry)
+{
+    static const char text[] =
+        "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float heat\n"
+        "property float age\nelement face 2\nproperty list uchar int vertex_indices\n"
+        "end_header\n0 0 0 0 0 1 255 0 0 10 1\n1 0 0 0 0 1 255 0 51 11 2\n"
+        "1 1 0 0 0 1 255 51 0 12 3\n0 1 0 0 0 1 0 0 0 13 4\n0 2 0 0 0 1 0 0 0 14 5\n"
+        "4 0 1 2 3\n3 3 2 4\n";
+    batten_model *model = NULL;
+    CHECK_OK(read_text(text, BATTEN_FORMAT_PLY, NULL, &model));
+    const batten_mesh_parts *p = mesh_at(model, 0);
+    CHECK_INT(p->triangle_count, 3);
+    CHECK_INT(p->vertex_count, 5);
+    CHECK_INT(p->attribute_count, 2);
+    CHECK_TEXT(p->attributes[0].name, "heat");
+    CHECK_TEXT(p->attributes[1].name, "age");
+    for (int i = 0; i < 5; i++)
+        CHECK(p->attributes[0].values[i] == 10 + i && p->attributes[1].values[i] == 1 + i);
+    batten_model_unref(model);
 }

@@ -1,4 +1,5 @@
 /* What 32 bits for a coordinate do to a mesh. */
+#include "exchange/meshes/facets.h"
 #include "exchange/meshes/meshes.h"
 
 /* A closed box 1000 away from the origin of which the sides are cut into strips as narrow as a
@@ -115,4 +116,111 @@ TEST(triangles_without_area_before_rounding_stay)
     const batten_mesh_parts parts = {
         .vertex_count = 3, .points = points, .triangle_count = 2, .corners = corners};
     check_rounded(&parts, 2, "coordinates are rounded to 32 bits");
+}
+
+/* A square around 1000 of two triangles, and between them two that are too narrow for 32 bits. */
+static const double narrow_points[] = {1000, 0, 0, 1001,       0, 0, 1001, 1,          0,
+                                       1000, 1, 0, 1000.00001, 0, 0, 1000, 1.00000001, 0};
+static const int narrow_corners[] = {0, 1, 2, 0, 4, 1, 3, 2, 5, 0, 2, 3};
+static const int narrow_faces[] = {7, 8, 9, 10};
+
+/* Numbers that say to which triangle they belong: 9 of normals, 3 of a colour. */
+static batten_mesh *narrow_mesh(bool is_bare)
+{
+    double normals[36], colours[12];
+    batten_mesh *mesh = NULL;
+    for (int i = 0; i < 36; i++)
+        normals[i] = i % 3 == i / 9 % 3 ? 1 : 0;
+    for (int i = 0; i < 12; i++)
+        colours[i] = (i / 3 + 0.1 * (i % 3)) / 4;
+    const batten_mesh_parts parts = {.vertex_count = 6,
+                                     .points = narrow_points,
+                                     .triangle_count = 4,
+                                     .corners = narrow_corners,
+                                     .faces = is_bare ? NULL : narrow_faces,
+                                     .normals = is_bare ? NULL : normals,
+                                     .triangle_colours = is_bare ? NULL : colours};
+    CHECK_OK(batten_mesh_create(&parts, &mesh));
+    return mesh;
+}
+
+TEST(triangles_that_stay_keep_their_corners_faces_normals_and_colours)
+{
+    for (int is_bare = 0; is_bare < 2; is_bare++) {
+        batten_mesh *mesh = narrow_mesh(is_bare), *left = NULL;
+        const batten_object object = {.name = "m", .kind = BATTEN_OBJECT_MESH, .mesh = mesh};
+        CHECK_OK(bat_rounded_mesh(&object, 1, NULL, &left));
+        const batten_mesh_parts *p = batten_mesh_view(mesh), *q = batten_mesh_view(left);
+        CHECK_INT(q->triangle_count, 2);
+        CHECK_INT(q->vertex_count, 6);
+        CHECK((q->faces == NULL) == is_bare && (q->normals == NULL) == is_bare &&
+              (q->triangle_colours == NULL) == is_bare);
+        for (int t = 0; t < 2; t++) {
+            const int from = 3 * t; /* the first and the last */
+            CHECK(memcmp(q->corners + 3 * t, p->corners + 3 * from, 3 * sizeof(int)) == 0);
+            if (is_bare)
+                continue;
+            CHECK_INT(q->faces[t], p->faces[from]);
+            CHECK(memcmp(q->normals + 9 * t, p->normals + 9 * from, 9 * sizeof(double)) == 0);
+            CHECK(memcmp(q->triangle_colours + 3 * t, p->triangle_colours + 3 * from,
+                         3 * sizeof(double)) == 0);
+        }
+        batten_mesh_unref(left);
+        batten_mesh_unref(mesh);
+    }
+}
+
+TEST(a_mesh_that_32_bits_hold_is_the_same_mesh)
+{
+    static const double points[] = {0, 0, 0, 0.5, 0, 0, 0, 0.25, 0};
+    static const int corners[] = {0, 1, 2};
+    const batten_mesh_parts parts = {
+        .vertex_count = 3, .points = points, .triangle_count = 1, .corners = corners};
+    batten_mesh *mesh = NULL, *left = NULL;
+    CHECK_OK(batten_mesh_create(&parts, &mesh));
+    const batten_object object = {.name = "m", .kind = BATTEN_OBJECT_MESH, .mesh = mesh};
+    CHECK_OK(bat_rounded_mesh(&object, 1, NULL, &left));
+    CHECK(left == mesh);
+    batten_mesh_unref(left);
+    batten_mesh_unref(mesh);
+}
+
+/* 32 bits tell 2^24 and 2^24 + 1 not apart, but three times as much. */
+TEST(coordinates_are_rounded_in_the_scale_of_the_file)
+{
+    static const double points[] = {16777216, 0, 0, 16777217, 0, 0, 16777216, 9, 0};
+    static const int corners[] = {0, 1, 2}, gone[] = {1, 0};
+    static const double scales[] = {1, 3};
+    batten_mesh *mesh = NULL;
+    const batten_mesh_parts parts = {
+        .vertex_count = 3, .points = points, .triangle_count = 1, .corners = corners};
+    CHECK_OK(batten_mesh_create(&parts, &mesh));
+    for (int i = 0; i < COUNT(scales); i++) {
+        const batten_object object = {.name = "m", .kind = BATTEN_OBJECT_MESH, .mesh = mesh};
+        batten_mesh *left = NULL;
+        CHECK_OK(bat_rounded_mesh(&object, scales[i], NULL, &left));
+        CHECK_INT(batten_mesh_view(left)->triangle_count, 1 - gone[i]);
+        batten_mesh_unref(left);
+    }
+    batten_mesh_unref(mesh);
+}
+
+/* All notes, with their counts. */
+TEST(what_is_said_of_rounding_is_said_with_its_numbers)
+{
+    batten_mesh *mesh = narrow_mesh(true), *left = NULL;
+    batten_notes *notes = NULL;
+    const batten_object object = {.name = "m", .kind = BATTEN_OBJECT_MESH, .mesh = mesh};
+    CHECK_OK(batten_notes_create(9, &notes));
+    CHECK_OK(bat_rounded_mesh(&object, 1, notes, &left));
+    if (test_cases(1000) >= 1000) {
+        CHECK_INT(batten_notes_count(notes), 1);
+        CHECK(batten_notes_at(notes, 0)->is_remark);
+        CHECK_TEXT(batten_notes_at(notes, 0)->text,
+                   "2 of 4 triangles are not written: rounded to 32 bits, two of their corners "
+                   "are one");
+    }
+    batten_notes_free(notes);
+    batten_mesh_unref(left);
+    batten_mesh_unref(mesh);
 }
