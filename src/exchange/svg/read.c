@@ -54,28 +54,44 @@ batten_status bat_svg_recognise(const bat_input *input, bool *is_svg)
 
 /* ---- looks ---- */
 
-/* A property in an attribute of its own, or in "style". */
+static bat_span without_white(bat_span text)
+{
+    while (text.length > 0 && bat_is_white(text.bytes[text.length - 1]))
+        text.length--;
+    while (text.length > 0 && bat_is_white(text.bytes[0])) {
+        text.bytes++;
+        text.length--;
+    }
+    return text;
+}
+
+/* One declaration of a style, "name : value": is it of that name? */
+static bool declares(bat_span declaration, const char *name, bat_span *value)
+{
+    const char *colon =
+        declaration.length ? memchr(declaration.bytes, ':', declaration.length) : NULL;
+    if (!colon)
+        return false;
+    const size_t before = (size_t)(colon - declaration.bytes);
+    *value = without_white((bat_span){colon + 1, declaration.length - before - 1});
+    return bat_svg_says(without_white((bat_span){declaration.bytes, before}), name);
+}
+
+/* A property in "style", or in an attribute of its own. */
 static bool property(const bat_xml *xml, const char *name, bat_span *value)
 {
     bat_span style;
-    const size_t wanted = strlen(name);
-    if (bat_xml_attribute(xml, "style", &style))
-        for (size_t i = 0; i < style.length;) {
-            size_t end = i, colon = i;
-            while (end < style.length && style.bytes[end] != ';')
-                end++;
-            while (i < end && (bat_is_blank(style.bytes[i]) || style.bytes[i] == '\n'))
-                i++;
-            for (colon = i; colon < end && style.bytes[colon] != ':';)
-                colon++;
-            if (colon - i == wanted && colon < end &&
-                memcmp(style.bytes + i, name, wanted) == 0) {
-                *value = (bat_span){style.bytes + colon + 1, end - colon - 1};
-                return true;
-            }
-            i = end + 1;
-        }
-    return bat_xml_attribute(xml, name, value);
+    const bool has_style = bat_xml_attribute(xml, "style", &style);
+    for (size_t at = 0, end = 0; has_style && at < style.length; at = end + 1) {
+        for (end = at; end < style.length && style.bytes[end] != ';';)
+            end++;
+        if (declares((bat_span){style.bytes + at, end - at}, name, value))
+            return true;
+    }
+    if (!bat_xml_attribute(xml, name, value))
+        return false;
+    *value = without_white(*value);
+    return true;
 }
 
 static batten_status read_transform(const reading *r, level *look)
