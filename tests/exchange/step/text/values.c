@@ -126,7 +126,7 @@ TEST(a_wrong_item_of_a_list_is_named_with_the_argument_of_the_list)
 TEST(what_is_left_out_is_noted_with_its_line_and_its_reason_once)
 {
     step_text_file t = {.notes = NULL};
-    begin(&t, "#1=circle(0);\n#2=X(1);\n");
+    begin(&t, "#1=CIRCLE(0);\n#2=X(1);\n");
     const bat_step_instance *circle = step_find(&t, 1);
     bat_step_fail(&t.file, circle, BATTEN_BAD_FORMAT, "it is %s", "not round");
     CHECK_MESSAGE("#1 CIRCLE: it is not round");
@@ -134,7 +134,7 @@ TEST(what_is_left_out_is_noted_with_its_line_and_its_reason_once)
     bat_step_fail(&t.file, step_find(&t, 2), BATTEN_BAD_FORMAT, "it is missing");
     CHECK_OK(bat_step_leave_out(&t.file, NULL, circle, BATTEN_BAD_FORMAT));
     CHECK_INT(t.input.left_out, 2);
-    if (test_cases(1000) >= 1000) { /* else a call is made twice */
+    if (batten_notes_dropped(t.notes) == 0) {
         static const char *const texts[] = {"it is not round; left out",
                                             "#2 X: it is missing; left out"};
         CHECK_INT(batten_notes_count(t.notes), 2);
