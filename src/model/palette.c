@@ -1,5 +1,6 @@
 /* The colours of triangles, each once. */
 #include "model/palette.h"
+#include "base/sort.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +15,8 @@ static int compare(const void *a, const void *b)
     const coloured *one = a, *other = b;
     for (int k = 0; k < 3; k++)
         if (one->colour[k] != other->colour[k])
-            return one->colour[k] < other->colour[k] ? -1 : 1;
-    return (one->triangle > other->triangle) - (one->triangle < other->triangle);
+            return bat_compare_doubles(&one->colour[k], &other->colour[k]);
+    return one->triangle - other->triangle;
 }
 
 static void fill_slots(const coloured *sorted, int count, bat_palette *p)

@@ -157,3 +157,203 @@ TEST(many_labels_find_memory_or_say_so)
     CHECK(status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY);
     batten_release(data);
 }
+
+/* ---- marks by their pixels ---- */
+
+static bool is_dark(const bat_canvas *canvas, double x, double y)
+{
+    cairo_surface_flush(canvas->surface);
+    const unsigned char *data = cairo_image_surface_get_data(canvas->surface);
+    const int stride = cairo_image_surface_get_stride(canvas->surface);
+    return data[(int)y * stride + 4 * (int)x] < 128;
+}
+
+static bat_canvas begin_pixels(void)
+{
+    bat_canvas canvas;
+    CHECK_OK(bat_canvas_begin(BATTEN_PICTURE_PNG, 200, 100, 10, "", &canvas));
+    return canvas;
+}
+
+/* The box around all that is dark; of nothing its width is below 0. */
+static bat_rectangle dark_box(const bat_canvas *canvas)
+{
+    int x[2] = {1000, -1}, y[2] = {1000, -1};
+    for (int i = 0; i < (int)canvas->width; i++)
+        for (int k = 0; k < (int)canvas->height; k++)
+            if (is_dark(canvas, i, k)) {
+                x[0] = i < x[0] ? i : x[0];
+                x[1] = i > x[1] ? i : x[1];
+                y[0] = k < y[0] ? k : y[0];
+                y[1] = k > y[1] ? k : y[1];
+            }
+    return (bat_rectangle){x[0], y[0], x[1] + 1 - x[0], y[1] + 1 - y[0]};
+}
+
+/* Strokes and gaps in widths of the line, one after another from its start; a fine line has them
+ * in points. */
+TEST(dashes_have_the_lengths_of_their_kind)
+{
+    static const struct {
+        bat_dash dash;
+        double width, lengths[5];
+    } kinds[] = {{BAT_SOLID, 2, {180}},
+                 {BAT_DASHED, 2, {12, 8, 12, 8}},
+                 {BAT_CHAIN, 2, {24, 6, 4, 6, 24}},
+                 {BAT_DOTTED, 2, {3, 6, 3, 6}},
+                 {BAT_DASHED, 4, {24, 16, 24}}};
+    for (int i = 0; i < COUNT(kinds); i++) {
+        bat_canvas canvas = begin_pixels();
+        const bat_pen pen = {ink, kinds[i].width, kinds[i].dash};
+        double x = 10;
+        bat_canvas_segment(&canvas, pen, 10, 50, 190, 50);
+        for (int k = 0; k < 5 && kinds[i].lengths[k] > 0; x += kinds[i].lengths[k++]) {
+            CHECK(is_dark(&canvas, x + 0.5, 50) == (k % 2 == 0));
+            CHECK(is_dark(&canvas, x + kinds[i].lengths[k] - 0.5, 50) == (k % 2 == 0));
+        }
+        CHECK_INT((long long)dark_box(&canvas).height, (long long)kinds[i].width);
+        bat_canvas_end(&canvas);
+    }
+}
+
+/* Only solid lines have round ends, which reach over. */
+TEST(lines_end_round_when_they_are_solid)
+{
+    static const bat_dash dashes[] = {BAT_SOLID, BAT_DASHED};
+    for (int i = 0; i < 2; i++) {
+        bat_canvas canvas = begin_pixels();
+        bat_canvas_segment(&canvas, (bat_pen){ink, 10, dashes[i]}, 50, 50, 80, 50);
+        CHECK(is_dark(&canvas, 47.5, 50) == (i == 0));
+        CHECK(is_dark(&canvas, 82.5, 50) == (i == 0));
+        CHECK(is_dark(&canvas, 51.5, 50) && is_dark(&canvas, 78.5, 50));
+        bat_canvas_end(&canvas);
+    }
+}
+
+TEST(a_cross_has_four_arms_and_a_disc_is_round)
+{
+    bat_canvas canvas = begin_pixels();
+    bat_canvas_cross(&canvas, (bat_pen){ink, 2, BAT_SOLID}, 50, 50, 10);
+    for (int k = 0; k < 4; k++) {
+        const double dx = k % 2 ? 1 : -1, dy = k / 2 ? 1 : -1;
+        CHECK(is_dark(&canvas, 50 + 8 * dx, 50 + 8 * dy));
+        CHECK(!is_dark(&canvas, 50 + 8 * dx, 50) && !is_dark(&canvas, 50, 50 + 8 * dy));
+        CHECK(!is_dark(&canvas, 50 + 13 * dx, 50 + 13 * dy));
+    }
+    bat_canvas_end(&canvas);
+    canvas = begin_pixels();
+    bat_canvas_disc(&canvas, ink, 50, 50, 10);
+    const bat_rectangle box = dark_box(&canvas);
+    CHECK(box.x == 40 && box.y == 40 && box.width == 20 && box.height == 20);
+    for (int k = 0; k < 8; k++)
+        CHECK(is_dark(&canvas, 50 + 8.5 * cos(k), 50 + 8.5 * sin(k)) &&
+              !is_dark(&canvas, 50 + 11.5 * cos(k), 50 + 11.5 * sin(k)));
+    bat_canvas_end(&canvas);
+}
+
+TEST(a_frame_is_hollow_and_a_polygon_and_a_box_are_full)
+{
+    bat_canvas canvas = begin_pixels();
+    bat_canvas_frame(&canvas, (bat_pen){ink, 2, BAT_SOLID}, (bat_rectangle){20, 30, 40, 50});
+    bat_rectangle box = dark_box(&canvas);
+    CHECK(box.x == 19 && box.y == 29 && box.width == 42 && box.height == 52);
+    CHECK(!is_dark(&canvas, 40, 50) && is_dark(&canvas, 40, 30) && is_dark(&canvas, 60, 50));
+    bat_canvas_end(&canvas);
+    canvas = begin_pixels();
+    bat_canvas_box(&canvas, ink, (bat_rectangle){20, 30, 40, 50});
+    box = dark_box(&canvas);
+    CHECK(box.x == 20 && box.y == 30 && box.width == 40 && box.height == 50);
+    CHECK(is_dark(&canvas, 40, 50));
+    bat_canvas_end(&canvas);
+    canvas = begin_pixels();
+    bat_canvas_fill(&canvas, ink, 1, 3, (double[]){20, 20, 60, 20, 20, 60});
+    CHECK(is_dark(&canvas, 25, 25) && is_dark(&canvas, 35, 35) && !is_dark(&canvas, 55, 55));
+    bat_canvas_end(&canvas);
+}
+
+static void draw_text(bat_canvas *canvas, bool is_bold, double size, bat_anchor anchor,
+                      const char *text)
+{
+    if (is_bold)
+        bat_canvas_bold(canvas, ink, size, anchor, 100, 50, text);
+    else
+        bat_canvas_text(canvas, ink, size, anchor, 100, 50, text);
+}
+
+/* Figures are about 0.72 of their size high, and their middle is where it was asked for. */
+TEST(a_text_stands_beside_or_around_its_point_and_its_figures_around_its_height)
+{
+    for (int is_bold = 0; is_bold < 2; is_bold++)
+        for (int anchor = BAT_LEFT; anchor <= BAT_RIGHT; anchor++) {
+            bat_canvas canvas = begin_pixels();
+            draw_text(&canvas, is_bold, 30, (bat_anchor)anchor, "8008");
+            const bat_rectangle box = dark_box(&canvas);
+            const double wide = bat_canvas_text_width(&canvas, 30, "8008");
+            CHECK_NEAR(box.x + box.width / 2, 100 + (1 - anchor) * wide / 2, is_bold ? 9 : 3);
+            CHECK_NEAR(box.y + box.height / 2, 50, 2);
+            CHECK_NEAR(box.height, 0.72 * 30, 3);
+            bat_canvas_end(&canvas);
+        }
+}
+
+TEST(the_width_of_a_text_grows_with_its_size_and_its_letters)
+{
+    bat_canvas canvas = begin_pixels();
+    const double one = bat_canvas_text_width(&canvas, 10, "8");
+    CHECK(one > 3 && one < 10);
+    CHECK_NEAR(bat_canvas_text_width(&canvas, 10, "8888"), 4 * one, 1e-6);
+    CHECK_NEAR(bat_canvas_text_width(&canvas, 30, "8888"), 12 * one, 1e-6);
+    CHECK_NEAR(bat_canvas_text_width(&canvas, 30, ""), 0, 0);
+    bat_canvas_end(&canvas);
+}
+
+TEST(a_text_upwards_is_turned_about_its_middle)
+{
+    bat_canvas canvas = begin_pixels();
+    bat_canvas_text_up(&canvas, ink, 30, 100, 50, "8008");
+    const bat_rectangle box = dark_box(&canvas);
+    CHECK_NEAR(box.x + box.width / 2, 100, 2);
+    CHECK_NEAR(box.y + box.height / 2, 50, 3);
+    CHECK_NEAR(box.width, 0.72 * 30, 3);
+    CHECK(box.height > 50);
+    bat_canvas_end(&canvas);
+}
+
+/* Two labels at that distance: is there room for the second? */
+static bool both_fit(double dx, double dy)
+{
+    bat_canvas canvas = begin_pixels();
+    CHECK(bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 100, 50, "88"));
+    const bool fits = bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 100 + dx, 50 + dy, "88");
+    bat_canvas_end(&canvas);
+    return fits;
+}
+
+/* A label takes its width, 0.3 of its size on either side, and its size in height. */
+TEST(a_label_keeps_free_as_much_as_it_covers)
+{
+    bat_canvas canvas = begin_pixels();
+    const double wide = bat_canvas_text_width(&canvas, 10, "88") + 6;
+    bat_canvas_box(&canvas, ink, (bat_rectangle){0, 0, 200, 100});
+    CHECK(bat_canvas_label(&canvas, (bat_colour){1, 1, 1}, 10, BAT_MIDDLE, 100, 50, "88"));
+    CHECK(is_dark(&canvas, 100, 43) && !is_dark(&canvas, 100, 46) &&
+          !is_dark(&canvas, 100, 54));
+    CHECK(is_dark(&canvas, 100, 57) && is_dark(&canvas, 100 - wide / 2 - 2, 50));
+    CHECK(!is_dark(&canvas, 100 - wide / 2 + 2, 50) &&
+          !is_dark(&canvas, 100 + wide / 2 - 2, 50));
+    CHECK(is_dark(&canvas, 100 + wide / 2 + 2, 50));
+    for (int side = -1; side <= 1; side += 2) {
+        CHECK(!both_fit(side * (wide - 0.5), 0) && both_fit(side * (wide + 0.5), 0));
+        CHECK(!both_fit(0, side * 9.5) && both_fit(0, side * 10.5));
+    }
+    const double beside = wide / 2;
+    CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, beside - 1, 20, "88"));
+    CHECK(bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, beside + 1, 20, "88"));
+    CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 200 - beside + 1, 20, "88"));
+    CHECK(bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 200 - beside - 1, 20, "88"));
+    CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 100, 4, "88"));
+    CHECK(bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 100, 6, "88"));
+    CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 100, 96, "88"));
+    CHECK(bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 100, 94, "88"));
+    bat_canvas_end(&canvas);
+}
