@@ -2,6 +2,8 @@
 #include "support/bodies.h"
 #include "support/test.h"
 
+#include <batten/standard.h>
+
 static batten_body *unit_box(void)
 {
     return test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 2, 3});
@@ -157,5 +159,60 @@ TEST(a_face_that_turns_out_bad_is_taken_back)
     CHECK_INT(q->edge_count, 4);
     CHECK_INT(q->vertex_count, 4);
     batten_body_unref(made);
+    batten_body_unref(body);
+}
+
+TEST(counts_below_zero_and_tolerances_of_nothing_are_refused)
+{
+    static const char *const words[] = {"-1 vertices", "-1 edges", "-1 uses",
+                                        "-1 loops",    "-1 faces", "-1 shells"};
+    static const double tolerances[] = {0, -1, NAN, INFINITY};
+    batten_body *body = unit_box(), *made = NULL;
+    for (int i = 0; i < COUNT(words); i++) {
+        batten_body_parts bad = *batten_body_view(body);
+        int *const counts[] = {&bad.vertex_count, &bad.edge_count, &bad.use_count,
+                               &bad.loop_count,   &bad.face_count, &bad.shell_count};
+        *counts[i] = -1;
+        CHECK_STATUS(batten_body_create(&bad, &made), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(words[i]);
+    }
+    for (int i = 0; i < COUNT(tolerances); i++) {
+        batten_body_parts bad = *batten_body_view(body);
+        bad.tolerance = tolerances[i];
+        CHECK_STATUS(batten_body_create(&bad, &made), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("the tolerance of the body is");
+    }
+    CHECK(!made);
+    batten_body_unref(body);
+}
+
+TEST(an_edge_has_its_curve_in_space_and_vertices_that_are_there)
+{
+    batten_body *body = unit_box(), *made = NULL;
+    const batten_body_parts good = *batten_body_view(body);
+    batten_body_edge edges[12];
+    batten_body_parts bad = good;
+    batten_curve *flat = NULL;
+    CHECK_OK(batten_curve_line(2, (double[]){0, 0}, (double[]){1, 0}, &flat));
+    static const struct {
+        int vertex, other;
+        const char *words;
+    } cases[] = {{-1, 0, "edge 5 has vertex 0, of 8"},
+                 {8, 0, "edge 5 has vertex 9, of 8"},
+                 {0, -1, "edge 5 has vertex 0, of 8"}};
+    bad.edges = edges;
+    for (int i = 0; i < COUNT(cases); i++) {
+        memcpy(edges, good.edges, sizeof edges);
+        edges[4].vertices[0] = cases[i].vertex;
+        edges[4].vertices[1] = cases[i].other;
+        CHECK_STATUS(batten_body_create(&bad, &made), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(cases[i].words);
+    }
+    memcpy(edges, good.edges, sizeof edges);
+    edges[4].curve = flat;
+    CHECK_STATUS(batten_body_create(&bad, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the curve of edge 5 has 2 dimensions, not 3");
+    batten_curve_unref(flat);
+    CHECK(!made);
     batten_body_unref(body);
 }

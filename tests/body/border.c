@@ -101,3 +101,36 @@ TEST(a_flat_surface_is_no_body)
     CHECK_MESSAGE("the tolerance is 0");
     batten_surface_unref(surface);
 }
+
+/* Knots that are loose at one end alone, in either direction. */
+TEST(a_surface_that_is_not_clamped_at_one_end_is_clamped_there)
+{
+    static const double loose[2][6] = {{0, 0, 0, 1, 2, 3}, {-2, -1, 0, 1, 1, 1}};
+    static const double line[] = {0, 0, 1, 1};
+    static const double points[] = {0, 0, 0, 0, 0, 1, 1, 1, 0, 1, 1, 1, 2, 0, 0, 2, 0, 1};
+    for (int i = 0; i < 4; i++) {
+        const batten_axis bent = {2, 3, loose[i % 2], false}, straight = {1, 2, line, false};
+        const batten_direction direction = i / 2 ? BATTEN_V : BATTEN_U;
+        batten_surface *surface = NULL, *turned = NULL;
+        batten_body *body = NULL;
+        CHECK_OK(batten_surface_create(3, &bent, &straight, points, NULL, &surface));
+        if (direction == BATTEN_V)
+            CHECK_OK(batten_surface_swap(surface, &turned));
+        const batten_surface *of = turned ? turned : surface;
+        CHECK_OK(batten_body_from_surface("", of, 1e-6, &body));
+        const batten_surface *made = batten_body_view(body)->faces[0].surface;
+        const double *knots = batten_surface_knots(made, direction);
+        CHECK(knots[0] == knots[2] && knots[3] == knots[5]);
+        for (int k = 0; k <= 4; k++) {
+            double p[3], q[3];
+            CHECK_OK(batten_surface_evaluate(of, k / 4.0, 0.25 * k, 0, p));
+            CHECK_OK(batten_surface_evaluate(made, k / 4.0, 0.25 * k, 0, q));
+            for (int c = 0; c < 3; c++)
+                CHECK_NEAR(q[c], p[c], 1e-14);
+        }
+        check_counts(body, 4, 4, 0);
+        batten_body_unref(body);
+        batten_surface_unref(turned);
+        batten_surface_unref(surface);
+    }
+}

@@ -82,6 +82,8 @@ TEST(a_visit_ends_with_the_first_failure_of_its_visitor)
 {
     static const char *const paths[] = {"a/b", "a/c"};
     story s = {.left = -1};
+    if (test_cases(1000) < 1000)
+        SKIP("calls are counted, and made twice where memory fails");
     CHECK_OK(visit(2, paths, &s)); /* enter a, b, items, leave b, enter c, items, leave c, a */
     for (int left = 0; left < 8; left++) {
         story part = {.left = left};

@@ -1,5 +1,6 @@
 /* What is said of drawings, to the letter and the line; and what elements inherit. */
 #include "exchange/listed.h"
+#include "exchange/svg/svg.h"
 
 #define SVG "<svg width=\"10mm\" height=\"10mm\" viewBox=\"0 0 10 10\">\n"
 #define LINE "<line x1=\"1\" y1=\"2\" x2=\"3\" y2=\"4\"/>\n"
@@ -112,4 +113,32 @@ TEST(shapes_have_the_names_of_their_groups_and_parts)
         CHECK_TEXT(object->layer, due[i].layer);
     }
     batten_model_unref(model);
+}
+
+TEST(a_drawing_begins_with_an_element_svg)
+{
+    static const struct {
+        const char *text;
+        bool is_svg;
+    } cases[] = {{"<svg/>", false},
+                 {"<svg>", true},
+                 {" \n<svg a=\"1\">", true},
+                 {"<!-- c --><svg>", true},
+                 {"<?xml version=\"1.0\"?>\n<svg>", true},
+                 {"<html>", false},
+                 {"<svgs>", false},
+                 {"svg>", false},
+                 {"<", false},
+                 {"", false},
+                 {"<g><svg>", false},
+                 {"</svg>", false}};
+    for (int i = 0; i < COUNT(cases); i++) {
+        batten_read_options options = batten_read_defaults();
+        bat_input input;
+        bool is_svg = true;
+        CHECK_OK(bat_input_begin(cases[i].text, strlen(cases[i].text), &options, NULL, NULL,
+                                 &input));
+        CHECK_OK(bat_svg_recognise(&input, &is_svg));
+        CHECK(is_svg == cases[i].is_svg);
+    }
 }

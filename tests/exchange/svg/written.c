@@ -179,3 +179,21 @@ TEST(a_curve_of_one_coordinate_lies_in_no_plane)
 {
     check_said(polyline(1, 2, (double[]){0, 1}), "c: left out: this curve lies in no plane\n");
 }
+
+/* A quarter of a circle whose weights are 1, 1, 2 is an arc as one of 1, w, 1 is. */
+TEST(a_conic_whose_weights_are_uneven_is_an_arc_and_a_rational_cubic_is_approximated)
+{
+    static const double quarter[] = {10, 0, 10, 10, 0, 10}, uneven[] = {1, 1, 2};
+    static const double cubic[] = {0, 0, 0, 10, 20, 20, 20, 0}, rising[] = {1, 2, 3, 4};
+    batten_model *model = model_of_curve(bezier(2, 2, quarter, uneven), "");
+    const char *path = strstr(written(model, BATTEN_FORMAT_SVG), " d=\"M");
+    double r[2] = {0, 0};
+    CHECK(strchr(path, 'A') && sscanf(strchr(path, 'A'), "A%lf %lf", &r[0], &r[1]) == 2);
+    CHECK_NEAR(r[0], 10, 1e-12);
+    CHECK_NEAR(r[1], 10, 1e-12);
+    batten_model_unref(model);
+    model = model_of_curve(bezier(2, 3, cubic, rising), "");
+    path = strstr(written(model, BATTEN_FORMAT_SVG), " d=\"M");
+    CHECK(strchr(path, 'C') && strchr(strchr(path, 'C') + 1, 'C'));
+    batten_model_unref(model);
+}

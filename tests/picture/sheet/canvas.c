@@ -332,6 +332,8 @@ static bool both_fit(double dx, double dy)
 /* A label takes its width, 0.3 of its size on either side, and its size in height. */
 TEST(a_label_keeps_free_as_much_as_it_covers)
 {
+    if (test_cases(1000) < 1000)
+        SKIP("labels without memory are another test");
     bat_canvas canvas = begin_pixels();
     const double wide = bat_canvas_text_width(&canvas, 10, "88") + 6;
     bat_canvas_box(&canvas, ink, (bat_rectangle){0, 0, 200, 100});
