@@ -2,7 +2,7 @@
 #define BATTEN_EXTEND_H
 /**
  * @file
- * Curves and surfaces made longer, places of surfaces moved, and parts of curves.
+ * Curves and surfaces made longer, places of surfaces moved, parts of curves, loose curves joined.
  */
 #include <batten/continuity.h>
 
@@ -179,6 +179,44 @@ typedef struct batten_surface_pull {
 BATTEN_API batten_status batten_surface_pulled(const batten_surface *surface, int count,
                                                const batten_surface_pull *pulls, int kept,
                                                double *moved, batten_surface **out);
+
+/** What batten_curves_join found. */
+typedef struct batten_curves_join_report {
+    int closed;   /**< curves that end where they begin */
+    int gaps;     /**< joints whose ends did not agree bit for bit */
+    int branches; /**< ends with more than one other end within the tolerance */
+    double gap;   /**< the largest that was closed, model units */
+    double at[3]; /**< where its ends meet now */
+} batten_curves_join_report;
+
+/**
+ * Loose curves joined where their ends meet, in any order and direction, as drawings have lines
+ * and arcs: as many curves as they make.
+ *
+ * Gaps up to the tolerance are closed, the smallest first, each end once; both ends move to the
+ * middle between them, and nothing else moves but the curves' first or last control points, by
+ * half a gap at most. A curve, or a chain of them, closes upon itself where its ends are nearer
+ * than half its length. Results run as the first of their curves does, and begin where the chain
+ * begins, closed ones with that curve. Only where several gaps are equal does the order of the
+ * curves decide.
+ *
+ * @param curves  1 or more, of one dimension
+ * @param tolerance  model units, 0 or more
+ * @param[out] order  [count], curves as they follow each other, counted from 1, negative where
+ *                    one is turned; or NULL
+ * @param[out] pieces  [count], of how many of them each result is made; or NULL
+ * @param[out] report  may be NULL
+ * @param[out] out  the results; release them with batten_curves_release
+ * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS (no curves), NOT_COMPATIBLE (dimensions),
+ * BAD_KNOTS, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: n log n for n curves whose ends spread along one of the axes; of ends within the
+ * tolerance of each other all pairs.
+ */
+BATTEN_API batten_status batten_curves_join(const batten_curve_row *curves, double tolerance,
+                                            int *order, int *pieces,
+                                            batten_curves_join_report *report,
+                                            batten_curves *out);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,11 @@
 /* The feature 'join': curves or surfaces end to end as one. */
+#include "base/plural.h"
 #include "design/feature.h"
-#include "design/features/change/loose_ends.h"
 #include "design/shared/outline.h"
+#include <batten/extend.h>
+
+#include <stdio.h>
+#include <stdlib.h>
 
 static const batten_parameter parameters[] = {
     {"join", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the curves or surfaces"},
@@ -52,24 +56,94 @@ static batten_status join_curves(bat_run *run, const bat_objects *all, double wi
     return bat_put_chain_like(run, status, joined, chain, &like);
 }
 
+/* ---- in any order ---- */
+
+static batten_status turn_chain_when(bool is_turned, const batten_chain *chain,
+                                     batten_chain **out)
+{
+    if (is_turned)
+        return batten_chain_reverse(chain, out);
+    *out = batten_chain_ref(chain);
+    return BATTEN_OK;
+}
+
+/* As one chain, when all are chains that fit together: their ends stay, so gaps are within the
+ * tolerance of the design; else none. */
+static batten_status join_ordered_chains(const bat_run *run, const bat_objects *all,
+                                         const int *order, int count, batten_chain **out)
+{
+    batten_chain *joined = NULL;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < count && status == BATTEN_OK; i++) {
+        const batten_chain *next = all->at[abs(order[i]) - 1]->chain;
+        batten_chain *turned = NULL, *longer = NULL;
+        status = next ? turn_chain_when(order[i] < 0, next, &turned) : BATTEN_NOT_COMPATIBLE;
+        if (status == BATTEN_OK)
+            status = lengthen_chain(joined, turned, bat_tolerance(run), &longer);
+        batten_chain_unref(turned);
+        batten_chain_unref(joined);
+        joined = longer;
+    }
+    *out = joined;
+    return status == BATTEN_NOT_COMPATIBLE ? BATTEN_OK : status;
+}
+
+static void remark_gaps(const bat_run *run, int count, double within,
+                        const batten_curves_join_report *r, int made)
+{
+    bat_remark(run, "%d curve%s join%s to %d, %d of them closed", count, bat_plural(count),
+               count == 1 ? "s" : "", made, r->closed);
+    if (r->gaps)
+        bat_remark(
+            run,
+            "%d gap%s closed, both ends moved to the middle; the largest gap closed is %g, "
+            "at (%.6g, %.6g, %.6g)",
+            r->gaps, r->gaps == 1 ? " is" : "s are", r->gap, r->at[0], r->at[1], r->at[2]);
+    else
+        bat_remark(run, "all ends that meet agree; the largest gap closed is 0");
+    if (r->branches)
+        bat_note(run,
+                 "%d end%s more than one other within %g; the smallest gaps are closed first",
+                 r->branches, r->branches == 1 ? " has" : "s have", within);
+}
+
+static batten_status put_joined(bat_run *run, const bat_objects *all, const batten_curves *made,
+                                const int *order, const int *pieces)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < made->count && status == BATTEN_OK; order += pieces[i++]) {
+        char name[220];
+        batten_chain *chain = NULL;
+        snprintf(name, sizeof name, "%.200s %d", run->name, i + 1);
+        const batten_object like = {.name = made->count > 1 ? name : run->name, .layer = ""};
+        status = join_ordered_chains(run, all, order, pieces[i], &chain);
+        status = bat_put_chain_like(run, status, batten_curve_ref(made->at[i]), chain, &like);
+    }
+    return status;
+}
+
 /* Loose lines and arcs, as drawings have them: as many curves as they make. */
 static batten_status join_loose_curves(bat_run *run, const bat_objects *all, double within)
 {
-    bat_loose_report report;
-    batten_curves curves = {0, NULL};
-    const batten_object like = {.name = run->name, .layer = ""};
-    batten_status status = bat_join_loose(all, within, &curves, &report);
-    if (status != BATTEN_OK)
-        return status;
-    bat_remark(run, "%d curve%s join%s to %d, %d of them closed; the largest gap closed is %g",
-               all->count, all->count == 1 ? "" : "s", all->count == 1 ? "s" : "",
-               report.chains, report.closed, report.gap);
-    if (report.branches)
-        bat_note(run, "ends where several curves go on: %d; the nearest is taken",
-                 report.branches);
-    status = curves.count == 1 ? bat_put_curve(run, BATTEN_OK, batten_curve_ref(curves.at[0]))
-                               : bat_put_curves_like(run, &like, &curves);
-    batten_curves_release(&curves);
+    const size_t count = (size_t)all->count;
+    batten_curves_join_report report;
+    batten_curves made = {0, NULL};
+    const batten_curve **curves = bat_array(count, sizeof *curves);
+    int *order = bat_array(count, sizeof *order), *pieces = bat_array(count, sizeof *pieces);
+    batten_status status = curves && order && pieces ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; status == BATTEN_OK && i < all->count; i++)
+        curves[i] = all->at[i]->curve;
+    if (status == BATTEN_OK)
+        status = batten_curves_join(&(batten_curve_row){all->count, curves}, within, order,
+                                    pieces, &report, &made);
+    if (status == BATTEN_OK) {
+        remark_gaps(run, all->count, within, &report, made.count);
+        status = put_joined(run, all, &made, order, pieces);
+    }
+    batten_curves_release(&made);
+    bat_release(curves);
+    bat_release(order);
+    bat_release(pieces);
     return status;
 }
 
@@ -116,11 +190,16 @@ const bat_feature bat_feature_join = {
         {"join", "Curves or surfaces end to end as one",
          "Each must start where the one before it ends, within the gap allowed. With 'order: any'\n"
          "curves are sorted and turned so that their ends meet, such as the loose lines and arcs of\n"
-         "a DXF drawing: they become as many curves as they make, and the largest gap is reported.",
+         "a DXF drawing: they become as many curves as they make. Gaps up to 'within' are closed,\n"
+         "the smallest first, by moving both ends to the middle between them: nothing moves by more\n"
+         "than half a gap. How many gaps there were and the largest with its place are remarked, and\n"
+         "ends that have a choice are noted. Lines and arcs stay lines and arcs where their gaps\n"
+         "are within the tolerance of the design.",
          "features:\n"
          "  aft: {line: [[0, 0], [2 m, 0]]}\n"
          "  fore: {line: [[2 m, 0], [4 m, 1 m]]}\n"
          "  keel: {join: [aft, fore]}\n",
          "[PT97]", "batten_curve_join", BAT_PARAMETERS(parameters), false,
-         .also = "concatenate, merge curves, composite curve, chain"},
+         .also =
+             "concatenate, merge curves, composite curve, chain, loose ends, close gaps, stitch"},
     .run = run_join};

@@ -273,7 +273,7 @@ TEST(loose_curves_are_joined_in_any_order_and_direction)
         {"{join: [out, a2, a4, ring], order: any}", BATTEN_OK,
          "objects 3;length 1;object 1;length 3.999;object 2;closed 1;notes 4 curves join to 3, 1 of them closed"},
         {"{join: [a4, a2, spur], order: any}", BATTEN_OK,
-         "notes ends where several curves go on: 1"},
+         "notes 3 ends have more than one other within"},
         {"{join: [a1, a3]}", BATTEN_NOT_COMPATIBLE, ""},
         {"{join: [sheet], order: any}", BATTEN_OK, "objects 1"},
     };
