@@ -29,7 +29,7 @@ static bool is_list(const char *text)
 static bool has_coordinates(const batten_parameter *p)
 {
     return p->kind == BATTEN_VALUE_POINT || p->kind == BATTEN_VALUE_RANGE ||
-           p->kind == BATTEN_VALUE_POINTS;
+           p->kind == BATTEN_VALUE_POINTS || p->kind == BATTEN_VALUE_MOVE;
 }
 
 /* Do commas part values, or can they belong to a name or a text? */

@@ -15,7 +15,7 @@ for folder in base numeric spline inspect shape body mesh model fair loft exchan
     bad="$bad$(includes "src/$folder" | grep -vE "\"($allowed)/")"
 done
 # The rooms of shape: each includes only itself and the rooms before it.
-rooms="formula|equation|points|local|linear|arcs|near|aerofoil|grid|boundary|bent|cloud|skin|sweep|network|fill|curve_change|surface_change|plate"
+rooms="formula|equation|points|local|linear|arcs|near|aerofoil|grid|boundary|bent|cloud|skin|sweep|network|fill|curve_change|surface_change|deform|plate"
 before=""
 for room in $(echo "$rooms" | tr '|' ' '); do
     before="$before|$room"

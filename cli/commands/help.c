@@ -125,7 +125,8 @@ static const char *kind_name(const batten_parameter *p)
                                         [BATTEN_VALUE_POINT] = "a point",
                                         [BATTEN_VALUE_RANGE] = "a range",
                                         [BATTEN_VALUE_POINTS] =
-                                            "a point or a feature with points"};
+                                            "a point or a feature with points",
+                                        [BATTEN_VALUE_MOVE] = "a move [i, j, k, dx, dy, dz]"};
     return (size_t)p->kind < sizeof names / sizeof names[0] ? names[p->kind] : "a value";
 }
 

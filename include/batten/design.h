@@ -45,7 +45,8 @@ typedef enum batten_value_kind {
     BATTEN_VALUE_YES_NO,
     BATTEN_VALUE_POINT, /**< [x, y, z] or [x, y], lengths; or origin x y z -x -y -z */
     BATTEN_VALUE_RANGE, /**< [a, b], lengths, a < b */
-    BATTEN_VALUE_POINTS /**< a point, or the name of a feature with points */
+    BATTEN_VALUE_POINTS, /**< a point, or the name of a feature with points */
+    BATTEN_VALUE_MOVE    /**< [i, j, k, dx, dy, dz]: a place in a lattice, from 1, and a vector */
 } batten_value_kind;
 
 typedef struct batten_parameter {

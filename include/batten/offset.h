@@ -2,9 +2,9 @@
 #define BATTEN_OFFSET_H
 /**
  * @file
- * Parallel curves and surfaces.
+ * Parallel curves and surfaces, and free-form deformation: shapes in a box that follow its lattice of control points.
  */
-#include <batten/surface.h>
+#include <batten/mesh.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -128,6 +128,182 @@ BATTEN_API batten_status batten_surface_offset(const batten_surface *surface, do
                                                const batten_surface_offset_options *options,
                                                batten_surface_offset_report *report,
                                                batten_surface **out);
+
+/* ---- free-form deformation ---- */
+
+/** A map of space by a lattice of control points; immutable, shared among threads. */
+typedef struct batten_deformation batten_deformation;
+
+/** A box along the axes and the lattice in it. */
+typedef struct batten_lattice {
+    batten_box box; /**< of some extent in x, y and z */
+    int counts[3];  /**< lattice points in x, y and z, each 2 or more */
+    int degrees[3]; /**< 1 to 8 each, below the count; count - 1: one Bezier polynomial, less: a
+                         B-spline of count - degree equal spans */
+} batten_lattice;
+
+/** What becomes of shapes that leave the box. Where they may, they stay outside as they are, and the layers of lattice
+ * points beside the sides through which they leave may not be moved. */
+typedef enum batten_box_join {
+    BATTEN_BOX_JOIN_NONE,      /**< they are refused */
+    BATTEN_BOX_JOIN_POSITION,  /**< one layer stays: the map is continuous */
+    BATTEN_BOX_JOIN_TANGENT,   /**< two layers: its first derivatives are, too */
+    BATTEN_BOX_JOIN_CURVATURE, /**< three layers: the second ones, too */
+    BATTEN_BOX_JOIN_COUNT      /**< how many there are */
+} batten_box_join;
+
+typedef struct batten_deformation_options {
+    size_t size;          /**< set by batten_deformation_defaults */
+    batten_box_join join; /**< NONE */
+    int most_parts;       /**< parts of spans that the search for folds takes at most; 4096 */
+} batten_deformation_options;
+
+/** Shapes within the box, and 4096 parts. */
+BATTEN_API batten_deformation_options batten_deformation_defaults(void);
+
+/** Whether a deformation turns space inside out somewhere in its box. */
+typedef enum batten_folding {
+    BATTEN_FOLDS_NOWHERE, /**< proved: the determinant of the Jacobian is above `bound`, above 0 */
+    BATTEN_FOLDS,         /**< it is `least`, 0 or less, at `at` */
+    BATTEN_FOLDS_UNKNOWN /**< no fold was found, and none excluded, in `most_parts` */
+} batten_folding;
+
+typedef struct batten_deformation_report {
+    batten_folding folding;
+    double bound; /**< the determinant is nowhere below, over the box; 1 where nothing moves */
+    double least; /**< the least that was met */
+    double at[3]; /**< where in the box, before it is deformed */
+    double
+        moved; /**< the longest move of a lattice point, model units: no point moves farther */
+} batten_deformation_report;
+
+/**
+ * Where the lattice points are when nothing is deformed: at the Greville abscissae, evenly for a Bezier lattice.
+ *
+ * @param lattice  the box, counts and degrees
+ * @param[out] points  [counts[0]][counts[1]][counts[2]][3], model units; z runs fastest
+ * @return BATTEN_OK; BAD_ARGUMENT, BAD_DEGREE, NOT_FINITE, TOO_LARGE for a lattice that cannot be
+ *
+ * Cost: linear in the lattice points.
+ */
+BATTEN_API batten_status batten_lattice_home(const batten_lattice *lattice, double *points);
+
+/**
+ * The map D(x) = sum of N_i(s) N_j(t) N_k(r) P_ijk, where (s, t, r) are the coordinates of x in the box, from 0 to 1,
+ * and N the B-splines of the degrees over evenly spaced clamped knots. With all points at home D is the identity.
+ *
+ * Whether it folds is judged here, by the Bezier coefficients of the determinant of its Jacobian, span by span, which are
+ * halved until their sign is one or a value of 0 or less is met. Only local folds are: distant parts may still come to
+ * lie upon each other.
+ *
+ * @param lattice  the box, counts and degrees
+ * @param points  [counts[0]][counts[1]][counts[2]][3], model units; z runs fastest; copied
+ * @param options  NULL: the defaults
+ * @param[out] report  may be NULL
+ * @param[out] out  the map, also when it folds: then nothing can be deformed by it
+ * @return BATTEN_OK; BAD_ARGUMENT, BAD_DEGREE, NOT_FINITE, TOO_LARGE, OUT_OF_MEMORY
+ *
+ * Cost: linear in the spans that move; for each p^6 for degrees p, some 0.1 ms for cubics.
+ * Source: [SP86], [GP89] for B-splines.
+ */
+BATTEN_API batten_status batten_deformation_create(const batten_lattice *lattice,
+                                                   const double *points,
+                                                   const batten_deformation_options *options,
+                                                   batten_deformation_report *report,
+                                                   batten_deformation **out);
+/** One more reference to a deformation, from borrowed to yours. */
+BATTEN_API batten_deformation *batten_deformation_ref(const batten_deformation *deformation);
+/** Give a reference to a deformation back; NULL is welcome. */
+BATTEN_API void batten_deformation_unref(batten_deformation *deformation);
+
+/**
+ * The images of points.
+ *
+ * @param deformation  one that does not fold
+ * @param points  in space, model units
+ * @param[out] out  [points.count][3]; may be the given points
+ * @return BATTEN_OK; SINGULAR_HERE when the deformation folds, with the place; OUT_OF_DOMAIN naming the first point
+ * outside of a box that refuses it; NOT_COMPATIBLE for a side that they leave and whose layers are moved;
+ * BAD_ARGUMENT for points that are not in space; NOT_FINITE
+ *
+ * Cost: (p + 1)^3 multiplications each for degrees p; no allocation.
+ */
+BATTEN_API batten_status batten_deformation_apply(const batten_deformation *deformation,
+                                                  batten_points points, double *out);
+
+/**
+ * The curve near the image of a curve: quintic pieces that agree with the image in point and first two derivatives where
+ * they meet, halved until they are near enough, with the parameters of the given curve. Measured between seven samples of
+ * each piece; not exact but where the image is of degree 5 or less.
+ *
+ * @param curve  in space, in the box or as the deformation allows
+ * @param deformation  one that does not fold
+ * @param tolerance  model units, > 0; at equal parameters
+ * @param[out] error  the largest that was measured; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return as batten_deformation_apply; UNSUPPORTED for curves that are not in space; BAD_ARGUMENT,
+ * TOLERANCE_NOT_MET, OUT_OF_MEMORY
+ *
+ * Cost: some twenty evaluations for each piece that is tried.
+ * Source: [SP86].
+ */
+BATTEN_API batten_status batten_curve_deform(const batten_curve *curve,
+                                             const batten_deformation *deformation,
+                                             double tolerance, double *error,
+                                             batten_curve **out);
+
+/**
+ * The biquintic B-spline near the image of a surface, with its parameters, measured between the points that it
+ * interpolates.
+ *
+ * @param surface  in space, in the box or as the deformation allows
+ * @param deformation  one that does not fold
+ * @param tolerance  model units; 0: the image itself, as a surface of the kind "deformed"
+ * @param[out] error  the largest distance at equal parameters that was measured; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return as batten_curve_deform; UNSUPPORTED for surfaces that are not in space
+ *
+ * Cost: as batten_surface_to_nurbs of a formula.
+ * Source: [SP86].
+ */
+BATTEN_API batten_status batten_surface_deform(const batten_surface *surface,
+                                               const batten_deformation *deformation,
+                                               double tolerance, double *error,
+                                               batten_surface **out);
+
+/**
+ * The mesh with its vertices moved, and nothing else: triangles stay flat. Normals of corners follow the map.
+ *
+ * @param mesh  in the box or as the deformation allows
+ * @param deformation  one that does not fold
+ * @param[out] error  the largest distance of the middle of a side from the image of that middle; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return as batten_deformation_apply; OUT_OF_MEMORY
+ *
+ * Cost: linear in vertices and triangles.
+ */
+BATTEN_API batten_status batten_mesh_deform(const batten_mesh *mesh,
+                                            const batten_deformation *deformation,
+                                            double *error, batten_mesh **out);
+
+/**
+ * The body whose faces and edges are near the images of those of a body; what belongs together stays together. Surfaces
+ * are taken as far as their faces reach.
+ *
+ * @param body  in the box or as the deformation allows
+ * @param deformation  one that does not fold
+ * @param tolerance  model units, > 0, of surfaces and of edges at equal parameters
+ * @param job  for tracing faces that lack parameter curves; may be NULL
+ * @param[out] error  the largest that was measured; may be NULL
+ * @param[out] out  the result, whose tolerance is that of the body, stretched, and twice `tolerance` more
+ * @return as batten_surface_deform; what batten_body_trace returns; NOT_COMPATIBLE where a face cannot be traced
+ *
+ * Cost: that of its surfaces and edges.
+ */
+BATTEN_API batten_status batten_body_deform(const batten_body *body,
+                                            const batten_deformation *deformation,
+                                            double tolerance, const batten_job *job,
+                                            double *error, batten_body **out);
 
 #ifdef __cplusplus
 }

@@ -7,7 +7,7 @@
 
 /* One value of an argument, in design units and radians. */
 typedef struct {
-    double number[3]; /* LENGTH, ANGLE, NUMBER: [0]; POINT; RANGE: [0] and [1] */
+    double number[6]; /* LENGTH, ANGLE, NUMBER: [0]; POINT: [3]; RANGE: [0] and [1]; MOVE: all */
     int count;        /* COUNT; WORD: its place in `words`; YES_NO; MODEL: which feature,
                          as POINTS that have a text */
     const char *text; /* WORD, TEXT, FILE; MODEL, POINTS: its name */

@@ -19,9 +19,9 @@ static void add_words(batten_text *out, const char *words)
 
 static void add_value(batten_text *out, const batten_parameter *p)
 {
-    static const char *const kinds[] = {"feature", "length", "angle", "number",
-                                        "count",   "",       "text",  "file",
-                                        "yes-no",  "point",  "range", "points"};
+    static const char *const kinds[] = {"feature", "length", "angle", "number", "count",
+                                        "",        "text",   "file",  "yes-no", "point",
+                                        "range",   "points", "move"};
     if (p->kind == BATTEN_VALUE_WORD)
         add_words(out, p->words);
     else
@@ -116,6 +116,7 @@ static const char head[] =
     "    \"point\": {\"anyOf\": [{\"enum\": [\"origin\", \"x\", \"y\", \"z\", \"-x\", \"-y\", \"-z\"]}, {\"type\": \"array\", \"minItems\": 2, "
     "\"maxItems\": 3, \"items\": {\"$ref\": \"#/$defs/length\"}}]},\n"
     "    \"range\": {\"type\": \"array\", \"minItems\": 2, \"maxItems\": 2, \"items\": {\"$ref\": \"#/$defs/length\"}},\n"
+    "    \"move\": {\"type\": \"array\", \"minItems\": 6, \"maxItems\": 6, \"items\": {\"$ref\": \"#/$defs/length\"}},\n"
     "    \"points\": {\"anyOf\": [{\"$ref\": \"#/$defs/point\"}, {\"$ref\": \"#/$defs/feature\"}]},\n";
 
 batten_status batten_design_schema(char **json)

@@ -75,6 +75,7 @@ static const double dots[16], wrong = (double)NAN;
 static double many[16];
 static const batten_points none = {2, 0, dots};
 static const batten_grid no_grid = {2, 0, 0, dots};
+static const batten_lattice no_lattice;
 static const batten_uv no_directions;
 static const batten_uv_out no_uv;
 static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
@@ -120,6 +121,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     ROW(batten_model_meshed, batten_mesh, (s->model, o, NULL, NULL, &model)) \
     ROW(batten_curve_offset, batten_curve_offset, (s->line, wrong, o, NULL, &curves)) \
     ROW(batten_surface_offset, batten_surface_offset, (s->plane, wrong, o, NULL, &surface)) \
+    ROW(batten_deformation_create, batten_deformation, (&no_lattice, dots, o, NULL, &deformation)) \
     ROW(batten_surface_developable, batten_surface_developable, (s->line, s->plan, o, &strip)) \
     ROW(batten_surface_unroll, batten_surface_unroll, (s->flat, o, &unrolled)) \
     ROW(batten_fold_create, batten_fold_create, (s->line, o, &fold)) \
@@ -172,6 +174,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     batten_mesh *mesh = NULL; \
     batten_model *model = NULL; \
     batten_triangles *patches = NULL; \
+    batten_deformation *deformation = NULL; \
     batten_curves curves = {0}; \
     batten_continuities joins = {0}; \
     batten_continuity join = {0}; \
@@ -196,6 +199,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     batten_surface_unref(surface); \
     batten_mesh_unref(mesh); \
     batten_triangles_unref(patches); \
+    batten_deformation_unref(deformation); \
     batten_model_unref(model)
 /* clang-format on */
 

@@ -22,7 +22,8 @@ static const char *kind_name(batten_value_kind kind)
                                         "yes or no",
                                         "a point [x, y, z]",
                                         "a range [a, b]",
-                                        "a point [x, y, z], or the name of a feature"};
+                                        "a point [x, y, z], or the name of a feature",
+                                        "a move [i, j, k, dx, dy, dz]"};
     return names[kind];
 }
 
@@ -128,6 +129,8 @@ static void read_list_item(const bat_reading *r, const bat_node *node, bat_item 
     if ((kind == BATTEN_VALUE_POINT || kind == BATTEN_VALUE_POINTS) &&
         node->kind == BAT_NODE_LIST) {
         read_coordinates(*r, node, 2, 3, item);
+    } else if (kind == BATTEN_VALUE_MOVE && node->kind == BAT_NODE_LIST) {
+        read_coordinates(*r, node, 6, 6, item);
     } else if (kind == BATTEN_VALUE_RANGE && node->kind == BAT_NODE_LIST) {
         read_coordinates(*r, node, 2, 2, item);
         if (item->number[0] >= item->number[1])
@@ -137,6 +140,18 @@ static void read_list_item(const bat_reading *r, const bat_node *node, bat_item 
                  node->kind == BAT_NODE_LIST ? "list" : "map");
         bat_complain_of(r, what);
     }
+}
+
+/* One word where coordinates are expected. */
+static void read_named_point(const bat_reading *r, const char *word, bat_item *item)
+{
+    const batten_value_kind kind = r->parameter->kind;
+    if (kind == BATTEN_VALUE_POINT && named_point(word, item->number))
+        return;
+    char what[160];
+    snprintf(what, sizeof what, "needs %s%s, not '%.60s'", kind_name(kind),
+             kind == BATTEN_VALUE_POINT ? ", or one of origin x y z -x -y -z" : "", word);
+    bat_complain_of(r, what);
 }
 
 static void read_item(const bat_reading *r, const bat_node *node, bat_item *item)
@@ -174,13 +189,8 @@ static void read_item(const bat_reading *r, const bat_node *node, bat_item *item
         return;
     case BATTEN_VALUE_POINT:
     case BATTEN_VALUE_RANGE:
-        if (kind == BATTEN_VALUE_RANGE || !named_point(word, item->number)) {
-            char what[160];
-            snprintf(what, sizeof what, "needs %s%s, not '%.60s'", kind_name(kind),
-                     kind == BATTEN_VALUE_POINT ? ", or one of origin x y z -x -y -z" : "",
-                     word);
-            bat_complain_of(r, what);
-        }
+    case BATTEN_VALUE_MOVE:
+        read_named_point(r, word, item);
         return;
     default:
         if (read_quantity(r, kind, word, &q))
@@ -205,7 +215,7 @@ static bool is_many(bat_document *d, const batten_parameter *p, const bat_node *
 {
     const bool has_coordinates = p->kind == BATTEN_VALUE_POINT ||
                                  p->kind == BATTEN_VALUE_POINTS ||
-                                 p->kind == BATTEN_VALUE_RANGE;
+                                 p->kind == BATTEN_VALUE_RANGE || p->kind == BATTEN_VALUE_MOVE;
     if (!p->is_list || node->kind != BAT_NODE_LIST)
         return false;
     if (!has_coordinates || !node->count)
