@@ -300,6 +300,81 @@ BATTEN_API batten_status batten_surface_fill(int count, const batten_ribbon *sid
                                              batten_surface_fill_report *report,
                                              batten_surface **out);
 
+/** The most sides of a hole that one sheet fills. */
+#define BATTEN_SHEET_SIDES 64
+
+typedef struct batten_fill_sheet_options {
+    size_t size;
+    double tolerance; /**< of corners, sides, and what is inside, model units; 0: a millionth
+                                of the size of the hole */
+    double angle;     /**< how far the tangent planes of ribbons may be left, radians; 0.002
+                                degrees */
+    bool curvature;   /**< take the curvature of ribbons over, too; false */
+    double
+        most_curvature;   /**< how far it may be left, 1 / length; 0: a hundredth of the largest
+                                around, or of 1 / size of the hole where that is more */
+    batten_points points; /**< that the sheet goes through, within the sides; none */
+    batten_curve_row curves; /**< the same; none */
+} batten_fill_sheet_options;
+/** The defaults of sheets: those beside the fields of batten_fill_sheet_options. */
+BATTEN_API batten_fill_sheet_options batten_fill_sheet_defaults(void);
+
+/** What a sheet reached, measured on it: at 66 places of each span of a side at least. */
+typedef struct batten_fill_sheet_report {
+    int count;                                  /**< of the sides */
+    batten_fill_edge outer[BATTEN_SHEET_SIDES]; /**< [count], round the loop */
+    double loop_gap;                            /**< the widest corner of the loop */
+    double inside_gap;     /**< how far the sheet is from what is inside, model units */
+    double inside_at[3];   /**< where */
+    int inside;            /**< which point, from 1; or curve, from -1 down; 0: there is none */
+    double rim_curvature;  /**< the largest of the ribbons that give one, 1 / length */
+    double most_curvature; /**< what its difference was held to; infinite without `curvature` */
+    int columns, rows;     /**< spans of the surface */
+} batten_fill_sheet_report;
+
+/** One side of a sheet. */
+typedef struct batten_sheet_side {
+    int curve;                /**< which of those given */
+    bool reversed;            /**< it runs against the loop */
+    batten_curve *parameters; /**< its (u, v) on the surface, over its own domain */
+} batten_sheet_side;
+
+/** A trimmed surface: what the sides, counter-clockwise in (u, v), go around. */
+typedef struct batten_fill_sheet {
+    batten_surface *surface;
+    int count;
+    batten_sheet_side sides[BATTEN_SHEET_SIDES]; /**< [count], round the loop */
+} batten_fill_sheet;
+/** Give back what a sheet refers to. */
+BATTEN_API void batten_fill_sheet_release(batten_fill_sheet *sheet);
+
+/**
+ * Fill a hole by one surface that its sides trim: of any outline, with re-entrant corners too,
+ * and through points and curves inside.
+ *
+ * The surface is the graph of a quintic spline with single knots over the mean plane of the hole:
+ * four derivatives are continuous inside, and it cannot fold. The integral of the squares of its third derivatives, with a thousandth of those of the
+ * second, is least among the splines that meet the sides, their tangent planes and curvatures,
+ * and what is inside; beyond the sides a thousandth counts. Spans are doubled until all is kept.
+ *
+ * @param sides [count], 2 to 64 curves in space in any order and direction; `slope` points into
+ *              the hole; corners may be re-entrant, with ribbons too
+ * @param options NULL for the defaults
+ * @param[out] report  may be NULL; set also with TOLERANCE_NOT_MET
+ * @param[out] out  as it was when the function fails; batten_fill_sheet_release
+ * @return BATTEN_OK; BAD_ARGUMENT; NOT_COMPATIBLE naming an open corner, sides that cross as
+ * seen along the mean normal, a side or ribbon that stands steeper than 84 degrees on the mean
+ * plane, a ribbon that points out of the hole, what is inside and lies beyond the sides;
+ * TOLERANCE_NOT_MET naming the side or what is inside, with the number; COINCIDENT ...
+ *
+ * Cost: for n spans a side, 6 to 96, n^4 multiplications: some seconds with 96.
+ * Source: [NW06] 17.3 for the multipliers.
+ */
+BATTEN_API batten_status batten_surface_fill_sheet(int count, const batten_ribbon *sides,
+                                                   const batten_fill_sheet_options *options,
+                                                   batten_fill_sheet_report *report,
+                                                   batten_fill_sheet *out);
+
 /**
  * The ribbon of the surface that lies beside a curve: one of whose edges the curve runs along,
  * wholly or in part. The curve that comes with the ribbon is that of the edge, in the direction

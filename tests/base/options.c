@@ -242,6 +242,19 @@ static void default_loft(void *options)
     memcpy(options, &defaults, sizeof defaults);
 }
 
+static void default_sheet(void *options)
+{
+    const batten_fill_sheet_options defaults = batten_fill_sheet_defaults();
+    memcpy(options, &defaults, sizeof defaults);
+}
+
+static batten_status call_batten_surface_fill_sheet(const void *set, const void *options)
+{
+    const batten_ribbon side = {((const stage *)set)->line, NULL, NULL};
+    batten_fill_sheet out = {0};
+    return batten_surface_fill_sheet(0, &side, options, NULL, &out);
+}
+
 static batten_status call_batten_surface_loft(const void *set, const void *options)
 {
     const stage *s = set;
@@ -281,6 +294,8 @@ static batten_status call_batten_offset_table_select(const void *set, const void
 static const options_taker takers[] = {
     ENTRIES(ENTRY_ROW){"batten_fair_points", "batten_fair_options", sizeof(batten_fair_options),
                        default_fair, call_batten_fair_points},
+    {"batten_surface_fill_sheet", "batten_fill_sheet_options",
+     sizeof(batten_fill_sheet_options), default_sheet, call_batten_surface_fill_sheet},
     {"batten_surface_loft", "batten_loft_options", sizeof(batten_loft_options), default_loft,
      call_batten_surface_loft},
     {"batten_fair_offset_table", "batten_fair_options", sizeof(batten_fair_options),

@@ -138,6 +138,33 @@ batten_status bat_fill_lack(const bat_fill_loop *loop, int side, int half,
 batten_status bat_fill_formula(const bat_fill_loop *loop, int quad, batten_fill_form form,
                                batten_surface **out);
 
+/* A surface seen in one point: two derivatives and the three of second order. */
+typedef struct {
+    double point[3], u[3], v[3], uu[3], uv[3], vv[3];
+    double normal[3];
+    double sine;        /* between both first derivatives */
+    bool regular, bent; /* there is a normal; second derivatives are known */
+} bat_fill_view;
+
+batten_status bat_fill_see_surface(const batten_surface *surface, double u, double v,
+                                   bat_fill_view *out);
+/* The ribbon, seen as a surface of which u runs along it. */
+batten_status bat_fill_see_ribbon(const bat_fill_side *side, double t, batten_side from,
+                                  bat_fill_view *out);
+/* The normal curvature in a direction of the tangent plane. */
+double bat_fill_curvature(const bat_fill_view *s, const double direction[3],
+                          const double normal[3]);
+/* The larger principal curvature. */
+double bat_fill_largest_curvature(const bat_fill_view *s);
+/* Both sides of one point of an edge that runs along `along`: the edge keeps what is largest. */
+void bat_fill_compare(const bat_fill_view *s, const bat_fill_view *r, const double along[3],
+                      batten_fill_edge *edge);
+
+/* Does a normal turn away from the side that the whole hole is seen from (overlap.c)? Not asked
+ * of holes that cannot be seen so. */
+batten_status bat_fill_find_overlap(const bat_fill_loop *loop, batten_surface *const *patches,
+                                    bool *found, double at[3]);
+
 /* What was reached (report.c). @param patches in the loop's coordinates */
 batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const *patches,
                                batten_surface_fill_report *report);

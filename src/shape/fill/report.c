@@ -7,117 +7,16 @@
 
 enum { PLACES = 16 };
 
-/* A surface seen in one point: two derivatives and the three of second order. */
-typedef struct {
-    double point[3], u[3], v[3], uu[3], uv[3], vv[3];
-    double normal[3];
-    double sine;        /* between both first derivatives */
-    bool regular, bent; /* there is a normal; second derivatives are known */
-} view;
-
-/* Below this part of the product of speeds, next to a corner where two sides meet smoothly, a
- * normal is noise of what the sides were approximated by. */
-static const double flat = 1e-4;
-
-static void see_normal(view *s)
-{
-    const batten_vec3 n = bat_vec3_cross(bat_vec3_of(3, s->u), bat_vec3_of(3, s->v));
-    const double size = bat_vec3_norm(n);
-    s->sine = size / (bat_norm(3, s->u) * bat_norm(3, s->v));
-    s->regular = s->sine > flat;
-    s->normal[0] = n.x / size;
-    s->normal[1] = n.y / size;
-    s->normal[2] = n.z / size;
-}
-
-static batten_status see_surface(const batten_surface *surface, double u, double v, view *out)
-{
-    double d[6][3];
-    const batten_status status = batten_surface_evaluate(surface, u, v, 2, d[0]);
-    if (status != BATTEN_OK)
-        return status;
-    double *parts[6] = {out->point, out->u, out->v, out->uu, out->uv, out->vv};
-    for (int k = 0; k < 6; k++)
-        memcpy(parts[k], d[k], sizeof d[k]);
-    out->bent = true;
-    see_normal(out);
-    return BATTEN_OK;
-}
-
-/* The ribbon, seen as a surface of which u runs along it. */
-static batten_status see_ribbon(const bat_fill_side *side, double t, batten_side from,
-                                view *out)
-{
-    double C[3][3], T[2][3];
-    *out = (view){0};
-    batten_status status = batten_curve_evaluate_side(side->curve, t, from, 2, C[0]);
-    if (status == BATTEN_OK && side->slope)
-        status = batten_curve_evaluate_side(side->slope, t, from, 1, T[0]);
-    if (status == BATTEN_OK && side->bend)
-        status = batten_curve_evaluate_side(side->bend, t, from, 0, out->vv);
-    if (status != BATTEN_OK)
-        return status;
-    memcpy(out->point, C[0], sizeof C[0]);
-    if (!side->slope)
-        return BATTEN_OK;
-    memcpy(out->u, C[1], sizeof C[1]);
-    memcpy(out->v, T[0], sizeof T[0]);
-    memcpy(out->uu, C[2], sizeof C[2]);
-    memcpy(out->uv, T[1], sizeof T[1]);
-    out->bent = side->bend != NULL;
-    see_normal(out);
-    return BATTEN_OK;
-}
-
-/* The normal curvature in a direction of the tangent plane. */
-static double curvature(const view *s, const double direction[3], const double normal[3])
-{
-    const double E = bat_dot(3, s->u, s->u), F = bat_dot(3, s->u, s->v);
-    const double G = bat_dot(3, s->v, s->v), a = bat_dot(3, direction, s->u);
-    const double b = bat_dot(3, direction, s->v), D = E * G - F * F;
-    const double x = (G * a - F * b) / D, y = (E * b - F * a) / D;
-    return x * x * bat_dot(3, s->uu, normal) + 2 * x * y * bat_dot(3, s->uv, normal) +
-           y * y * bat_dot(3, s->vv, normal);
-}
-
-static void keep_largest(double value, const double point[3], double *largest, double at[3])
-{
-    if (value > *largest) {
-        *largest = value;
-        memcpy(at, point, 3 * sizeof *at);
-    }
-}
-
-/* Both sides of one point of an edge that runs along `along`. */
-static void compare(const view *s, const view *r, const double along[3], batten_fill_edge *edge)
-{
-    keep_largest(bat_distance(3, s->point, r->point), s->point, &edge->gap, edge->gap_at);
-    if (!s->regular || !r->regular)
-        return;
-    const batten_vec3 n = bat_vec3_of(3, s->normal), m = bat_vec3_of(3, r->normal);
-    const double turned = bat_atan2(bat_vec3_norm(bat_vec3_cross(n, m)), bat_vec3_dot(n, m));
-    edge->has_slope = true;
-    keep_largest(turned, s->point, &edge->angle, edge->angle_at);
-    if (!s->bent || !r->bent)
-        return;
-    batten_vec3 across = bat_vec3_cross(n, bat_vec3_of(3, along));
-    across = bat_vec3_scale(across, 1 / bat_vec3_norm(across));
-    const double direction[3] = {across.x, across.y, across.z};
-    const double difference =
-        curvature(s, direction, s->normal) - curvature(r, direction, s->normal);
-    edge->has_curvature = true;
-    keep_largest(fabs(difference), s->point, &edge->curvature, edge->curvature_at);
-}
-
 batten_status bat_fill_lack(const bat_fill_loop *loop, int side, int half,
                             const batten_surface *patch, double t, double out[3])
 {
-    view s, r;
+    bat_fill_view s, r;
     memset(out, 0, 3 * sizeof *out);
-    batten_status status = see_surface(patch, half == 0 ? t : 0, half == 0 ? 0 : t, &s);
+    batten_status status =
+        bat_fill_see_surface(patch, half == 0 ? t : 0, half == 0 ? 0 : t, &s);
     if (status == BATTEN_OK)
-        status = see_ribbon(&loop->sides[side], half == 0 ? t : 2 - t,
-                            half == 0 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &r);
+        status = bat_fill_see_ribbon(&loop->sides[side], half == 0 ? t : 2 - t,
+                                     half == 0 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &r);
     if (status != BATTEN_OK || !s.regular || !r.regular || !r.bent)
         return status;
     const double *along = half == 0 ? s.u : s.v, *D = half == 0 ? s.v : s.u;
@@ -126,9 +25,9 @@ batten_status bat_fill_lack(const bat_fill_loop *loop, int side, int half,
     const double direction[3] = {across.x, across.y, across.z};
     /* Both have the side and its planes in common, so they differ in S_vv alone. */
     const double reach = bat_dot(3, D, direction);
-    const double lack =
-        reach * reach *
-        (curvature(&r, direction, s.normal) - curvature(&s, direction, s.normal));
+    const double lack = reach * reach *
+                        (bat_fill_curvature(&r, direction, s.normal) -
+                         bat_fill_curvature(&s, direction, s.normal));
     for (int c = 0; c < 3; c++)
         out[c] = lack * s.normal[c];
     return BATTEN_OK;
@@ -162,14 +61,14 @@ static batten_status measure_half(const bat_fill_loop *loop, int i, int half,
     int count = 0;
     batten_status status = places_of(patch, half == 0 ? BATTEN_U : BATTEN_V, &places, &count);
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
-        view s, r;
+        bat_fill_view s, r;
         const double t = places[k];
-        status = see_surface(patch, half == 0 ? t : 0, half == 0 ? 0 : t, &s);
+        status = bat_fill_see_surface(patch, half == 0 ? t : 0, half == 0 ? 0 : t, &s);
         if (status == BATTEN_OK)
-            status = see_ribbon(&loop->sides[i], half == 0 ? t : 2 - t,
-                                half == 0 ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, &r);
+            status = bat_fill_see_ribbon(&loop->sides[i], half == 0 ? t : 2 - t,
+                                         half == 0 ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, &r);
         if (status == BATTEN_OK)
-            compare(&s, &r, half == 0 ? s.u : s.v, edge);
+            bat_fill_compare(&s, &r, half == 0 ? s.u : s.v, edge);
     }
     bat_release(places);
     return status;
@@ -186,27 +85,16 @@ static batten_status measure_spoke(const batten_surface *patch, const batten_sur
         status = places_of(which == 0 ? patch : next, which == 0 ? BATTEN_V : BATTEN_U, &places,
                            &count);
         for (int k = 0; status == BATTEN_OK && k < count; k++) {
-            view s, r;
-            status = see_surface(patch, 1, places[k], &s);
+            bat_fill_view s, r;
+            status = bat_fill_see_surface(patch, 1, places[k], &s);
             if (status == BATTEN_OK)
-                status = see_surface(next, places[k], 1, &r);
+                status = bat_fill_see_surface(next, places[k], 1, &r);
             if (status == BATTEN_OK)
-                compare(&s, &r, s.v, edge);
+                bat_fill_compare(&s, &r, s.v, edge);
         }
         bat_release(places);
     }
     return status;
-}
-
-/* The larger principal curvature. */
-static double largest_curvature(const view *s)
-{
-    const double E = bat_dot(3, s->u, s->u), F = bat_dot(3, s->u, s->v);
-    const double G = bat_dot(3, s->v, s->v), D = E * G - F * F;
-    const double L = bat_dot(3, s->uu, s->normal), M = bat_dot(3, s->uv, s->normal);
-    const double N = bat_dot(3, s->vv, s->normal);
-    const double mean = (E * N - 2 * F * M + G * L) / (2 * D), gauss = (L * N - M * M) / D;
-    return fabs(mean) + sqrt(bat_max(0, mean * mean - gauss));
 }
 
 /* The largest curvature of the ribbons that give one, in the coordinates of the loop. */
@@ -216,11 +104,12 @@ static batten_status measure_rim(const bat_fill_loop *loop, double *out)
     *out = 0;
     for (int i = 0; i < loop->count; i++)
         for (int k = 0; status == BATTEN_OK && loop->sides[i].bend && k <= 4 * PLACES; k++) {
-            view r;
-            status = see_ribbon(&loop->sides[i], k / (2.0 * PLACES),
-                                k < 4 * PLACES ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, &r);
+            bat_fill_view r;
+            status =
+                bat_fill_see_ribbon(&loop->sides[i], k / (2.0 * PLACES),
+                                    k < 4 * PLACES ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, &r);
             if (status == BATTEN_OK && r.regular && r.bent)
-                *out = bat_max(*out, largest_curvature(&r));
+                *out = bat_max(*out, bat_fill_largest_curvature(&r));
         }
     return status;
 }
@@ -279,6 +168,8 @@ batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const 
         to_given(loop, outer);
         to_given(loop, inner);
     }
+    if (status == BATTEN_OK && !report->folded)
+        status = bat_fill_find_overlap(loop, patches, &report->folded, report->fold_at);
     place_given(loop, report->fold_at);
     if (status == BATTEN_OK)
         status = measure_rim(loop, &report->rim_curvature);

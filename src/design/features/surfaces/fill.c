@@ -1,10 +1,11 @@
 /* The feature 'fill': surfaces in a hole of 2 to 8 sides. */
+#include "design/features/surfaces/fill.h"
 #include "base/plural.h"
-#include "design/feature.h"
 
 #include <batten/fill.h>
 #include <batten/text.h>
 #include <stdio.h>
+#include <string.h>
 
 #define DEGREES (180 / BAT_PI)
 
@@ -14,8 +15,10 @@ static const batten_parameter parameters[] = {
      "surfaces around the hole: the fill continues smoothly those that have a side as an edge"},
     {"continuity", BATTEN_VALUE_WORD, false, false, "G1", "G0 G1 G2",
      "what the fill takes over from them: the edge, the tangent planes, the curvature"},
-    {"form", BATTEN_VALUE_WORD, false, false, "split", "split kato charrot-gregory",
-     "exact surfaces; or splines near a formula over a polygon"},
+    {"form", BATTEN_VALUE_WORD, false, false, NULL, "split kato charrot-gregory sheet",
+     "exact surfaces; splines near a formula; one trimmed surface; as the text above says"},
+    {"through", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
+     "points and curves within the sides, for the form sheet to go through"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "of corners, sides from edges, splines from formulas; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
@@ -29,8 +32,8 @@ static const batten_parameter parameters[] = {
 /* The ribbons of one fill; the sides are those of the surfaces where these lie beside them. */
 typedef struct {
     int count;
-    batten_ribbon ribbons[BATTEN_FILL_SIDES];
-    batten_curve *curves[BATTEN_FILL_SIDES][3];
+    batten_ribbon ribbons[BATTEN_SHEET_SIDES];
+    batten_curve *curves[BATTEN_SHEET_SIDES][3];
     double within;
 } sides;
 
@@ -75,9 +78,9 @@ static batten_status find_ribbons(const bat_run *run, sides *all, const bat_obje
 static batten_status find_sides(const bat_run *run, const bat_objects *curves, sides *all)
 {
     bat_objects surfaces;
-    if (curves->count > BATTEN_FILL_SIDES)
+    if (curves->count > BATTEN_SHEET_SIDES)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a hole of %d sides cannot be filled: 2 to %d",
-                        curves->count, BATTEN_FILL_SIDES);
+                        curves->count, BATTEN_SHEET_SIDES);
     all->count = curves->count;
     for (int i = 0; i < curves->count; i++)
         all->ribbons[i].curve = curves->at[i]->curve;
@@ -93,109 +96,35 @@ static batten_status find_sides(const bat_run *run, const bat_objects *curves, s
 
 /* ---- what was reached ---- */
 
-/* An edge by the names that the design knows. */
-static void name_edge(const bat_objects *curves, const batten_fill_edge *edge, char name[160])
+static bat_worst_edges worst_of(const batten_surface_fill_report *reached)
 {
-    if (edge->curve >= 0)
-        snprintf(name, 160, "along '%.100s'", curves->at[edge->curve]->name);
-    else
-        snprintf(name, 160, "between surfaces %d and %d", edge->first + 1, edge->second + 1);
+    const bat_worst_edges none = {NULL, NULL, NULL};
+    return bat_find_worst_edges(reached->count, reached->inner,
+                                bat_find_worst_edges(reached->count, reached->outer, none));
 }
 
-typedef struct {
-    const char *unit;
-    double gap, angle, curvature; /* what an edge may have */
-} bounds;
-
-/* The edge with the largest gap, angle, curvature; NULL where none has one. */
-typedef struct {
-    const batten_fill_edge *gap, *angle, *curvature;
-} worst_edges;
-
-static void keep_worst(const batten_fill_edge *edge, worst_edges *worst)
+static void report_edges(const bat_run *run, const bat_objects *curves,
+                         const bat_edge_bounds *most, const batten_surface_fill_report *reached)
 {
-    if (!worst->gap || edge->gap > worst->gap->gap)
-        worst->gap = edge;
-    if (edge->has_slope && (!worst->angle || edge->angle > worst->angle->angle))
-        worst->angle = edge;
-    if (edge->has_curvature &&
-        (!worst->curvature || edge->curvature > worst->curvature->curvature))
-        worst->curvature = edge;
-}
-
-/* One line: the worst gap, angle and curvature, each where it is. */
-static void remark_worst(const bat_run *run, const bat_objects *curves, const char *unit,
-                         const worst_edges *worst)
-{
-    char gap[160], text[3][360] = {"", "", ""};
-    name_edge(curves, worst->gap, gap);
-    if (worst->angle) {
-        const double *at = worst->angle->angle_at;
-        char name[160];
-        name_edge(curves, worst->angle, name);
-        snprintf(text[0], sizeof text[0],
-                 "; tangent planes differ by up to %.2g degree%s (%s, at %g, %g, %g)",
-                 worst->angle->angle * DEGREES,
-                 bat_plural_real(worst->angle->angle * DEGREES, 2), name, at[0], at[1], at[2]);
-    }
-    if (worst->curvature) {
-        const double *at = worst->curvature->curvature_at;
-        char name[160];
-        name_edge(curves, worst->curvature, name);
-        snprintf(text[1], sizeof text[1],
-                 "; curvatures across by up to %.3g per %s (%s, at %g, %g, %g)",
-                 worst->curvature->curvature, unit, name, at[0], at[1], at[2]);
-    }
-    bat_remark(run, "gaps of up to %.2g %s (%s)%s%s", worst->gap->gap, unit, gap, text[0],
-               text[1]);
-}
-
-/* An edge that has more than it may. */
-static void remark_excess(const bat_run *run, const bat_objects *curves, const bounds *most,
-                          const batten_fill_edge *edge)
-{
-    char name[160];
-    name_edge(curves, edge, name);
-    if (edge->gap > most->gap)
-        bat_remark(run, "%s: a gap of %.3g %s at (%g, %g, %g), more than %g", name, edge->gap,
-                   most->unit, edge->gap_at[0], edge->gap_at[1], edge->gap_at[2], most->gap);
-    if (edge->has_slope && edge->angle > most->angle)
-        bat_remark(run, "%s: tangent planes differ by %.3g degree%s at (%g, %g, %g)", name,
-                   edge->angle * DEGREES, bat_plural_real(edge->angle * DEGREES, 3),
-                   edge->angle_at[0], edge->angle_at[1], edge->angle_at[2]);
-    if (edge->has_curvature && edge->curvature > most->curvature)
-        bat_remark(run, "%s: curvatures across differ by %.3g per %s at (%g, %g, %g)", name,
-                   edge->curvature, most->unit, edge->curvature_at[0], edge->curvature_at[1],
-                   edge->curvature_at[2]);
-}
-
-static void report_edges(const bat_run *run, const bat_objects *curves, const bounds *most,
-                         const batten_surface_fill_report *reached)
-{
-    worst_edges worst = {NULL, NULL, NULL};
-    for (int i = 0; i < 2 * reached->count; i++)
-        keep_worst(i % 2 ? &reached->inner[i / 2] : &reached->outer[i / 2], &worst);
-    remark_worst(run, curves, most->unit, &worst);
+    const bat_worst_edges worst = worst_of(reached);
+    bat_remark_worst_edges(run, curves, most->unit, &worst);
     for (int i = 0; i < reached->count; i++)
-        remark_excess(run, curves, most, &reached->outer[i]);
+        bat_remark_excess(run, curves, most, &reached->outer[i]);
     for (int i = 0; i < reached->count; i++)
-        remark_excess(run, curves, most, &reached->inner[i]);
+        bat_remark_excess(run, curves, most, &reached->inner[i]);
 }
 
 /* More than the bound that was stated is refused, on edges around the fill and within it. */
 static batten_status check_curvature(const bat_run *run, const bat_objects *curves,
                                      const batten_surface_fill_report *reached)
 {
-    worst_edges worst = {NULL, NULL, NULL};
     char name[160];
     if (!bat_has(run, "curvature"))
         return BATTEN_OK;
-    for (int i = 0; i < 2 * reached->count; i++)
-        keep_worst(i % 2 ? &reached->inner[i / 2] : &reached->outer[i / 2], &worst);
-    const batten_fill_edge *edge = worst.curvature;
+    const batten_fill_edge *edge = worst_of(reached).curvature;
     if (!edge || edge->curvature <= bat_number(run, "curvature"))
         return BATTEN_OK;
-    name_edge(curves, edge, name);
+    bat_name_edge(curves, edge, name);
     return bat_fail(
         BATTEN_TOLERANCE_NOT_MET,
         "%s curvatures across differ by %.3g at (%g, %g, %g), and %g is allowed: the "
@@ -218,9 +147,9 @@ static void report(const bat_run *run, const bat_objects *curves,
     const char *unit = batten_unit_name(bat_unit_metres(run));
     /* An angle of exactly the bound is met but for rounding; without curvature taken over
      * nothing bounds it. */
-    const bounds most = {unit ? unit : "unit", options->tolerance,
-                         options->angle * 1.001 + 1e-9,
-                         options->curvature ? reached->most_curvature : HUGE_VAL};
+    const bat_edge_bounds most = {unit ? unit : "unit", options->tolerance,
+                                  options->angle * 1.001 + 1e-9,
+                                  options->curvature ? reached->most_curvature : HUGE_VAL};
     report_edges(run, curves, &most, reached);
     /* Less than a ten-thousandth of a radian is not seen. */
     if (reached->corner_angle > 1e-4)
@@ -264,7 +193,7 @@ static batten_status put_all(bat_run *run, int count, batten_surface **surfaces)
     return status;
 }
 
-static batten_status fill(bat_run *run, const bat_objects *curves, const sides *all)
+static batten_status fill_by_surfaces(bat_run *run, const bat_objects *curves, const sides *all)
 {
     batten_surface_fill_options options = batten_surface_fill_defaults();
     batten_surface *surfaces[BATTEN_FILL_SIDES] = {NULL};
@@ -274,7 +203,8 @@ static batten_status fill(bat_run *run, const bat_objects *curves, const sides *
     options.tolerance = all->within;
     options.angle = bat_number(run, "angle");
     options.curvature = bat_word(run, "continuity") == 2;
-    options.form = (batten_fill_form)bat_word(run, "form");
+    options.form =
+        bat_has(run, "form") ? (batten_fill_form)bat_word(run, "form") : BATTEN_FILL_SPLIT;
     options.may_fold = bat_yes(run, "folds");
     options.as_splines = true;
     batten_status status =
@@ -293,32 +223,101 @@ static batten_status fill(bat_run *run, const bat_objects *curves, const sides *
     return status;
 }
 
+/* ---- which form ---- */
+
+/* The word behind those of batten_fill_form. */
+static const int sheet_form = BATTEN_FILL_CHARROT_GREGORY + 1;
+
+static batten_status one_sheet(bat_run *run, const bat_objects *curves, const sides *all)
+{
+    const bat_hole hole = {all->count, all->ribbons, all->within};
+    return bat_fill_by_sheet(run, curves, &hole);
+}
+
+/* May another form do better than what failed so? */
+static bool may_do_better(batten_status status)
+{
+    return status == BATTEN_NOT_COMPATIBLE || status == BATTEN_TOLERANCE_NOT_MET;
+}
+
+/* Split, or a sheet where that cannot be; with curvature the other way around. */
+static batten_status fill_either_way(bat_run *run, const bat_objects *curves, const sides *all)
+{
+    const bool sheet_first = bat_word(run, "continuity") == 2;
+    char first[300], second[300];
+    const batten_status status = (sheet_first ? one_sheet : fill_by_surfaces)(run, curves, all);
+    if (!may_do_better(status))
+        return status;
+    snprintf(first, sizeof first, "%s", batten_message());
+    const batten_status other = (sheet_first ? fill_by_surfaces : one_sheet)(run, curves, all);
+    if (other == BATTEN_OK) {
+        bat_remark(run,
+                   sheet_first ? "surfaces around a middle, not one trimmed surface: %s"
+                               : "one trimmed surface, not several around a middle: %s",
+                   first);
+        return BATTEN_OK;
+    }
+    snprintf(second, sizeof second, "%s", batten_message());
+    if (!may_do_better(other) || strcmp(first, second) == 0)
+        return other;
+    return bat_fail(status, "%s; as one trimmed surface: %s", sheet_first ? second : first,
+                    sheet_first ? first : second);
+}
+
+static batten_status fill_hole(bat_run *run, const bat_objects *curves, const sides *all)
+{
+    const bool form_given = bat_has(run, "form"), inside = bat_has(run, "through");
+    if (form_given && bat_word(run, "form") == sheet_form)
+        return one_sheet(run, curves, all);
+    if (form_given && inside)
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "'through' needs the form 'sheet': the others go through their sides alone");
+    if (form_given)
+        return fill_by_surfaces(run, curves, all);
+    if (inside || curves->count > BATTEN_FILL_SIDES)
+        return one_sheet(run, curves, all);
+    return fill_either_way(run, curves, all);
+}
+
 static batten_status run_fill(bat_run *run)
 {
     bat_objects curves;
-    sides all = {.within =
-                     bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run)};
+    sides *all = bat_array(1, sizeof *all);
+    if (!all)
+        return BATTEN_OUT_OF_MEMORY;
+    all->within = bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
     batten_status status = bat_gather(run, "fill", BAT_CURVES, &curves);
-    if (status != BATTEN_OK)
-        return status;
-    status = find_sides(run, &curves, &all);
-    if (status == BATTEN_OK)
-        status = fill(run, &curves, &all);
-    free_sides(&all);
-    bat_objects_release(&curves);
+    if (status == BATTEN_OK) {
+        status = find_sides(run, &curves, all);
+        if (status == BATTEN_OK)
+            status = fill_hole(run, &curves, all);
+        free_sides(all);
+        bat_objects_release(&curves);
+    }
+    bat_release(all);
     return status;
 }
 
 const bat_feature bat_feature_fill = {
     .shown =
         {"fill", "Surfaces in a hole of 2 to 8 sides",
-         "As many surfaces as sides, named feature.1, feature.2 ..., that meet in the middle of the\n"
+         "Form 'split': as many surfaces as sides, named feature.1 ..., that meet in the middle of the\n"
          "hole. They have the same tangent plane where they meet, and that of the surfaces 'along'\n"
          "the sides; what is left free bends as little as possible. Sides with corners are divided\n"
          "there. A note says where gaps, angles and differences of curvature are largest. A fill\n"
          "that folds over is refused; so is one with G2 when the curvatures around it contradict\n"
          "each other so much that curvature would jump between its own surfaces by more than the\n"
-         "largest curvature around it, or than 'curvature' says.",
+         "largest curvature around it, or than 'curvature' says.\n"
+         "Form 'sheet': one surface over the mean plane of the hole, trimmed by the sides, a body with\n"
+         "one face. The outline may be re-entrant, of up to 64 sides, and the sheet goes 'through'\n"
+         "points and curves inside. Its curvature is continuous inside, four derivatives are; sides,\n"
+         "planes and curvatures around it are met within 'within', 'angle' and 'curvature' (by\n"
+         "default a hundredth of the largest), or it is refused with the figure. Sides and planes\n"
+         "steeper than 84 degrees to the mean plane are refused.\n"
+         "Without 'form' it is split, and a sheet where that folds or has a re-entrant corner, goes\n"
+         "'through' something or has more than 8 sides; with G2 a sheet, and split where that cannot\n"
+         "be. A remark says which and why.",
          "features:\n"
          "  a: {polyline: [[0, 0, 0], [2 m, 0, 0.2 m]]}\n"
          "  b: {polyline: [[2 m, 0, 0.2 m], [1 m, 1.8 m, 0]]}\n"
@@ -328,7 +327,7 @@ const bat_feature bat_feature_fill = {
          .also =
              "N-sided patch, hole filling, n-sided, patch, cap, Kato, Charrot Gregory, surface fill",
          .formula =
-             "    ∫∫ |third derivatives|² + the squared jumps of second derivatives between the surfaces → minimum over what the sides and the planes along them leave free",
+             "    ∫∫ |third derivatives|² + the squared jumps of second derivatives between the surfaces → minimum over what the sides and the planes along them leave free; of a sheet ∫∫ |third derivatives|² + |second derivatives|²/1000 of its height over the mean plane",
          .promise =
-             "Tangent planes are the same where the surfaces meet each other and their neighbours; what is left is noted."},
+             "Tangent planes are the same where the surfaces meet each other and their neighbours; what is left is noted. A sheet cannot fold, and its curvature is continuous inside."},
     .run = run_fill};

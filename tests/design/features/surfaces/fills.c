@@ -135,7 +135,8 @@ TEST(G7_fills_that_cannot_be_are_refused)
         {"{fill: [a, b, far]}", "is open by", BATTEN_NOT_COMPATIBLE},
         {"{fill: a}", "a hole of 1 sides", BATTEN_BAD_ARGUMENT},
         {"{fill: [a, b, c], along: upright}", "points out of the hole", BATTEN_NOT_COMPATIBLE},
-        {"{fill: [a, b, c, a, b, c, a, b, c]}", "a hole of 9 sides", BATTEN_BAD_ARGUMENT},
+        {"{fill: [a, b, c, a, b, c, a, b, c], form: split}", "a hole of 9 sides",
+         BATTEN_BAD_ARGUMENT},
         {"{fill: [a, b, c], angle: 0 deg}", "the angle of a fill is above 0",
          BATTEN_BAD_ARGUMENT},
     };
