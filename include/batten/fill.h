@@ -305,15 +305,13 @@ BATTEN_API batten_status batten_surface_fill(int count, const batten_ribbon *sid
 
 typedef struct batten_fill_sheet_options {
     size_t size;
-    double tolerance; /**< of corners, sides, and what is inside, model units; 0: a millionth
-                                of the size of the hole */
-    double angle;     /**< how far the tangent planes of ribbons may be left, radians; 0.002
-                                degrees */
+    double tolerance; /**< of corners, sides, and what is inside; 0: a millionth of the size */
+    double angle;     /**< between tangent planes and ribbons, radians; 0.002 degrees */
     bool curvature;   /**< take the curvature of ribbons over, too; false */
-    double
-        most_curvature;   /**< how far it may be left, 1 / length; 0: a hundredth of the largest
-                                around, or of 1 / size of the hole where that is more */
-    batten_points points; /**< that the sheet goes through, within the sides; none */
+    /** How far it may be left, 1 / length; 0: a hundredth of the largest around, or of 1 / size
+     * of the hole where that is more. */
+    double most_curvature;
+    batten_points points;    /**< that the sheet goes through, within the sides; none */
     batten_curve_row curves; /**< the same; none */
 } batten_fill_sheet_options;
 /** The defaults of sheets: those beside the fields of batten_fill_sheet_options. */
