@@ -26,6 +26,14 @@ typedef struct command {
 extern const command command_build, command_check, command_compare, command_convert,
     command_draw, command_eval, command_fair, command_fit, command_info, command_measure;
 
+/* Every command that works has it; answers are the same for any number. */
+#define THREADS_OPTION                                                  \
+    {                                                                   \
+        "threads", 0, OPTION_VALUE, "N",                                \
+            "work on 1 to 64 threads (as many as there are processors)" \
+    }
+enum { MOST_THREADS = 64 };
+
 /* All commands, for those that speak of them. */
 typedef struct {
     int count;
@@ -47,8 +55,8 @@ const char *command_value_units(int count, const option *options);
 
 /* ---- the running job: progress on a terminal, Ctrl-C ---- */
 
-/* Catch the signals and say whether progress may be shown. */
-void job_begin(bool quiet);
+/* Catch the signals and say whether progress may be shown. threads: 0 for all processors. */
+void job_begin(bool quiet, int threads);
 /* Was that asked for? Remarks are not shown then either, but warnings are. */
 bool job_is_quiet(void);
 /* The job to hand to the library. */

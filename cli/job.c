@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 static bool shows_progress, line_is_open, is_quiet;
+static int thread_count; /* 0 for all processors */
 
 static bool is_cancelled(void *user)
 {
@@ -22,8 +23,9 @@ static void progress(void *user, double fraction, const char *what)
     line_is_open = true;
 }
 
-void job_begin(bool quiet)
+void job_begin(bool quiet, int threads)
 {
+    thread_count = threads;
     system_catch_signals();
     is_quiet = quiet;
     shows_progress = !quiet && system_is_terminal(stderr);
@@ -36,7 +38,8 @@ bool job_is_quiet(void)
 
 const batten_job *job_get(void)
 {
-    static const batten_job job = {sizeof(batten_job), 0, 0, is_cancelled, progress, NULL};
+    static batten_job job = {sizeof(batten_job), 0, 0, is_cancelled, progress, NULL};
+    job.thread_count = thread_count;
     return &job;
 }
 

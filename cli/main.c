@@ -80,7 +80,11 @@ static const char *find_method(const command *c, int count, char **words)
 
 static int run_job(const command *c, const arguments *given)
 {
-    job_begin(arguments_has(given, "quiet"));
+    int threads = 0;
+    if (arguments_has(given, "threads") &&
+        !arguments_count(c->name, given, "threads", 1, MOST_THREADS, &threads))
+        return EXIT_USAGE;
+    job_begin(arguments_has(given, "quiet"), threads);
     int status = c->run(given);
     if (status == EXIT_FAILED)
         status = job_exit(status); /* a signal made it fail */

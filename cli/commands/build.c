@@ -18,6 +18,7 @@ static const option options[] = {
      "evaluate this feature and what it needs; make no outputs"},
     {"allow-outside", 0, OPTION_FLAG, NULL, "paths in the design may leave its folder"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
+    THREADS_OPTION,
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 

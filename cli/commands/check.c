@@ -13,6 +13,7 @@ static const option options[] = {
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"allow-outside", 0, OPTION_FLAG, NULL, "paths in the design may leave its folder"},
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
+    THREADS_OPTION,
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no remarks"},
 };
 

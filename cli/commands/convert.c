@@ -33,6 +33,7 @@ static const option options[] = {
     {"eighths", 0, OPTION_FLAG, NULL,
      "tables of offsets in feet, inches and eighths; plain numbers there are inches"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
+    THREADS_OPTION,
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 

@@ -10,6 +10,7 @@ static const option options[] = {
     {"lines-plan", 0, OPTION_FLAG, NULL, "a lines drawing of a hull"},
     FROM_FORMAT_OPTION,
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
+    THREADS_OPTION,
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 

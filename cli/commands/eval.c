@@ -13,6 +13,7 @@ static const option options[] = {
     {"beyond", 0, OPTION_VALUE, "RULE",
      "of a curve beyond its domain: refuse, continue its last span, or linear (refuse)"},
     FROM_FORMAT_OPTION,
+    THREADS_OPTION,
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
 };
 

@@ -11,6 +11,7 @@ static const option options[] = {
     FROM_FORMAT_OPTION,
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
+    THREADS_OPTION,
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 

@@ -11,6 +11,7 @@
 
 static const option options[] = {
     FROM_FORMAT_OPTION,
+    THREADS_OPTION,
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
     {"no-lint", 0, OPTION_FLAG, NULL, "do not look for what is wrong with the objects"},
 };

@@ -57,6 +57,8 @@ TEST(U1_numbers_that_an_operation_does_not_take_are_refused_before_any_work)
         {"draw", "--spacing", {"-1", "-1mm", "nan", "", "1deg"}},
         {"draw", "--distance", {"-1", "x", "1e400", "", "2kg"}},
         {"draw", "--azimuth", {"30", "x", "1mm", "", "nan"}},
+        {"build", "--threads", {"0", "-1", "1.5", "65", "two"}},
+        {"convert", "--threads", {"nan", "", "1e400", "0x", "2mm"}},
         {"compare", "--height", {"0", "-5", "64.5", "", "x"}},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
@@ -64,6 +66,16 @@ TEST(U1_numbers_that_an_operation_does_not_take_are_refused_before_any_work)
             check_usage(RUN("batten", wrong[i].command, "none.igs", wrong[i].option,
                             wrong[i].values[k]),
                         wrong[i].option);
+}
+
+TEST(every_command_that_works_takes_a_number_of_threads)
+{
+    static const char *const commands[] = {"build", "fit",  "fair",    "check",   "info",
+                                           "eval",  "draw", "convert", "compare", "measure"};
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        check_usage(RUN("batten", commands[i], "none.igs", "--threads", "0"), "--threads");
+        CHECK_CONTAINS(RUN("batten", "help", commands[i]).out, "--threads N");
+    }
 }
 
 TEST(U1_an_option_is_not_the_value_of_another)

@@ -26,6 +26,7 @@ typedef struct {
     bat_robust robust;
     double cost; /* what the fit makes least */
     batten_fit_report report;
+    bool is_reported; /* else its freedom, which takes as long as the solution, is left out */
     batten_curve *curve;
 } approximation;
 
@@ -39,7 +40,8 @@ static batten_status solve_with(approximation *t, bat_fit *fit, double lambda, i
         return bat_fit_solve_under(fit, lambda, t->options, &t->conditions, t->control,
                                    &t->report.pressing, &t->report.freedom);
     const batten_status status = bat_fit_solve(fit, lambda, t->control, unknown);
-    return status == BATTEN_OK ? bat_fit_freedom(fit, &t->report.freedom) : status;
+    return status == BATTEN_OK && t->is_reported ? bat_fit_freedom(fit, &t->report.freedom)
+                                                 : status;
 }
 
 /* With the factors as they are. Conditions may determine what the data do not. */
@@ -291,6 +293,7 @@ batten_status batten_curve_least_squares(batten_points points,
     if (status != BATTEN_OK)
         return status;
     approximation t = {.options = &chosen,
+                       .is_reported = report != NULL,
                        .request = {.dimension = points.dimension,
                                    .data_count = points.count,
                                    .points = points.at}};

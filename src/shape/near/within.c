@@ -1,7 +1,7 @@
 /* Knots that go in and out until a curve is near enough. */
 #include "shape/near/within.h"
 #include "numeric/vector.h"
-#include "shape/near/within_trial.h"
+#include "shape/near/within_many.h"
 #include "spline/curve/curve.h"
 
 #include <string.h>
@@ -81,6 +81,20 @@ static batten_status take_away(bat_within *w, bat_trial *t, int count, const int
     return status;
 }
 
+static bool has_many_data(const bat_within *w)
+{
+    return !w->sample && w->count > BAT_WITHIN_MANY;
+}
+
+/* Knots from which on they rather go in many places at once, and the fits for that, which then
+ * are as many for a million data as for thousands: each region tries sixteen blocks. */
+enum { WIDE = 192, FITS_OF_WIDE = 32 };
+
+static bool is_wide(const bat_within *w, const bat_trial *t)
+{
+    return has_many_data(w) && t->count >= WIDE;
+}
+
 /* How many fits may be tried: enough for some dozens of knots one by one, however many there
  * are; fewer where each takes long. */
 static int trials(const bat_within *w, const bat_trial *t)
@@ -92,7 +106,8 @@ static int trials(const bat_within *w, const bat_trial *t)
 static batten_status shrink(bat_within *w, bat_trial *t)
 {
     batten_status status = BATTEN_OK;
-    const int most = w->fits + trials(w, t);
+    const bool wide = is_wide(w, t);
+    const int most = w->fits + (wide ? FITS_OF_WIDE : trials(w, t));
     int removed = 1;
     while (status == BATTEN_OK && removed > 0 && t->count > 0) {
         int count = 0;
@@ -100,7 +115,8 @@ static batten_status shrink(bat_within *w, bat_trial *t)
         status = order ? rank(w, t, order, &count) : BATTEN_OUT_OF_MEMORY;
         removed = 0;
         if (status == BATTEN_OK && count > 0)
-            status = take_away(w, t, count, order, most, &removed);
+            status = wide ? bat_within_thin(w, t, count, order, most, &removed)
+                          : take_away(w, t, count, order, most, &removed);
         bat_release(order);
         if (status == BATTEN_OK)
             bat_trial_keep(w, t);
@@ -108,82 +124,7 @@ static batten_status shrink(bat_within *w, bat_trial *t)
     return status;
 }
 
-/* ---- knots that come ---- */
-
-/* Fewer on each side of a new knot would let the curve swing between the data. */
-enum { LEAST_DATA = 2 };
-
-/* Between two data of from .. to - 1 with parameters of their own, next to the middle weighted
- * by squared distances; false when there are none. */
-static bool middle_of(const bat_trial *t, int from, int to, double *knot)
-{
-    double sum = 0, moment = 0, nearest = HUGE_VAL;
-    for (int i = from; i < to; i++) {
-        const double square = t->distances[i] * t->distances[i];
-        sum += square;
-        moment += square * (t->parameters[i] - t->parameters[from]);
-    }
-    const double wanted = sum > 0 && isfinite(sum) ? t->parameters[from] + moment / sum
-                                                   : t->parameters[(from + to) / 2];
-    for (int i = from + LEAST_DATA - 1; i < to - LEAST_DATA; i++) {
-        const double u = t->parameters[i] / 2 + t->parameters[i + 1] / 2;
-        const bool apart = t->parameters[i] < u && u < t->parameters[i + 1];
-        if (apart && fabs(u - wanted) < nearest) {
-            nearest = fabs(u - wanted);
-            *knot = u;
-        }
-    }
-    return isfinite(nearest);
-}
-
-/* The break nearest to a new knot between two others, when it does not lie too near to these.
- */
-static double snap(const bat_within *w, double from, double to, double knot)
-{
-    int low = 0, high = w->break_count;
-    while (low < high) {
-        const int middle = (low + high) / 2;
-        if (w->breaks[middle] < knot)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    double nearest = knot, distance = HUGE_VAL;
-    for (int i = bat_max_int(0, low - 1); i < w->break_count && i <= low; i++) {
-        const double u = w->breaks[i];
-        const bool inside = u - from > (to - from) / 8 && to - u > (to - from) / 8;
-        if (inside && fabs(u - knot) < distance) {
-            distance = fabs(u - knot);
-            nearest = u;
-        }
-    }
-    return nearest;
-}
-
-/* Far more than any tolerance above rounding takes. */
-enum { MOST_KNOTS = 100000 };
-
-/* The knots of `t`, and one in each span that is too far off. */
-static batten_status refine(const bat_within *w, const bat_trial *t, bat_trial *out)
-{
-    batten_status status = bat_trial_begin(2 * t->count + 1, out);
-    if (status != BATTEN_OK)
-        return status;
-    out->count = 0;
-    for (int k = 0, from = 0; k <= t->count; k++) {
-        double worst = 0, knot = 0;
-        int to = from;
-        while (to < t->data_count && (k == t->count || t->parameters[to] < t->inner[k]))
-            worst = bat_max(worst, t->distances[to++]);
-        if (worst > w->tolerance && t->count < MOST_KNOTS && middle_of(t, from, to, &knot))
-            out->inner[out->count++] = snap(w, k > 0 ? t->inner[k - 1] : w->domain.a,
-                                            k < t->count ? t->inner[k] : w->domain.b, knot);
-        if (k < t->count)
-            out->inner[out->count++] = t->inner[k];
-        from = to;
-    }
-    return BATTEN_OK;
-}
+/* ---- knots to begin with ---- */
 
 /* As many knots as data with parameters of their own allow, so that the curve goes through
  * them: the means of as many neighbours as the degree says [PT97, 9.8]; of a ring the data, or
@@ -229,12 +170,14 @@ static batten_status few_knots(const bat_within *w, bat_trial *out)
 static batten_status grow(bat_within *w, bat_trial *t)
 {
     batten_status status = few_knots(w, t);
+    if (status == BATTEN_OK && has_many_data(w))
+        status = bat_within_first_knots(w, t);
     if (status == BATTEN_OK)
         status = bat_trial_fit(w, t);
     bool grows = true;
     while (status == BATTEN_OK && t->curve && t->max > w->tolerance && grows) {
         bat_trial next = {0};
-        status = refine(w, t, &next);
+        status = bat_trial_refine(w, t, &next);
         grows = next.count > t->count;
         if (status == BATTEN_OK && grows)
             status = bat_trial_fit(w, &next);

@@ -25,6 +25,9 @@ typedef struct bat_within {
     batten_status (*measure)(struct bat_within *work, const batten_curve *curve,
                              const double *parameters, double *distances, double *max);
     void *context;
+    const double *
+        bows; /* of points: how far the curve may be from each side of their polygon; NULL: the polygon
+                           is not looked at */
     int break_count; /* places where a new knot rather stands than beside them */
     const double *breaks;
     double

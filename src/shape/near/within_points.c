@@ -1,7 +1,7 @@
 /* Curves within a tolerance of points: corners, the pieces between them, the report. */
 #include "numeric/vector.h"
 #include "shape/near/corners.h"
-#include "shape/near/within.h"
+#include "shape/near/within_many.h"
 #include "spline/curve/curve.h"
 #include "spline/data_check.h"
 
@@ -104,14 +104,13 @@ static batten_status measure_point_error(bat_within *w, const batten_curve *curv
                                          const double *parameters, double *distances,
                                          double *max)
 {
-    const bat_within_fit *t = w->context;
-    const size_t n = (size_t)w->count, d = (size_t)w->dimension, each = PLACES + 1;
-    const double *bows = t->bows + (w->points - t->row) / w->dimension;
+    const double *bows = w->bows;
+    const size_t n = (size_t)w->count, d = (size_t)w->dimension, each = bows ? PLACES + 1 : 1;
     double *u = bat_array3(n, each, sizeof *u), *at = bat_array3(n * each, d, sizeof *at);
     batten_status status = u && at ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (size_t i = 0; status == BATTEN_OK && i < n; i++) {
         const bool ends = i == n - 1 && !w->periodic;
-        const double step = ends ? 0 : (parameters[i + 1] - parameters[i]) / (PLACES + 1);
+        const double step = ends ? 0 : (parameters[i + 1] - parameters[i]) / (double)each;
         for (size_t k = 0; k < each; k++)
             u[i * each + k] = parameters[i] + (double)k * step;
     }
@@ -120,7 +119,7 @@ static batten_status measure_point_error(bat_within *w, const batten_curve *curv
     for (size_t i = 0; status == BATTEN_OK && i < n; i++)
         distances[i] = bat_distance(w->dimension, at + i * each * d, w->points + i * d);
     *max = 0;
-    for (size_t i = 0; status == BATTEN_OK && i < n; i++) {
+    for (size_t i = 0; status == BATTEN_OK && bows && i < n; i++) {
         const bool ends = i == n - 1 && !w->periodic;
         const double off =
             ends ? 0 : between(w->dimension, w->points + i * d, at + (i * each + 1) * d);
@@ -146,18 +145,21 @@ static batten_interval domain_of(const bat_within_fit *t, int from, int to, bool
     return (batten_interval){u[from] - gap, u[periodic ? to + 1 : to] - gap};
 }
 
-/* Parameters move a few times in each of many fits; the last ones have moved often. */
+/* Parameters move a few times in each of many fits, and once where each fit is dear; the last
+ * ones have moved often. */
 enum { CORRECTIONS = 4 };
 
-/* Beyond, a second way to fewer knots is not worth its time. */
-enum { MANY = 5000 };
+static int corrections_of(int dimension, int count)
+{
+    return dimension == 1 ? 0 : count > BAT_WITHIN_MANY ? 1 : CORRECTIONS;
+}
 
 static batten_status search(bat_within *w, batten_within_method method)
 {
     batten_status status = method == BATTEN_WITHIN_REMOVE ? BATTEN_OK : bat_within_insert(w);
-    const bool done =
-        method == BATTEN_WITHIN_INSERT ||
-        (method == BATTEN_WITHIN_FEWEST && w->count > MANY && w->error <= w->tolerance);
+    const bool done = method == BATTEN_WITHIN_INSERT ||
+                      (method == BATTEN_WITHIN_FEWEST && w->count > BAT_WITHIN_MANY &&
+                       w->error <= w->tolerance);
     return status == BATTEN_OK && !done ? bat_within_remove(w) : status;
 }
 
@@ -170,7 +172,7 @@ static batten_status fit_piece(bat_within_fit *t, int from, int to, bool periodi
     bat_within w = {.dimension = t->dimension,
                     .degree = o->degree,
                     .periodic = periodic,
-                    .corrections = t->dimension > 1 ? CORRECTIONS : 0,
+                    .corrections = corrections_of(t->dimension, to - from + 1),
                     .tolerance = o->tolerance,
                     .domain = domain_of(t, from, to, periodic),
                     .count = to - from + 1,
@@ -180,6 +182,7 @@ static batten_status fit_piece(bat_within_fit *t, int from, int to, bool periodi
                     .best = t->parameters + from,
                     .measure = measure_point_error,
                     .context = t,
+                    .bows = t->bows + from,
                     .error = HUGE_VAL};
     batten_status status = start && parameters ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {

@@ -1,5 +1,6 @@
-/* One trial of an approximation within a tolerance: its fit, and the best so far. */
+/* One trial of an approximation within a tolerance: its fit, the best so far, and the next knots. */
 #include "shape/near/within_trial.h"
+#include "numeric/vector.h"
 #include "shape/near/within.h"
 #include "spline/curve/curve.h"
 
@@ -122,4 +123,82 @@ void bat_trial_keep(bat_within *w, const bat_trial *t)
     w->curve = batten_curve_ref(t->curve);
     w->error = t->max;
     bat_trial_copy_parameters(w, t->parameters, w->best);
+}
+
+/* ---- knots that come ---- */
+
+/* Fewer on each side of a new knot would let the curve swing between the data. */
+enum { LEAST_DATA = 2 };
+
+/* Between two data of from .. to - 1 with parameters of their own, next to the middle weighted
+ * by squared distances; false when there are none. */
+static bool middle_of(const bat_trial *t, int from, int to, double *knot)
+{
+    double sum = 0, moment = 0, nearest = HUGE_VAL;
+    for (int i = from; i < to; i++) {
+        const double square = t->distances[i] * t->distances[i];
+        sum += square;
+        moment += square * (t->parameters[i] - t->parameters[from]);
+    }
+    const double wanted = sum > 0 && isfinite(sum) ? t->parameters[from] + moment / sum
+                                                   : t->parameters[(from + to) / 2];
+    for (int i = from + LEAST_DATA - 1; i < to - LEAST_DATA; i++) {
+        const double u = t->parameters[i] / 2 + t->parameters[i + 1] / 2;
+        const bool apart = t->parameters[i] < u && u < t->parameters[i + 1];
+        if (apart && fabs(u - wanted) < nearest) {
+            nearest = fabs(u - wanted);
+            *knot = u;
+        }
+    }
+    return isfinite(nearest);
+}
+
+/* The break nearest to a new knot between two others, when it does not lie too near to these.
+ */
+static double snap(const bat_within *w, double from, double to, double knot)
+{
+    int low = 0, high = w->break_count;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (w->breaks[middle] < knot)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    double nearest = knot, distance = HUGE_VAL;
+    for (int i = bat_max_int(0, low - 1); i < w->break_count && i <= low; i++) {
+        const double u = w->breaks[i];
+        const bool inside = u - from > (to - from) / 8 && to - u > (to - from) / 8;
+        if (inside && fabs(u - knot) < distance) {
+            distance = fabs(u - knot);
+            nearest = u;
+        }
+    }
+    return nearest;
+}
+
+/* Far more than any tolerance above rounding takes, of a curve; data bound their knots themselves. */
+enum { MOST_KNOTS = 100000 };
+
+/* The knots of `t`, and one in each span that is too far off. */
+batten_status bat_trial_refine(const bat_within *w, const bat_trial *t, bat_trial *out)
+{
+    batten_status status = bat_trial_begin(2 * t->count + 1, out);
+    if (status != BATTEN_OK)
+        return status;
+    out->count = 0;
+    for (int k = 0, from = 0; k <= t->count; k++) {
+        double worst = 0, knot = 0;
+        int to = from;
+        while (to < t->data_count && (k == t->count || t->parameters[to] < t->inner[k]))
+            worst = bat_max(worst, t->distances[to++]);
+        if (worst > w->tolerance && (!w->sample || t->count < MOST_KNOTS) &&
+            middle_of(t, from, to, &knot))
+            out->inner[out->count++] = snap(w, k > 0 ? t->inner[k - 1] : w->domain.a,
+                                            k < t->count ? t->inner[k] : w->domain.b, knot);
+        if (k < t->count)
+            out->inner[out->count++] = t->inner[k];
+        from = to;
+    }
+    return BATTEN_OK;
 }

@@ -21,5 +21,7 @@ bool bat_trial_is_near(const bat_within *w, const bat_trial *t);
 void bat_trial_keep(bat_within *w, const bat_trial *t);
 void bat_trial_copy_parameters(const bat_within *w, const double *from, double *to);
 int bat_trial_size(const batten_curve *curve);
+/* The knots of `t`, and one in each span that is too far off. */
+batten_status bat_trial_refine(const bat_within *w, const bat_trial *t, bat_trial *out);
 
 #endif

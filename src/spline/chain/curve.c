@@ -7,7 +7,7 @@
 #include <float.h>
 #include <string.h>
 
-enum { MAX_PIECES = 1000000, DEPTH = 40 };
+enum { MAX_PIECES = 10000000, DEPTH = 40 };
 
 static int span_degree(const batten_chain *chain)
 {
