@@ -3,7 +3,7 @@
 
     counting.py    1 when a message prints an index as it is, with the places
 
-An index is what follows the name of a thing ("point %d"): its argument ends with '+ 1' (or + 2, + 3), begins with number, or is in the
+An index is what follows the name of a thing ("point %d", "point (%d, %d)"): its argument ends with '+ 1' (or + 2, + 3), begins with number, or is in the
 list below of numbers that count from 1 already.
 """
 import glob
@@ -61,14 +61,17 @@ def arguments(text, at):
 
 def indices(form, given):
     """The arguments of a format that follow the name of a thing, in order."""
-    place, end = 0, 0
+    place, end, pair = 0, 0, False
     for match in CONVERSION.finditer(form):
         if match.group(0) == '%%':
             continue
         place += (match.group(1) == '*') + (match.group(2) == '*')
         before = form[end:match.start()]
-        if match.group(3) in 'diu' and re.search(r'(?<![\w-])' + THINGS + ' $', before) and place < len(given):
+        opens = re.search(r'(?<![\w-])' + THINGS + r'(?: at)? \($', before)
+        follows = re.search(r'(?<![\w-])' + THINGS + ' $', before) or opens or (pair and before == ', ')
+        if match.group(3) in 'diu' and follows and place < len(given):
             yield ' '.join(given[place].split())
+        pair = bool(opens)
         place, end = place + 1, match.end()
 
 

@@ -145,7 +145,7 @@ static batten_status check_grid(int dimension, int count_u, int count_v, const d
     const size_t i = bat_first_not_finite(points, total) / (size_t)dimension;
     if (i < (size_t)count_u * (size_t)count_v)
         return bat_fail(BATTEN_NOT_FINITE, "point (%zu, %zu) is not finite",
-                        i / (size_t)count_v, i % (size_t)count_v);
+                        i / (size_t)count_v + 1, i % (size_t)count_v + 1);
     return BATTEN_OK;
 }
 

@@ -308,7 +308,7 @@ static batten_status divide(task *t)
             return bat_fail(BATTEN_BAD_WEIGHT,
                             "the weight of control point (%zu, %zu) comes out as %g; the given "
                             "weights vary too much between neighbours",
-                            i / nv, i % nv, w);
+                            i / nv + 1, i % nv + 1, w);
         for (size_t k = 0; k < d; k++)
             t->control[i * d + k] = t->control[i * (d + 1) + k] / w;
     }

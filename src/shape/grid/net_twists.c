@@ -258,7 +258,7 @@ static batten_status check_values(const bat_net *net, const char *what, const do
         return BATTEN_OK;
     const size_t node = i / (size_t)net->dimension;
     return bat_fail(BATTEN_NOT_FINITE, "the %s at (%zu, %zu) of the net is not finite", what,
-                    node / (size_t)net->count[1], node % (size_t)net->count[1]);
+                    node / (size_t)net->count[1] + 1, node % (size_t)net->count[1] + 1);
 }
 
 static batten_status check_net(const bat_net *net, batten_twists method,

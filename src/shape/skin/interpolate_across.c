@@ -250,7 +250,7 @@ static batten_status divide(const bat_skin *t, double *points, double *weights)
                                 "between the sections the weight of control point (%zu, %zu) "
                                 "becomes %g: their "
                                 "weights differ too much",
-                                i, j, weight);
+                                i + 1, j + 1, weight);
             for (size_t c = 0; c < d; c++)
                 points[(i * across + j) * d + c] = row[c] / weight;
             if (t->rational)

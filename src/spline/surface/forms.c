@@ -142,8 +142,8 @@ static batten_status place_cell(const piecewise *u, const piecewise *v, int i, i
             const double gap = shared ? bat_distance(d, point, b) : 0;
             if (!(gap <= tolerance))
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
-                                "piece (%d, %d) is %g from its neighbour, more than %g", i, j,
-                                gap, tolerance);
+                                "piece (%d, %d) is %g from its neighbour, more than %g", i + 1,
+                                j + 1, gap, tolerance);
             memcpy(point, b, (size_t)d * sizeof *point);
         }
     return BATTEN_OK;

@@ -65,7 +65,8 @@ static batten_status check_points(bat_nurbs *nurbs, size_t count, size_t count_v
     const size_t at = bat_first_not_finite(nurbs->points, count * d);
     if (at < count * d)
         return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of control point (%zu, %zu) is %g",
-                        at % d + 1, at / d / count_v, at / d % count_v, nurbs->points[at]);
+                        at % d + 1, at / d / count_v + 1, at / d % count_v + 1,
+                        nurbs->points[at]);
     for (size_t i = 0; i < count * d; i++)
         nurbs->largest = bat_max(nurbs->largest, fabs(nurbs->points[i]));
     return BATTEN_OK;
@@ -77,12 +78,12 @@ static batten_status check_weights(bat_nurbs *nurbs, size_t count, size_t count_
     for (size_t i = 0; i < count; i++) {
         const double w = nurbs->weights[i];
         if (!isfinite(w))
-            return bat_fail(BATTEN_NOT_FINITE, "weight (%zu, %zu) is %g", i / count_v,
-                            i % count_v, w);
+            return bat_fail(BATTEN_NOT_FINITE, "weight (%zu, %zu) is %g", i / count_v + 1,
+                            i % count_v + 1, w);
         if (w <= 0)
             return bat_fail(BATTEN_BAD_WEIGHT,
-                            "weight (%zu, %zu) is %g; weights must be positive", i / count_v,
-                            i % count_v, w);
+                            "weight (%zu, %zu) is %g; weights must be positive",
+                            i / count_v + 1, i % count_v + 1, w);
         largest = bat_max(largest, w);
     }
     nurbs->weight_scale =

@@ -220,7 +220,7 @@ TEST(a_grid_of_points_makes_a_network_with_every_kind_of_twist)
     CHECK_STATUS(batten_surface_coons_grid((batten_grid){3, N, M, points}, NULL,
                                            (batten_uv_out){NULL, NULL}, &surface),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("point (0, 3)");
+    CHECK_MESSAGE("point (1, 4)");
     CHECK_STATUS(batten_surface_coons_grid((batten_grid){3, 1, M, points}, NULL,
                                            (batten_uv_out){NULL, NULL}, &surface),
                  BATTEN_TOO_FEW_POINTS);

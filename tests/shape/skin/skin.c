@@ -332,7 +332,7 @@ TEST(weights_that_would_fall_below_zero_are_refused_with_their_number)
     CHECK_STATUS(batten_surface_skin((batten_curve_row){6, (curves)sections}, NULL, NULL, NULL,
                                      NULL, &surface),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("the weight of control point (1, ");
+    CHECK_MESSAGE("the weight of control point (2, ");
     CHECK(surface == NULL);
     unref_all(6, sections);
 }

@@ -128,7 +128,7 @@ TEST(forms_that_make_no_sense_are_refused)
     CHECK_STATUS(batten_surface_from_power(1, (batten_pieces){1, 2, breaks},
                                            (batten_pieces){1, 1, breaks}, jump, 0.5, &made),
                  BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("piece (1, 0) is 1 from its neighbour");
+    CHECK_MESSAGE("piece (2, 1) is 1 from its neighbour");
     CHECK_STATUS(batten_surface_from_power(1, (batten_pieces){1, 2, breaks},
                                            (batten_pieces){1, 1, breaks}, jump, -1, &made),
                  BATTEN_BAD_ARGUMENT);

@@ -72,10 +72,10 @@ TEST(N1_numbers_that_are_not_finite_are_refused_with_their_place)
     memcpy(p, points, sizeof p);
     p[10] = NAN;
     CHECK_STATUS(make(&good_u, p, NULL, &surface), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("coordinate 2 of control point (1, 1)");
+    CHECK_MESSAGE("coordinate 2 of control point (2, 2)");
     weights[5] = INFINITY;
     CHECK_STATUS(make(&good_u, points, weights, &surface), BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("weight (2, 1)");
+    CHECK_MESSAGE("weight (3, 2)");
     double knots[7];
     memcpy(knots, knots_u, sizeof knots);
     knots[3] = NAN;
@@ -155,7 +155,7 @@ TEST(K8_weights_that_are_not_positive_are_refused)
     batten_surface *surface = NULL;
     double weights[8] = {1, 1, 1, 0, 1, 1, 1, 1};
     CHECK_STATUS(make(&good_u, points, weights, &surface), BATTEN_BAD_WEIGHT);
-    CHECK_MESSAGE("weight (1, 1) is 0");
+    CHECK_MESSAGE("weight (2, 2) is 0");
     weights[3] = -1;
     CHECK_STATUS(make(&good_u, points, weights, &surface), BATTEN_BAD_WEIGHT);
 }
