@@ -33,12 +33,14 @@ TEST(one_move_repairs_a_spike_in_smooth_data)
     CHECK_OK(batten_fair_points((batten_points){1, N, y}, t, &options, NULL, &report, z));
     CHECK_INT(report.move_count, 1);
     CHECK_INT(report.moves[0].index, 17);
+    CHECK_INT(report.moves[0].set, 0);
     CHECK_NEAR(report.moves[0].from[0], y[17], 0);
     CHECK_NEAR(report.moves[0].to[0], z[17], 0);
     CHECK_NEAR(z[17], sin(t[17]), 1e-4);
     CHECK(report.after.energy < report.before.energy);
     CHECK_INT(report.suspect_count, 1);
     CHECK_INT(report.suspects[0].index, 17);
+    CHECK_INT(report.suspects[0].set, 0);
     CHECK_NEAR(report.suspects[0].to[0], sin(t[17]), 1e-4);
     batten_fair_report_release(&report);
 }

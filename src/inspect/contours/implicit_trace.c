@@ -138,12 +138,10 @@ static bool correct(const bat_tracer *t, double most, double *place)
         double gradient[2];
         const double value = t->field(t->context, place[0], place[1], gradient);
         const double square = bat_dot(2, gradient, gradient);
-        if (!(square > 0) || !isfinite(value) || !isfinite(square))
-            return false;
         const double step[2] = {value * gradient[0] / square, value * gradient[1] / square};
         place[0] -= step[0];
         place[1] -= step[1];
-        if (!(bat_distance(2, start, place) <= most))
+        if (!(bat_distance(2, start, place) <= most)) /* NaN too: without a gradient */
             return false;
         if (bat_norm(2, step) <= 1e-3 * t->tolerance)
             return true;

@@ -43,11 +43,9 @@ static void compasses_end(compasses *c)
 static bat_form beyond(bat_forms *forms, const bat_span_forms *span, int dimension,
                        double chord)
 {
-    bat_form sum = {0};
-    for (int k = 0; k < dimension; k++) {
-        const bat_form square = bat_form_product(forms, span->x[k], span->x[k]);
-        sum = k == 0 ? square : bat_form_sum(forms, sum, 1, square);
-    }
+    bat_form sum = bat_form_product(forms, span->x[0], span->x[0]);
+    for (int k = 1; k < dimension; k++)
+        sum = bat_form_sum(forms, sum, 1, bat_form_product(forms, span->x[k], span->x[k]));
     return bat_form_sum(forms, sum, -chord * chord, bat_form_product(forms, span->w, span->w));
 }
 

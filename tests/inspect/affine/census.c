@@ -39,6 +39,23 @@ static void from_powers(int degree, const double *x, const double *y, double c, 
 #define WHOLE(c, kind) (c).whole[BATTEN_SPECIAL_##kind]
 #define SEGMENT(c, kind) (c).segment[BATTEN_SPECIAL_##kind]
 
+/* Release it; what is listed stands by kind, then by t, and is what is counted. */
+static void end_census(batten_census *c)
+{
+    int whole[BATTEN_SPECIAL_COUNT] = {0}, segment[BATTEN_SPECIAL_COUNT] = {0};
+    for (int i = 0; i < c->count; i++) {
+        const batten_special *at = &c->specials[i], *before = i > 0 ? at - 1 : at;
+        CHECK(before->kind < at->kind || (before->kind == at->kind && before->t <= at->t));
+        whole[at->kind]++;
+        segment[at->kind] += at->inside;
+    }
+    for (int kind = 0; kind < BATTEN_SPECIAL_COUNT; kind++) {
+        CHECK_INT(whole[kind], c->whole[kind]);
+        CHECK_INT(segment[kind], c->segment[kind]);
+    }
+    batten_census_release(c);
+}
+
 static int double_point_sum(const batten_census *c)
 {
     int sum = c->complex_count + c->infinite_count;
@@ -83,7 +100,7 @@ TEST(spec_5_the_quintics_of_the_table_have_its_counts)
         CHECK_INT(c.complex_count, rows[i].complex);
         CHECK_INT(c.infinite_count, 4);
         CHECK_INT(SEGMENT(c, CROSSING), rows[i].inside);
-        batten_census_release(&c);
+        end_census(&c);
     }
 }
 
@@ -104,7 +121,7 @@ TEST(parameters_and_points_of_a_quintic_are_its_own)
         CHECK_NEAR(s->point.y, 2520 * u * u, 1e-10 * 2520);
     }
     CHECK_INT(seen, 2);
-    batten_census_release(&c);
+    end_census(&c);
     census_of_quintic(1, 3, 1, &c); /* u = (-3 +- sqrt 5) / 2 */
     for (int i = 0; i < c.count; i++)
         if (c.specials[i].kind == BATTEN_SPECIAL_ISOLATED) {
@@ -113,7 +130,7 @@ TEST(parameters_and_points_of_a_quintic_are_its_own)
             CHECK_NEAR(c.specials[i].t, 0.5, DBL_EPSILON);
             CHECK_NEAR(c.specials[i].point.y, 2520 * u * u, 1e-10 * 2520);
         }
-    batten_census_release(&c);
+    end_census(&c);
 }
 
 TEST(a_touching_pair_of_branches_counts_twice)
@@ -124,7 +141,7 @@ TEST(a_touching_pair_of_branches_counts_twice)
         if (c.specials[i].kind == BATTEN_SPECIAL_CROSSING)
             CHECK_INT(c.specials[i].multiplicity, 2);
     CHECK_INT(double_point_sum(&c), 6);
-    batten_census_release(&c);
+    end_census(&c);
 }
 
 /* ---- against what else is known ---- */
@@ -161,7 +178,7 @@ TEST(cubics_have_what_their_class_says)
                 CHECK_NEAR(last->s, cubic.crossing[1], 1e-9 * (1 + fabs(last->s)));
             }
         }
-        batten_census_release(&c);
+        end_census(&c);
     }
 }
 
@@ -262,7 +279,7 @@ TEST(a_search_counts_the_same)
             CHECK_INT(SEGMENT(c, INFLECTION), searched_inflections(degree, points));
             CHECK_INT(SEGMENT(c, CROSSING), crossings);
         }
-        batten_census_release(&c);
+        end_census(&c);
     }
     CHECK(cases < 1000 || (compared > cases / 4 && crossed > 50 && turned > 50));
 }
@@ -288,7 +305,7 @@ TEST(both_parameters_of_a_crossing_lead_to_one_point)
             CHECK_NEAR(c.specials[i].point.x, p[0], 1e-13);
             seen++;
         }
-        batten_census_release(&c);
+        end_census(&c);
     }
     CHECK(cases < 60 || seen > 20);
 }
@@ -335,7 +352,7 @@ TEST(isolated_points_are_real_at_complex_parameters)
             CHECK(s->s > 0 && !s->inside);
             seen++;
         }
-        batten_census_release(&c);
+        end_census(&c);
     }
     CHECK(cases < 100 || seen > 50);
 }
@@ -374,8 +391,8 @@ TEST(counts_stay_under_affine_maps_and_changes_of_parameter)
             CHECK_INT(new.whole[k], old.whole[k]);
         CHECK_INT(new.complex_count, old.complex_count);
         CHECK_INT(new.infinite_count, old.infinite_count);
-        batten_census_release(&old);
-        batten_census_release(&new);
+        end_census(&old);
+        end_census(&new);
     }
 }
 
@@ -396,8 +413,8 @@ TEST(a_curve_run_backwards_has_the_same_census)
             CHECK_INT(a.whole[k], b.whole[k]);
             CHECK_INT(a.segment[k], b.segment[k]);
         }
-        batten_census_release(&a);
-        batten_census_release(&b);
+        end_census(&a);
+        end_census(&b);
     }
 }
 
@@ -419,11 +436,11 @@ TEST(stops_are_cusps_or_pauses)
     census_of(4, square, cube, &c);
     CHECK(SEGMENT(c, CUSP) == 1 && WHOLE(c, INFLECTION) == 0 && c.degree == 3 && c.margin == 0);
     CHECK_NEAR(c.specials[0].t, 0.5, 0);
-    batten_census_release(&c);
+    end_census(&c);
     census_of(4, cube, fourth, &c);
     CHECK(SEGMENT(c, PAUSE) == 1 && WHOLE(c, CUSP) == 0 && WHOLE(c, INFLECTION) == 0);
     CHECK(c.is_complete);
-    batten_census_release(&c);
+    end_census(&c);
 }
 
 TEST(a_flat_place_without_a_change_of_side_is_an_undulation)
@@ -434,7 +451,7 @@ TEST(a_flat_place_without_a_change_of_side_is_an_undulation)
     CHECK(SEGMENT(c, UNDULATION) == 1 && WHOLE(c, INFLECTION) == 0 && c.is_complete);
     CHECK_INT(c.specials[0].multiplicity, 2);
     CHECK_INT(c.infinite_count, 3);
-    batten_census_release(&c);
+    end_census(&c);
 }
 
 TEST(a_curve_that_is_passed_twice_says_so)
@@ -445,7 +462,7 @@ TEST(a_curve_that_is_passed_twice_says_so)
     CHECK(c.is_repeated && !c.is_complete);
     CHECK_INT(SEGMENT(c, CUSP), 1); /* where it turns back on itself */
     CHECK_INT(WHOLE(c, CROSSING), 0);
-    batten_census_release(&c);
+    end_census(&c);
 }
 
 TEST(lines_and_points_are_told_from_curves)
@@ -455,16 +472,16 @@ TEST(lines_and_points_are_told_from_curves)
     census_of(3, turning, turning, &c);
     CHECK_INT(c.flat_dimension, 1);
     CHECK_INT(SEGMENT(c, CUSP), 2);
-    batten_census_release(&c);
+    end_census(&c);
     census_of(3, still, still, &c);
     CHECK(c.flat_dimension == 0 && c.degree == 0 && c.count == 0);
-    batten_census_release(&c);
+    end_census(&c);
     CHECK_OK(batten_census_take(2, 1, (const double[]){0, 0, 3, 1}, 0, &c));
     CHECK(c.flat_dimension == 1 && c.count == 0 && c.degree == 1);
-    batten_census_release(&c);
+    end_census(&c);
     CHECK_OK(batten_census_take(2, 2, (const double[]){0, 0, 1, 1, 2, 0}, 0, &c));
     CHECK(c.flat_dimension == 2 && c.count == 0 && c.is_complete && c.margin == 1);
-    batten_census_release(&c);
+    end_census(&c);
 }
 
 TEST(lines_that_rounding_hides_from_a_small_tolerance_are_lines)
@@ -480,7 +497,7 @@ TEST(lines_that_rounding_hides_from_a_small_tolerance_are_lines)
         CHECK_OK(batten_census_take(2, 5, points, 1e-300, &c));
         CHECK_INT(c.flat_dimension, 1);
         CHECK_INT(WHOLE(c, INFLECTION), 0);
-        batten_census_release(&c);
+        end_census(&c);
     }
 }
 
@@ -501,12 +518,12 @@ TEST(a_plane_of_space_has_the_census_of_the_plane)
         CHECK_INT(b.flat_dimension, a.flat_dimension);
         for (int k = 0; k < BATTEN_SPECIAL_COUNT; k++)
             CHECK_INT(b.segment[k], a.segment[k]);
-        batten_census_release(&b);
+        end_census(&b);
         tilted[4] += 1e-3;
         CHECK_OK(batten_census_take(3, 5, tilted, n % 2 ? 0 : 1e-12, &b));
         CHECK(b.flat_dimension == 3 || a.flat_dimension < 2);
-        batten_census_release(&a);
-        batten_census_release(&b);
+        end_census(&a);
+        end_census(&b);
     }
 }
 
@@ -521,7 +538,7 @@ TEST(what_elimination_cannot_reach_is_searched_and_called_incomplete)
     CHECK(!c.is_complete && !c.is_repeated);
     CHECK_INT(SEGMENT(c, INFLECTION), searched_inflections(BATTEN_MAX_DEGREE, points));
     CHECK_INT(SEGMENT(c, CROSSING), searched_crossings(BATTEN_MAX_DEGREE, points, MANY));
-    batten_census_release(&c);
+    end_census(&c);
 }
 
 TEST(spans_of_a_curve_have_its_parameters)
@@ -573,9 +590,9 @@ TEST(n2_spans_of_any_size_are_counted_and_of_too_many_sizes_refused)
         CHECK_OK(batten_census_take(2, 5, scaled, 1e-12, &c));
         CHECK_INT(WHOLE(c, CROSSING), WHOLE(first, CROSSING));
         CHECK_INT(WHOLE(c, INFLECTION), WHOLE(first, INFLECTION));
-        batten_census_release(&c);
+        end_census(&c);
     }
-    batten_census_release(&first);
+    end_census(&first);
     CHECK_STATUS(batten_census_take(2, 2, (const double[]){0, 0, 1e-200, 1, 1, 0}, 0, &c),
                  BATTEN_INCOMPLETE);
     CHECK_MESSAGE("binary places");
@@ -589,7 +606,7 @@ TEST(n2_the_smallest_numbers_of_a_high_degree_take_no_longer)
         points[i] = ldexp((i * 7) % 11 + 1, -1074);
     CHECK_OK(batten_census_take(2, 18, points, 1e-9, &c));
     CHECK(!c.is_complete && SEGMENT(c, INFLECTION) > 0);
-    batten_census_release(&c);
+    end_census(&c);
 }
 
 TEST(n6_arguments_outside_their_range_are_refused)

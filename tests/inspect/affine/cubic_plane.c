@@ -93,14 +93,17 @@ TEST(whole_numbers_lie_where_they_lie)
         double lambda, mu;
         batten_cubic_region region;
     } rows[] = {
-        {2, 2, BATTEN_REGION_CUSP},          {1, 1, BATTEN_REGION_REGULAR},
-        {3, 3, BATTEN_REGION_LOOP},          {2, 1, BATTEN_REGION_ONE_INFLECTION},
-        {1.25, 1.25, BATTEN_REGION_EXCESS},  {0.5, -1, BATTEN_REGION_S_SHAPED},
-        {-1, 1, BATTEN_REGION_S_SHAPED},     {1.01, -1, BATTEN_REGION_S_EXCESS},
-        {1.25, -0.5, BATTEN_REGION_TURNING}, {2, -7, BATTEN_REGION_S_LOOP},
-        {2, -5, BATTEN_REGION_TURNING},      {-7, 2, BATTEN_REGION_S_LOOP},
-        {-1, -2, BATTEN_REGION_FAR},         {0, 2, BATTEN_REGION_DEGENERATE},
-        {1.25, -4, BATTEN_REGION_S_CUSP},    {1.25, -2, BATTEN_REGION_S_LOOP},
+        {2, 2, BATTEN_REGION_CUSP},           {1, 1, BATTEN_REGION_REGULAR},
+        {3, 3, BATTEN_REGION_LOOP},           {2, 1, BATTEN_REGION_ONE_INFLECTION},
+        {1.25, 1.25, BATTEN_REGION_EXCESS},   {0.5, -1, BATTEN_REGION_S_SHAPED},
+        {-1, 1, BATTEN_REGION_S_SHAPED},      {1.01, -1, BATTEN_REGION_S_EXCESS},
+        {1.25, -0.5, BATTEN_REGION_TURNING},  {2, -7, BATTEN_REGION_S_LOOP},
+        {2, -5, BATTEN_REGION_TURNING},       {-7, 2, BATTEN_REGION_S_LOOP},
+        {-1, -2, BATTEN_REGION_FAR},          {0, 2, BATTEN_REGION_DEGENERATE},
+        {1.25, -4, BATTEN_REGION_S_CUSP},     {1.25, -2, BATTEN_REGION_S_LOOP},
+        {2, -6, BATTEN_REGION_TURNING},       {-18, 3, BATTEN_REGION_TURNING},
+        {2, -6.125, BATTEN_REGION_S_LOOP},    {3, -17.875, BATTEN_REGION_TURNING},
+        {1, 2, BATTEN_REGION_ONE_INFLECTION}, {1, -3, BATTEN_REGION_S_SHAPED},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_cubic_place place;

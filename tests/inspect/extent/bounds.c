@@ -316,3 +316,26 @@ TEST(the_box_of_the_corners_of_a_box_is_no_smaller_and_no_larger_than_the_uprigh
         batten_curve_unref(curve);
     }
 }
+
+TEST(boxes_of_surfaces_of_unequal_degrees_touch_them)
+{
+    static const int degrees[][2] = {{1, 5}, {5, 1}, {2, 4}, {6, 3}, {3, 2}};
+    test_random random = test_random_begin("unequal degrees");
+    for (int i = 0; i < 2 * COUNT(degrees); i++) {
+        const int *p = degrees[i / 2], count = (p[0] + 1) * (p[1] + 1);
+        double points[28 * 3], weights[28], knots[2][14];
+        for (int k = 0; k < 2; k++)
+            for (int j = 0; j < 2 * p[k] + 2; j++)
+                knots[k][j] = j > p[k];
+        for (int j = 0; j < 3 * count; j++)
+            points[j] = test_random_in(&random, -1, 1);
+        for (int j = 0; j < count; j++)
+            weights[j] = test_random_in(&random, 0.5, 2);
+        const batten_axis u = {p[0], p[0] + 1, knots[0], false},
+                          v = {p[1], p[1] + 1, knots[1], false};
+        batten_surface *surface = NULL;
+        CHECK_OK(batten_surface_create(3, &u, &v, points, i % 2 ? weights : NULL, &surface));
+        check_by_grid(surface);
+        batten_surface_unref(surface);
+    }
+}

@@ -143,7 +143,11 @@ TEST(straight_lines_have_no_affine_length)
     CHECK_STATUS(batten_curve_affine_length(line, 0, NULL, &length), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_affine_length(line, NAN, NULL, &length), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_divide_affine(line, 0, 1e-9, u), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_divide_affine(line, 2, NAN, u), BATTEN_BAD_ARGUMENT);
+    for (int i = 0; i < 4; i++) {
+        static const double outside[] = {NAN, 0, 1, 1.5};
+        CHECK_STATUS(batten_curve_divide_affine(line, 2, outside[i], u), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("is not in (0, 1)");
+    }
     batten_curve_unref(line);
     batten_curve_unref(function);
 }

@@ -250,3 +250,29 @@ TEST(a_parabola_that_turns_back_on_a_line_is_as_long_as_both_ways)
     CHECK_NEAR(length, 5, 1e-12);
     batten_curve_unref(curve);
 }
+
+TEST(a_length_does_not_depend_on_where_the_domain_lies)
+{
+    static const double from[] = {0, -3, 1000, -5e5};
+    const double points[7][2] = {{0, 0}, {1, 2}, {3, 2}, {4, -1}, {6, 0}, {7, 3}, {5, 5}};
+    double first = 0;
+    for (int i = 0; i < COUNT(from); i++) {
+        double knots[11], length, error, part, after;
+        for (int k = 0; k < 11; k++)
+            knots[k] = from[i] + 0.5 * (k < 4 ? 0 : k > 7 ? 4 : k - 3);
+        batten_curve *curve = NULL;
+        CHECK_OK(
+            batten_curve_create((batten_points){2, 7, &points[0][0]}, 3, NULL, knots, &curve));
+        CHECK_OK(batten_curve_length(curve, 1e-7, &error, &length));
+        CHECK(error <= 1e-7);
+        first = i == 0 ? length : first;
+        CHECK_NEAR(length, first, 1e-7);
+        CHECK_OK(
+            batten_curve_length_between(curve, from[i], from[i] + 0.7, 1e-9, &error, &part));
+        CHECK(error <= 1e-9);
+        CHECK_OK(
+            batten_curve_length_between(curve, from[i] + 0.7, from[i] + 2, 1e-9, NULL, &after));
+        CHECK_NEAR(part + after, length, 1e-7);
+        batten_curve_unref(curve);
+    }
+}

@@ -219,3 +219,24 @@ TEST(crossings_are_those_of_plane_curves)
     CHECK_MESSAGE("this one has 3 dimensions");
     batten_curve_unref(line);
 }
+
+TEST(crossings_at_corners_and_knots_are_found_once)
+{
+    /* both legs through (1, 1) have a corner of the polyline there, at 1 and at 4 */
+    static const double through[6][2] = {{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}};
+    /* (3, 0) is a corner, at 1, and lies inside the last leg, midway between 4 and 5 */
+    static const double beside[6][2] = {{0, 0}, {3, 0}, {6, 4}, {6, -2}, {3, -2}, {3, 2}};
+    static const double expected[2][2] = {{1, 4}, {1, 4.5}};
+    const double knots[8] = {0, 0, 1, 2, 3, 4, 5, 5};
+    for (int i = 0; i < 2; i++) {
+        batten_curve *curve = NULL;
+        double at[2] = {0};
+        CHECK_OK(
+            batten_curve_create((batten_points){2, 6, i == 0 ? &through[0][0] : &beside[0][0]},
+                                1, NULL, knots, &curve));
+        CHECK_INT(crossings(curve, at, 2), 1);
+        CHECK_NEAR(at[0], expected[i][0], 1e-12);
+        CHECK_NEAR(at[1], expected[i][1], 1e-12);
+        batten_curve_unref(curve);
+    }
+}

@@ -277,3 +277,81 @@ TEST(powers_below_zero_need_a_base_above_it)
         CHECK_INT(s.state, rows[i].state);
     }
 }
+
+/* The lesser of x and 1 - x, which meet at 1/2, around and on either side of it. */
+TEST(the_lesser_of_two_is_one_of_them_where_they_do_not_meet)
+{
+    static const struct {
+        bat_interval at;
+        int side;
+        double slope; /* 0: between both */
+    } rows[] = {{{0, 0.25}, 0, 1},    {{0, 0.5}, 0, 1},     {{0.75, 1}, 0, -1},
+                {{0.5, 0.75}, 0, -1}, {{0.25, 0.75}, 0, 0}, {{0.5, 0.5}, 1, -1},
+                {{0.5, 0.5}, -1, 1},  {{0.25, 0.25}, 1, 1}, {{0.75, 0.75}, -1, -1}};
+    for (int i = 0; i < COUNT(rows); i++)
+        for (int swapped = 0; swapped < 2; swapped++) {
+            bat_jet_space s;
+            bat_interval_jet x, y, made;
+            bat_jet_space_begin(&s, 1, 3);
+            s.side = rows[i].side;
+            bat_ijet_variable(&s, 0, rows[i].at, &x);
+            bat_ijet_constant(&s, bat_interval_at(1), &y);
+            bat_ijet_subtract(&s, &y, &x, &y);
+            bat_ijet_least(&s, swapped ? &y : &x, swapped ? &x : &y, &made);
+            const double least = fmin(rows[i].at.lo, 1 - rows[i].at.hi),
+                         most = fmin(rows[i].at.hi, 1 - rows[i].at.lo);
+            CHECK_NEAR(made.c[0].lo, least, 1e-15);
+            CHECK(made.c[0].hi >= fmin(most, 0.5) && made.c[0].hi <= most + 1e-15);
+            if (rows[i].slope != 0) {
+                CHECK(made.c[1].lo == rows[i].slope && made.c[1].hi == rows[i].slope);
+                CHECK(made.c[2].lo == 0 && made.c[2].hi == 0);
+            } else {
+                CHECK(made.c[1].lo == -1 && made.c[1].hi == 1);
+                CHECK(!bat_interval_is_finite(made.c[2]));
+            }
+            CHECK_INT(s.state, BAT_DEFINED);
+        }
+}
+
+TEST(exact_values_stay_exact)
+{
+    static const struct {
+        bat_ijet_function f;
+        double at, value;
+    } rows[] = {{BAT_IJET_SIN, 0, 0}, {BAT_IJET_ABS, -2, 2}};
+    bat_jet_space s;
+    bat_jet_space_begin(&s, 1, 3);
+    for (int i = 0; i < COUNT(rows); i++) {
+        const bat_interval_jet made = applied(&s, rows[i].f, variable(&s, rows[i].at));
+        CHECK(made.c[0].lo == rows[i].value && made.c[0].hi == rows[i].value);
+    }
+    /* a constant has no slope, whatever is done with it */
+    bat_interval_jet a = constant(&s, 0.3), b = constant(&s, 0.7), c;
+    bat_ijet_divide(&s, &a, &b, &c);
+    bat_ijet_power(&s, &c, &b, &c);
+    for (int k = 1; k < s.count; k++)
+        CHECK(c.c[k].lo == 0 && c.c[k].hi == 0);
+}
+
+TEST(quotients_of_jets_have_the_derivatives_of_the_geometric_series)
+{
+    /* 1 / (1 - t) at t = 0: every coefficient is 1; at a box they hold those of its points */
+    bat_jet_space s;
+    bat_interval_jet one, divisor, made;
+    bat_jet_space_begin(&s, 1, 6);
+    one = constant(&s, 1);
+    for (int wide = 0; wide < 2; wide++) {
+        bat_ijet_variable(&s, 0, (bat_interval){-0.25 * wide, 0.25 * wide}, &divisor);
+        bat_ijet_subtract(&s, &one, &divisor, &divisor);
+        bat_ijet_divide(&s, &one, &divisor, &made);
+        for (int k = 0; k < s.count; k++) {
+            const double low = pow(1 + 0.25 * wide, -k - 1),
+                         high = pow(1 - 0.25 * wide, -k - 1);
+            CHECK(made.c[k].lo <= low && high <= made.c[k].hi);
+            CHECK_NEAR(made.c[k].lo, low, 1e-13);
+            CHECK_NEAR(made.c[k].hi, high, 1e-13);
+        }
+    }
+    bat_ijet_divide(&s, &one, &(bat_interval_jet){.c = {{0, 0}}}, &made);
+    CHECK_INT(s.state, BAT_UNDEFINED);
+}

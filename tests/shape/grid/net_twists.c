@@ -266,10 +266,22 @@ TEST(nets_that_cannot_be_are_refused)
                                    &(batten_net){1, N, M, even, across, values, values, values},
                                    NULL, NULL, twists),
                  BATTEN_BAD_ARGUMENT);
+    for (int k = 0; k < 2; k++) {
+        const double last[] = {NAN, HUGE_VAL};
+        double u[N], v[M];
+        memcpy(u, even, sizeof u);
+        memcpy(v, across, sizeof v);
+        *(k == 0 ? &u[N - 1] : &v[M - 1]) = last[k];
+        CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI,
+                                       &(batten_net){1, N, M, u, v, values, values, values},
+                                       NULL, NULL, twists),
+                     BATTEN_NOT_FINITE);
+        CHECK_MESSAGE(k == 0 ? "parameter 5 in u is " : "in v is inf");
+    }
     values[6] = NAN;
     CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI,
                                    &(batten_net){1, N, M, even, across, values, values, values},
                                    NULL, NULL, twists),
                  BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("the point at (1, 2)");
+    CHECK_MESSAGE("the point at (2, 3)");
 }

@@ -69,6 +69,9 @@ TEST(a_circle_folds_into_two_cones_with_the_apex_at_r_by_cos_a)
     for (int i = 0; i < fold.count; i++)
         CHECK_NEAR(fold.left.lengths[i], 0.5, 1e-10);
     batten_fold_release(&fold);
+    const batten_fold none = {0};
+    CHECK(fold.count == 0 && fold.length == 0 && fold.crease == none.crease && !fold.points);
+    batten_fold_release(&fold); /* once more is allowed */
     batten_curve_unref(circle);
 }
 

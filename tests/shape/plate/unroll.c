@@ -224,3 +224,23 @@ TEST(huge_and_tiny_cylinders_unroll_alike)
         batten_surface_unref(cylinder);
     }
 }
+
+TEST(what_rounding_does_not_allow_is_refused_with_what_was_reached)
+{
+    const double low[6] = {0, 0, 0, 4, 0, 0}, high[6] = {0, 2, 0, 4, 2, 1};
+    batten_curve *first = NULL, *second = NULL;
+    batten_surface *warped = NULL;
+    batten_unrolled flat = {0};
+    batten_surface_unroll_options options = within(1e-17);
+    options.straight = BATTEN_STRAIGHT_V;
+    CHECK_OK(batten_curve_line(3, low, low + 3, &first));
+    CHECK_OK(batten_curve_line(3, high, high + 3, &second));
+    CHECK_OK(batten_surface_ruled(first, second, &warped));
+    CHECK_STATUS(batten_surface_unroll(warped, &options, &flat), BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("the flat edges are within ");
+    CHECK_MESSAGE("not within 1e-17");
+    CHECK(!flat.surface && !flat.first && flat.count == 0);
+    batten_curve_unref(first);
+    batten_curve_unref(second);
+    batten_surface_unref(warped);
+}

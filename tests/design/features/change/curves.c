@@ -358,3 +358,21 @@ TEST(curves_of_even_speed_run_through_their_length)
     };
     EXPECT(shapes, rows);
 }
+
+TEST(without_within_errors_are_below_a_tenth_of_the_tolerance_of_the_design)
+{
+    static const char ovals[] = "  oval: {ellipse: 2, b: 1}\n"
+                                "  p: {points: [[0, 0], [1, 1.5], [2.5, -1], [4, 0]]}\n"
+                                "  bow: {bezier: p}\n"
+                                "  sheet: {extrude: bow, along: [0, 0.4, 3]}\n";
+    static const expect_row rows[] = {
+        {"{even-speed: oval}", BATTEN_OK, "error 1e-4;within 2e-4;length 9.688448220547675"},
+        {"{even-speed: oval, within: 1e-2}", BATTEN_OK, "error 1e-2"},
+        {"{even-speed: oval, within: 1e-7}", BATTEN_OK, "error 1e-7"},
+        {"{offset: oval, by: 0.3}", BATTEN_OK, "error 1e-4"},
+        {"{offset: oval, by: 0.3, within: 1e-7}", BATTEN_OK, "error 1e-7"},
+        {"{offset: sheet, by: 0.05}", BATTEN_OK, "error 1e-4;notes within the tolerance"},
+        {"{offset: sheet, by: 0.05, within: 1e-3}", BATTEN_OK, "error 1e-3"},
+    };
+    EXPECT(ovals, rows);
+}
