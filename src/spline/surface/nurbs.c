@@ -77,13 +77,13 @@ static batten_status check_weights(bat_nurbs *nurbs, size_t count, size_t count_
     double largest = 0;
     for (size_t i = 0; i < count; i++) {
         const double w = nurbs->weights[i];
+        const size_t row = i / count_v + 1, column = i % count_v + 1;
         if (!isfinite(w))
-            return bat_fail(BATTEN_NOT_FINITE, "weight (%zu, %zu) is %g", i / count_v + 1,
-                            i % count_v + 1, w);
+            return bat_fail(BATTEN_NOT_FINITE, "weight (%zu, %zu) is %g", row, column, w);
         if (w <= 0)
             return bat_fail(BATTEN_BAD_WEIGHT,
-                            "weight (%zu, %zu) is %g; weights must be positive",
-                            i / count_v + 1, i % count_v + 1, w);
+                            "weight (%zu, %zu) is %g; weights must be positive", row, column,
+                            w);
         largest = bat_max(largest, w);
     }
     nurbs->weight_scale =
