@@ -30,7 +30,7 @@ FROM_ONE = {
     ('surface_change/extend.c', '(int)edge'), ('shared/boundary.c', 'side'), ('boundary/coons_patch.c', 'p->dimension'),
     ('curve_change/cut_corners.c', 'number(w, k)'), ('curve_change/cut_corners.c', 'number'),
     ('curve_change/cut_corners.c', 'number(w, (k + w->corners - 1) % w->corners)'),
-    ('surface/nurbs.c', 'row'), ('surface/nurbs.c', 'column'), ('fill/triangle_ribbons.c', 'numbers[0]'), ('fill/triangle_ribbons.c', 'numbers[1]'),
+    ('surface/nurbs.c', 'k'), ('surface/nurbs.c', 'l'), ('fill/triangle_ribbons.c', 'numbers[0]'), ('fill/triangle_ribbons.c', 'numbers[1]'),
 }
 
 

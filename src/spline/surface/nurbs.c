@@ -77,13 +77,12 @@ static batten_status check_weights(bat_nurbs *nurbs, size_t count, size_t count_
     double largest = 0;
     for (size_t i = 0; i < count; i++) {
         const double w = nurbs->weights[i];
-        const size_t row = i / count_v + 1, column = i % count_v + 1;
+        const size_t k = i / count_v + 1, l = i % count_v + 1;
         if (!isfinite(w))
-            return bat_fail(BATTEN_NOT_FINITE, "weight (%zu, %zu) is %g", row, column, w);
+            return bat_fail(BATTEN_NOT_FINITE, "weight (%zu, %zu) is %g", k, l, w);
         if (w <= 0)
             return bat_fail(BATTEN_BAD_WEIGHT,
-                            "weight (%zu, %zu) is %g; weights must be positive", row, column,
-                            w);
+                            "weight (%zu, %zu) is %g; weights must be positive", k, l, w);
         largest = bat_max(largest, w);
     }
     nurbs->weight_scale =
