@@ -2,6 +2,7 @@
 #include "shape/equation/branches.h"
 
 #include "base/list.h"
+#include "numeric/vector.h"
 #include "shape/equation/pieces.h"
 #include <stdlib.h>
 
@@ -152,17 +153,50 @@ static bool is_at_rim(const bat_branches *b, int which)
     return false;
 }
 
+/* How far the cell of a piece reaches from a point. */
+static double reach_of(const bat_branches *b, int piece, const double *point)
+{
+    const bat_cell *cell = &b->cells->pieces[piece].cell;
+    double far[BAT_SPACE] = {0, 0, 0};
+    for (int k = 0; k < b->cells->system->dimension; k++)
+        far[k] = bat_max(point[k] - cell->at[k].lo, cell->at[k].hi - point[k]);
+    return bat_norm(BAT_SPACE, far);
+}
+
+/* Pieces that leave a singular point and come back to it within the tolerance are the point. */
+static void absorb_pieces(bat_branches *b, int which, double tolerance, double *error)
+{
+    const int all = 2 * (int)b->cells->count;
+    const double *point = b->points + 3 * (size_t)which;
+    for (int i = 0; i < all; i++) {
+        if (b->cluster[i] != which)
+            continue;
+        double reach = reach_of(b, i / 2, point);
+        int last = i ^ 1;
+        for (; b->mate[last] >= 0 && reach <= tolerance; last = b->mate[last] ^ 1)
+            reach = bat_max(reach, reach_of(b, b->mate[last] / 2, point));
+        if (!(reach <= tolerance) || b->cluster[last] != which)
+            continue;
+        for (int end = i; end >= 0; end = b->mate[end ^ 1])
+            b->used[end / 2] = true;
+        b->cluster[i] = b->cluster[last] = -1;
+        *error = bat_max(*error, reach);
+    }
+}
+
 /* Link the ends at one singular point and say what it is. */
-static batten_status link_cluster(bat_branches *b, int which, batten_equation_curves *out)
+static batten_status link_cluster(bat_branches *b, int which, double tolerance,
+                                  batten_equation_curves *out)
 {
     enum { MOST = 16 };
     int ends[MOST], count = 0;
     const int all = 2 * (int)b->cells->count;
     double *point = b->points + 3 * (size_t)which;
+    bat_cluster_point(b->cells->system, &b->clusters->items[which], point);
+    absorb_pieces(b, which, tolerance, &out->error);
     for (int i = 0; i < all; i++)
         if (b->cluster[i] == which && count < MOST)
             ends[count++] = i;
-    bat_cluster_point(b->cells->system, &b->clusters->items[which], point);
     bool paired = pair_ends(b, ends, count);
     for (int i = 0; i < count && !paired; i++)
         b->mate[ends[i]] = -1;
@@ -192,7 +226,7 @@ static batten_status link_clusters(bat_branches *b, double tolerance,
         }
     for (int i = 0; i < b->clusters->count && status == BATTEN_OK; i++)
         if (b->clusters->items[i].extent <= tolerance)
-            status = link_cluster(b, i, out);
+            status = link_cluster(b, i, tolerance, out);
         else
             for (int k = 0; k < count; k++)
                 b->cluster[k] = b->cluster[k] == i ? -1 : b->cluster[k];

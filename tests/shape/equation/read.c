@@ -84,6 +84,18 @@ TEST(what_is_wrong_with_an_expression_is_said)
     }
 }
 
+TEST(expressions_have_one_to_three_variables)
+{
+    static const int counts[] = {-1, 0, 4};
+    for (int i = 0; i < COUNT(counts); i++) {
+        const batten_equation_names wrong = {counts[i], 0, names.variables, NULL};
+        batten_equation *equation = NULL;
+        CHECK_STATUS(batten_equation_read("1", &wrong, &equation), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("variables; an expression has 1 to 3");
+        CHECK(!equation);
+    }
+}
+
 TEST(values_that_are_not_there_are_out_of_domain)
 {
     static const char *const texts[] = {"1/(x - 2)", "ln(x - 2)", "sqrt(1 - x)", "asin(y)"};
