@@ -57,11 +57,12 @@ static double entry(const bat_loft_place *at, const bat_loft_measure *measure, i
 
 TEST(the_variation_of_bending_is_that_of_differences)
 {
-    static const bat_loft_cut cuts[] = {{BAT_CUT_STATION, {1, 0, 0}, 0, 0, 0, false, false},
-                                        {BAT_CUT_WATERLINE, {0, 0, 1}, 0, 0, 0, false, false},
-                                        {BAT_CUT_DIAGONAL, {0, 0.6, 0.8}, 0, 0, 0, false, false},
-                                        {BAT_CUT_PROFILE, {0, 1, 0}, 0, 0, 0, false, false},
-                                        {BAT_CUT_SHEER, {0, 0, 1}, 0, 0, 0, false, false}};
+    static const bat_loft_cut cuts[] = {
+        {BAT_CUT_STATION, {1, 0, 0}, 0, 0, 0, false, false},
+        {BAT_CUT_WATERLINE, {0, 0, 1}, 0, 0, 0, false, false},
+        {BAT_CUT_DIAGONAL, {0, 0.6, 0.8}, 0, 0, 0, false, false},
+        {BAT_CUT_PROFILE, {0, 1, 0}, 0, 0, 0, false, false},
+        {BAT_CUT_SHEER, {0, 0, 1}, 0, 0, 0, false, false}};
     static const double height[] = {0.4, 0.7, 0.2, 0, 1}; /* v of each */
     test_random random = test_random_begin("bending");
     const double h = 1e-5;

@@ -45,6 +45,9 @@ TEST(moved_turned_scaled_and_mirrored_curves_are_where_the_map_puts_them)
          "at 0 2 2 0;at 1 5 2 0"},
         {"{mirror: two, normal: [0, 0, 0]}", BATTEN_BAD_ARGUMENT,
          "'normal' is 0 and has no direction"},
+        {"{rotate: one, by: 90 deg}", BATTEN_OK, "at 0 0 0 0;at 1 0 4 0;exact"},
+        {"{rotate: one, by: 90 deg, axis: [0, 0, 0]}", BATTEN_BAD_ARGUMENT,
+         "'axis' is 0 and has no direction"},
         {"{reverse: one}", BATTEN_OK, "at 0 4 0 0;at 1 0 0 0;length 4"},
         {"{reverse: through}", BATTEN_OK, "at 0 3 0 0"},
     };

@@ -180,7 +180,8 @@ TEST(bezier_and_b_spline_surfaces_follow_their_nets)
          "3 weights for 4 points"},
         {"{bezier-surface: square, weights: [1]}", BATTEN_BAD_ARGUMENT,
          "1 weight for 4 points"},
-        {"{bezier-surface: four}", BATTEN_BAD_DEGREE, "the degrees"},
+        {"{bezier-surface: four}", BATTEN_BAD_DEGREE,
+         "a net of 4 x 1 points gives the degrees 3 and 0; they must be in 1..25"},
         {"{bezier-surface: uneven}", BATTEN_NOT_COMPATIBLE, ""},
         {"{b-spline-surface: net, degree-u: 2, degree-v: 1}", BATTEN_OK,
          "degree 2 1;at 0.5 0.5 1 0.5 0.5"},
@@ -237,6 +238,7 @@ TEST(bezier_triangles_follow_their_nets)
 
 static const char curves[] =
     "  bow: {bezier: ducks}\n"
+    "  tie: {points: [[0, 0], [3, 2], [-2, 2], [1, 0]]}\n  knot: {bezier: tie}\n"
     "  ducks: {points: [[0, 0, 3], [1, 2, 3], [2, 0, 3]]}\n"
     "  bows: {points: [[5, 0, 0], [5, 1, 2], [5, 2, 0]]}\n"
     "  upright: {bezier: bows}\n"
@@ -273,6 +275,8 @@ TEST(equations_of_curves_are_traced_in_their_planes)
         /* y = x (2 - x): the whole parabola within half the size around the arc. */
         {"{implicit: bow, within: 1e-6}", BATTEN_OK,
          "objects 1;on 0 0 1 3;error 1e-9;degree 1"},
+        {"{implicit: knot, beyond: 0}", BATTEN_OK,
+         "objects 2;object 1;named singular points of knot;data 0 0.5 0.375 0"},
         {"{implicit: upright}", BATTEN_OK, "on 1 0 0 5"},
         {"{implicit: straight, beyond: 1, cells: 4}", BATTEN_OK,
          "on 1 -1 0 0;box -1 -1 0 2 2 0"},
