@@ -38,11 +38,24 @@ static void make_hull(const double *const shape[STATIONS], const int counts[STAT
     h->loft.breadth = 1;
 }
 
-static void release_hull(hull *h)
+static void release_cuts(hull *h)
 {
     bat_release(h->loft.cuts);
     h->loft.cuts = NULL;
     h->loft.cut_count = 0;
+}
+
+static batten_status find_cuts(hull *h)
+{
+    const batten_status status = bat_hull_cuts(h->table, STATIONS, h->stations, &h->loft);
+    if (status != BATTEN_OK) /* those that there are belong to the lofting */
+        release_cuts(h);
+    return status;
+}
+
+static void release_hull(hull *h)
+{
+    release_cuts(h);
     batten_offset_table_unref(h->table);
 }
 
@@ -68,7 +81,7 @@ TEST(a_hull_is_cut_at_its_stations_and_lines_halfway_and_along_buttocks_and_diag
     double at[40];
     int needed[40];
     make_hull(shape, counts, MOST, &h);
-    CHECK_OK(bat_hull_cuts(h.table, STATIONS, h.stations, &h.loft));
+    CHECK_OK(find_cuts(&h));
     CHECK_INT(list_cuts(&h, BAT_CUT_STATION, at, needed), COUNT(halfway));
     for (int k = 0; k < COUNT(halfway); k++) {
         CHECK_NEAR(at[k], halfway[k], 1e-15);
@@ -110,7 +123,7 @@ TEST(a_station_of_few_points_needs_what_its_neighbours_do)
     double at[40];
     int needed[40];
     make_hull(shape, counts, 0, &h);
-    CHECK_OK(bat_hull_cuts(h.table, STATIONS, h.stations, &h.loft));
+    CHECK_OK(find_cuts(&h));
     CHECK_INT(list_cuts(&h, BAT_CUT_STATION, at, needed), COUNT(expected));
     for (int k = 0; k < COUNT(expected); k++)
         CHECK_INT(needed[k], expected[k]);
@@ -132,7 +145,7 @@ TEST(a_stem_is_no_cut)
     int needed[40];
     make_hull(shape, counts, MOST, &h);
     h.stations[STATIONS - 1].is_stem = true;
-    CHECK_OK(bat_hull_cuts(h.table, STATIONS, h.stations, &h.loft));
+    CHECK_OK(find_cuts(&h));
     CHECK_INT(list_cuts(&h, BAT_CUT_STATION, at, needed), COUNT(halfway));
     for (int k = 0; k < COUNT(halfway); k++)
         CHECK_NEAR(at[k], halfway[k], 1e-15);
