@@ -1,5 +1,4 @@
 /* The crease of a fold and what is known along it: lengths, frames, angles of the sheets. */
-#include "base/plural.h"
 #include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/fold_parts.h"
@@ -46,9 +45,9 @@ static batten_status check_angle(double a, double s)
 {
     if (!(fabs(a) < BAT_PI / 2 && a != 0))
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "the angle is %g degree%s at the length %g of the crease; it must be "
+                        "the angle is %g degrees at the length %g of the crease; it must be "
                         "between 0 and 90, and not 0",
-                        a * 180 / BAT_PI, bat_plural_real(a * 180 / BAT_PI, 6), s);
+                        a * 180 / BAT_PI, s);
     return BATTEN_OK;
 }
 

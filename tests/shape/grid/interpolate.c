@@ -125,6 +125,48 @@ TEST(true_derivatives_on_the_rim_are_met_twists_included)
     }
 }
 
+/* (1 + u^p)(2 - v^q) and its derivatives. */
+static double powers(int p, int q, double u, double v, int k, int l)
+{
+    const double a = k == 0 ? 1 + pow(u, p) : p * pow(u, p - 1);
+    const double b = l == 0 ? 2 - pow(v, q) : -q * pow(v, q - 1);
+    return a * b;
+}
+
+/* Bessel's slopes are those of parabolas, and of the line where there are two points. */
+TEST(twists_that_are_estimated_are_true_for_parabolas)
+{
+    static const int counts[][2] = {{7, 6}, {3, 4}, {2, 6}, {7, 2}, {2, 2}};
+    for (int c = 0; c < COUNT(counts); c++) {
+        const int n = counts[c][0], m = counts[c][1], p = n > 2 ? 2 : 1, q = m > 2 ? 2 : 1;
+        double points[42], du[12], dv[14];
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < m; j++)
+                points[i * m + j] = powers(p, q, us[i], vs[j], 0, 0);
+        for (int end = 0; end < 2; end++) {
+            for (int j = 0; j < m; j++)
+                du[end * m + j] = powers(p, q, us[end * (n - 1)], vs[j], 1, 0);
+            for (int i = 0; i < n; i++)
+                dv[end * n + i] = powers(p, q, us[i], vs[end * (m - 1)], 0, 1);
+        }
+        batten_surface_interpolate_options options = given(us, vs);
+        options.knots_at_data = true;
+        options.du = du;
+        options.dv = dv;
+        batten_surface *surface = NULL;
+        CHECK_OK(batten_surface_interpolate((batten_grid){1, n, m, points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &surface));
+        for (int i = 0; i <= 8; i++)
+            for (int j = 0; j <= 8; j++) {
+                const double u = us[0] + (us[n - 1] - us[0]) * i / 8,
+                             v = vs[0] + (vs[m - 1] - vs[0]) * j / 8;
+                CHECK_NEAR(derivative(surface, u, v, 0, 0), powers(p, q, u, v, 0, 0), 1e-10);
+                CHECK_NEAR(derivative(surface, u, v, 1, 1), powers(p, q, u, v, 1, 1), 1e-8);
+            }
+        batten_surface_unref(surface);
+    }
+}
+
 static void fill(test_random *random, int count_u, int count_v, double *points)
 {
     for (int i = 0; i < count_u; i++)

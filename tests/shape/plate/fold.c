@@ -218,6 +218,8 @@ TEST(folds_that_cannot_be_are_refused_with_the_place)
         value = wrong[i];
         CHECK_STATUS(batten_fold_create(curve, &options, &fold),
                      i == 3 ? BATTEN_NOT_FINITE : BATTEN_BAD_ARGUMENT);
+        if (i == 1)
+            CHECK_MESSAGE("the angle is 90 degrees at the length 0 of the crease");
     }
     value = 0.3;
     options.right = -1;
