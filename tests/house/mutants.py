@@ -222,7 +222,8 @@ class Workshop:
                 self.programs[top] = None
                 return None
             subprocess.check_call(['ld', '-r', '--strip-debug', '-o', path, *objects])
-            archives = [self.archive('kernel', [s for s in self.lines if s.startswith('src/')])]
+            built = [s for s in self.lines if s.startswith('src/') and os.path.exists(self.lines[s][1])]
+            archives = [self.archive('kernel', built)]
             self.programs[top] = (path, archives)
             return self.programs[top]
 

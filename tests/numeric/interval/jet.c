@@ -134,6 +134,18 @@ TEST(a_corner_has_bounded_slopes_and_no_further_derivative)
     }
 }
 
+TEST(sides_are_those_of_one_variable)
+{
+    bat_jet_space s;
+    bat_interval_jet a;
+    bat_jet_space_begin(&s, 2, 2);
+    s.side = 1;
+    bat_ijet_variable(&s, 0, bat_interval_at(0), &a);
+    bat_ijet_apply(&s, BAT_IJET_ABS, &a);
+    CHECK(a.c[0].lo == 0 && a.c[0].hi == 0 && a.c[1].lo == -1 && a.c[1].hi == 1);
+    CHECK(a.c[2].lo == 0 && a.c[2].hi == 0);
+}
+
 TEST(what_has_no_value_is_said)
 {
     bat_jet_space s;
