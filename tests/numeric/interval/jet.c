@@ -3,6 +3,8 @@
 #include "support/generate.h"
 #include "support/test.h"
 
+#include <stdlib.h>
+
 /* Identities, by which every function's series is checked against the others'. */
 
 static bat_interval_jet variable(const bat_jet_space *s, double x)
@@ -136,14 +138,20 @@ TEST(a_corner_has_bounded_slopes_and_no_further_derivative)
 
 TEST(sides_are_those_of_one_variable)
 {
-    bat_jet_space s;
-    bat_interval_jet a;
-    bat_jet_space_begin(&s, 2, 2);
-    s.side = 1;
-    bat_ijet_variable(&s, 0, bat_interval_at(0), &a);
-    bat_ijet_apply(&s, BAT_IJET_ABS, &a);
-    CHECK(a.c[0].lo == 0 && a.c[0].hi == 0 && a.c[1].lo == -1 && a.c[1].hi == 1);
-    CHECK(a.c[2].lo == 0 && a.c[2].hi == 0);
+    for (int side = -1; side <= 1; side++) {
+        bat_jet_space s;
+        bat_interval_jet a;
+        bat_jet_space_begin(&s, 2, 2);
+        s.side = side;
+        bat_ijet_variable(&s, 0, bat_interval_at(0), &a);
+        CHECK_INT(bat_ijet_side(&s, &a), 0);
+        bat_jet_space_begin(&s, 1, 2);
+        s.side = side;
+        bat_ijet_variable(&s, 0, bat_interval_at(0), &a);
+        CHECK_INT(bat_ijet_side(&s, &a), side);
+        bat_ijet_multiply(&s, &a, &a, &a); /* above 0 on either side */
+        CHECK_INT(bat_ijet_side(&s, &a), abs(side));
+    }
 }
 
 TEST(what_has_no_value_is_said)
