@@ -89,6 +89,70 @@ TEST(biquintics_are_reproduced_with_two_derivatives_at_the_rims)
     }
 }
 
+TEST(N1_every_number_of_the_derivatives_must_be_finite)
+{
+    static const char *const names[] = {"du", "dv", "twists"};
+    static const int counts[] = {4 * NV, 4 * NU, 16};
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < counts[k]; i += i + 3 < counts[k] ? 3 : 1) {
+            rim_data r;
+            char words[60];
+            fill(&r);
+            (k == 0 ? r.du : k == 1 ? r.dv : r.twists)[i] = i % 2 ? NAN : HUGE_VAL;
+            batten_surface_interpolate_options options = given();
+            batten_surface *s = NULL;
+            options.degree_u = options.degree_v = 5;
+            options.orders_u = options.orders_v = 2;
+            options.du = r.du;
+            options.dv = r.dv;
+            options.twists = r.twists;
+            CHECK_STATUS(batten_surface_interpolate((batten_grid){1, NU, NV, r.points},
+                                                    &options, NULL, (batten_uv_out){NULL, NULL},
+                                                    NULL, &s),
+                         BATTEN_NOT_FINITE);
+            snprintf(words, sizeof words, "number %d of `%s` is ", i + 1, names[k]);
+            CHECK_MESSAGE(words);
+            CHECK(!s);
+        }
+}
+
+TEST(derivatives_that_do_not_go_together_are_refused)
+{
+    static const struct {
+        int orders_u, orders_v;
+        bool du, dv, twists, closed_u, closed_v;
+        const char *says;
+    } rows[] = {
+        {-1, 1, true, true, true, false, false, "-1 orders along u, 1 along v: 0 to 25"},
+        {1, 26, true, true, true, false, false, "1 orders along u, 26 along v"},
+        {1, 1, true, false, true, false, false, "but not both `du` and `dv`"},
+        {1, 1, false, true, true, false, false, "but not both `du` and `dv`"},
+        {2, 1, true, true, false, false, false, "2 and 1 orders: then `twists` must be given"},
+        {1, 2, true, true, false, false, false, "1 and 2 orders: then `twists` must be given"},
+        {1, 1, true, false, false, true, false, "`du` is given, but a periodic surface"},
+        {1, 1, false, true, false, false, true, "`dv` is given, but a periodic surface"},
+        {1, 1, false, false, true, false, true, "`twists` is given, but a periodic surface"},
+    };
+    rim_data r;
+    fill(&r);
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
+        batten_surface *s = NULL;
+        options.orders_u = rows[i].orders_u;
+        options.orders_v = rows[i].orders_v;
+        options.du = rows[i].du ? r.du : NULL;
+        options.dv = rows[i].dv ? r.dv : NULL;
+        options.twists = rows[i].twists ? r.twists : NULL;
+        options.closed_u = rows[i].closed_u;
+        options.closed_v = rows[i].closed_v;
+        CHECK_STATUS(batten_surface_interpolate((batten_grid){1, NU, NV, r.points}, &options,
+                                                NULL, (batten_uv_out){NULL, NULL}, NULL, &s),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(rows[i].says);
+        CHECK(!s);
+    }
+}
+
 TEST(averaged_knots_take_derivatives_of_any_subset)
 {
     rim_data r;

@@ -425,6 +425,14 @@ TEST(N1_bad_grids_and_options_are_refused)
     CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
                                          (batten_uv_out){NULL, NULL}, NULL, &s),
                  BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("3 control points along u, and degree 3 needs 4");
+    options = batten_surface_fit_grid_defaults();
+    options.closed_v = true;
+    options.points_v = 3; /* of one period, of degree 3 */
+    CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("3 control points along v, and degree 3 needs 4");
     options = begin();
     options.degree_v = 0;
     CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, NU, NV, data}, &options, NULL,

@@ -15,8 +15,8 @@ TEST(the_patch_passes_its_sixteen_points_and_reproduces_bicubics)
                                         (batten_pieces){3, 1, unit}, net, NULL, &given));
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
-            CHECK_OK(batten_surface_evaluate(given, i / 3.0, j / 3.0, 0,
-                                             points + 3 * (4 * i + j)));
+            CHECK_OK(
+                batten_surface_evaluate(given, i / 3.0, j / 3.0, 0, points + 3 * (4 * i + j)));
     CHECK_OK(batten_surface_sixteen_points(points, &made));
     for (int i = 0; i < 48; i++)
         CHECK_NEAR(batten_surface_points(made)[i], net[i], 1e-12);
