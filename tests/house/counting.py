@@ -14,7 +14,7 @@ import sys
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..')
 ROOMS = ('body', 'design', 'fair', 'inspect', 'mesh', 'model', 'numeric', 'picture', 'shape', 'spline')
 THINGS = (r'(?:points?|tangents?|weights?|sections?|curves?|corners?|rows?|edges?|faces?|knots?|spans?|sides?|vertex|'
-          r'vertices|loops?|triangles?|rails?|pieces?|stations?|constraints?|conditions?|unknown|coordinates?|datum)')
+          r'vertices|loops?|triangles?|rails?|pieces?|stations?|constraints?|conditions?|unknown|coordinates?|datum|levels?|values?|parameters?|number|places?|cubics?|lines?|layers?)')
 STRING = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 STRINGS = re.compile(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*')
 CONVERSION = re.compile(r'%(?:%|[-+ #0]*(\*|\d+)?(?:\.(\*|\d+))?(?:hh|h|ll|l|z|j|t)?([diouxXeEfgGcsp]))')
@@ -30,7 +30,8 @@ FROM_ONE = {
     ('surface_change/extend.c', '(int)edge'), ('shared/boundary.c', 'side'), ('boundary/coons_patch.c', 'p->dimension'),
     ('curve_change/cut_corners.c', 'number(w, k)'), ('curve_change/cut_corners.c', 'number'),
     ('curve_change/cut_corners.c', 'number(w, (k + w->corners - 1) % w->corners)'),
-    ('surface/nurbs.c', 'k'), ('surface/nurbs.c', 'l'), ('fill/triangle_ribbons.c', 'numbers[0]'), ('fill/triangle_ribbons.c', 'numbers[1]'),
+    ('fill/triangle_ribbons.c', 'numbers[0]'), ('fill/triangle_ribbons.c', 'numbers[1]'), ('surface/nurbs.c', 'k'),
+    ('surface/nurbs.c', 'l'), ('text/yaml.c', 'before->line'),
 }
 
 

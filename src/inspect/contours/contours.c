@@ -56,10 +56,11 @@ static batten_status check_levels(int level_count, const double *levels, double 
                         tolerance, size, least);
     for (int i = 0; i < level_count; i++) {
         if (!isfinite(levels[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "level %d is %g", i, levels[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "level %d is %g", i + 1, levels[i]);
         if (i > 0 && levels[i] <= levels[i - 1])
-            return bat_fail(BATTEN_NOT_INCREASING, "level %d is %g, not above level %d, %g", i,
-                            levels[i], i - 1, levels[i - 1]);
+            return bat_fail(BATTEN_NOT_INCREASING,
+                            "level %d is %g, not above the one before, %g", i + 1, levels[i],
+                            levels[i - 1]);
     }
     return BATTEN_OK;
 }

@@ -574,13 +574,35 @@ TEST(bad_fields_and_levels_are_refused)
     CHECK_STATUS(
         batten_surface_contours(surface, &height, (batten_levels){2, falling}, 1e-3, NULL, &c),
         BATTEN_NOT_INCREASING);
+    CHECK_MESSAGE("level 2 is 0.5, not above the one before, 0.5");
     CHECK_STATUS(
         batten_surface_contours(surface, &height, (batten_levels){1, infinite}, 1e-3, NULL, &c),
         BATTEN_NOT_FINITE);
+    CHECK_MESSAGE("level 1 is inf");
     CHECK_STATUS(
         batten_surface_contours(surface, &height, (batten_levels){1, good}, 0, NULL, &c),
         BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("tolerance of contours is 0");
     CHECK(c.lines == NULL);
     batten_surface_unref(surface);
+}
+
+TEST(surfaces_in_the_plane_have_no_fields)
+{
+    const double knots[4] = {0, 0, 1, 1}, points[8] = {0, 0, 0, 1, 1, 0, 1, 1},
+                 uv[2] = {0.5, 0.5};
+    const double level[] = {0.5};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *flat = NULL;
+    batten_contours c = {0};
+    double value = 7;
+    CHECK_OK(batten_surface_create(2, &axis, &axis, points, NULL, &flat));
+    CHECK_STATUS(
+        batten_surface_contours(flat, &height, (batten_levels){1, level}, 1e-3, NULL, &c),
+        BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("a surface in 2 dimensions has no fields: it must be in space");
+    CHECK_STATUS(batten_surface_field_values(flat, &height, 1, uv, &value),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK(value == 7 && c.lines == NULL);
+    batten_surface_unref(flat);
 }
