@@ -24,7 +24,8 @@ typedef struct command {
 } command;
 
 extern const command command_build, command_check, command_compare, command_convert,
-    command_draw, command_eval, command_fair, command_fit, command_info, command_measure;
+    command_draw, command_eval, command_fair, command_fit, command_hydrostatics, command_info,
+    command_measure;
 
 /* Every command that works has it; answers are the same for any number. */
 #define THREADS_OPTION                                                  \

@@ -32,9 +32,9 @@ static const command command_help = {
 };
 
 static const command *const commands[] = {
-    &command_build, &command_fit,     &command_fair, &command_check,
-    &command_info,  &command_measure, &command_eval, &command_convert,
-    &command_draw,  &command_compare, &command_help,
+    &command_build,   &command_fit,     &command_fair,         &command_check,
+    &command_info,    &command_measure, &command_hydrostatics, &command_eval,
+    &command_convert, &command_draw,    &command_compare,      &command_help,
 };
 #define COMMAND_COUNT ((int)(sizeof commands / sizeof commands[0]))
 

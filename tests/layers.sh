@@ -10,7 +10,7 @@ includes() { # the quoted includes of a folder: FILE:LINE:#include "folder/file.
     find "$1" -name '*.[ch]' -exec grep -nH '^ *# *include *"' {} + 2> /dev/null
 }
 
-for folder in base numeric spline inspect shape body mesh model fair loft exchange; do
+for folder in base numeric spline inspect shape body mesh model fair loft hydrostatics exchange; do
     allowed="$allowed|$folder"
     bad="$bad$(includes "src/$folder" | grep -vE "\"($allowed)/")"
 done

@@ -41,6 +41,7 @@
 #include <batten/geometry.h>
 #include <batten/gordon.h>
 #include <batten/grid.h>
+#include <batten/hull.h>
 #include <batten/interpolate.h>
 #include <batten/invariants.h>
 #include <batten/local.h>
@@ -49,7 +50,6 @@
 #include <batten/model.h>
 #include <batten/nearest.h>
 #include <batten/offset.h>
-#include <batten/offset_table.h>
 #include <batten/plate.h>
 #include <batten/polygon.h>
 #include <batten/scattered.h>

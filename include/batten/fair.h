@@ -5,7 +5,7 @@
  * How fair a curve is, and how to make it fairer without moving any point farther than allowed.
  */
 #include <batten/chain.h>
-#include <batten/offset_table.h>
+#include <batten/hull.h>
 #include <batten/surface.h>
 
 #ifdef __cplusplus

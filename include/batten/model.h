@@ -7,7 +7,7 @@
  */
 #include <batten/chain.h>
 #include <batten/mesh.h>
-#include <batten/offset_table.h>
+#include <batten/hull.h>
 
 #ifdef __cplusplus
 extern "C" {

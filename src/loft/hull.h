@@ -2,7 +2,7 @@
 #ifndef BAT_LOFT_HULL_H
 #define BAT_LOFT_HULL_H
 #include "loft/rounds.h"
-#include <batten/offset_table.h>
+#include <batten/hull.h>
 
 /* A station from the profile to the sheer. */
 typedef struct {

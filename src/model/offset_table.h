@@ -2,7 +2,7 @@
 #ifndef BAT_OFFSET_TABLE_H
 #define BAT_OFFSET_TABLE_H
 #include "base/base.h"
-#include <batten/offset_table.h>
+#include <batten/hull.h>
 
 struct batten_offset_table {
     bat_references references;

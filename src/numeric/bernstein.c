@@ -255,6 +255,14 @@ batten_status bat_bernstein_roots(int degree, const double *c, double zero, bat_
      * shrink with it. */
     search s = {.degree = degree,
                 .zero = bat_max(zero, 2 * (degree + 1) * DBL_EPSILON * largest)};
+    int zeros;
+    const int changes = variations(degree, c, s.zero, &zeros);
+    if (zeros == 0 && changes < 2) { /* by far the most, and they need no memory */
+        *count = changes;
+        if (changes == 1)
+            roots[0] = (bat_root){single_root(degree, c, 1), 1};
+        return BATTEN_OK;
+    }
     s.coefficients = bat_array3(DEEPEST + 2, (size_t)(degree + 1), sizeof *s.coefficients);
     s.places = bat_array((size_t)degree, sizeof *s.places);
     batten_status status = s.coefficients && s.places ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;

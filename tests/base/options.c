@@ -154,12 +154,14 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     ROW(batten_curve_continuity, batten_curve_continuity, (s->line, o, &joins)) \
     ROW(batten_arcs_from_chain, batten_arcs, (s->chain, o, NULL, &chain)) \
     ROW(batten_mesh_from_body, batten_mesh, (s->body, o, NULL, NULL, NULL, &mesh)) \
-    ROW(batten_mesh_from_triangles, batten_mesh, (s->triangles, o, NULL, NULL, &mesh))
+    ROW(batten_mesh_from_triangles, batten_mesh, (s->triangles, o, NULL, NULL, &mesh)) \
+    ROW(batten_hull_create, batten_hull, (1, &plane, o, &hull))
 /* clang-format on */
 
 /* clang-format off */
 #define OUTPUTS \
     const batten_curve *line = s->line; \
+    const batten_surface *plane = s->plane; \
     const batten_curve *const rails[2] = {s->plan, s->plan}; \
     const batten_curve_row no_curves = {0, &line}; \
     const batten_curve_net net = {0, 0, dots, dots, &line, &line}; \
@@ -172,6 +174,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     batten_surface *surface = NULL; \
     batten_surfaces surfaces = {0}; \
     batten_mesh *mesh = NULL; \
+    batten_hull *hull = NULL; \
     batten_model *model = NULL; \
     batten_triangles *patches = NULL; \
     batten_deformation *deformation = NULL; \
@@ -188,7 +191,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
 
 /* Whatever a call made all the same. */
 #define RELEASE_OUTPUTS \
-    (void)rails, (void)no_curves, (void)net, (void)cloud, (void)along, (void)side, (void)sides; \
+    (void)plane, (void)rails, (void)no_curves, (void)net, (void)cloud, (void)along, (void)side, (void)sides; \
     (void)join, (void)fairness, (void)size, (void)strip, (void)unrolled, (void)fold, (void)triangles; \
     batten_surfaces_release(&surfaces); \
     batten_curves_release(&curves); \
@@ -198,6 +201,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     batten_chain_unref(chain); \
     batten_surface_unref(surface); \
     batten_mesh_unref(mesh); \
+    batten_hull_free(hull); \
     batten_triangles_unref(patches); \
     batten_deformation_unref(deformation); \
     batten_model_unref(model)

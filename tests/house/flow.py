@@ -17,12 +17,13 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from source import ROOT, read, tracked  # noqa: E402
 
-ORDER = ['base', 'numeric', 'spline', 'inspect', 'shape', 'body', 'mesh', 'model', 'fair', 'loft', 'exchange', 'picture',
-         'design', 'cli']
+ORDER = ['base', 'numeric', 'spline', 'inspect', 'shape', 'body', 'mesh', 'model', 'fair', 'loft', 'hydrostatics',
+         'exchange', 'picture', 'design', 'cli']
 ABOUT = {'base': 'memory, statuses, text, files', 'numeric': 'polynomials, systems, exact signs',
          'spline': 'curves and surfaces as values', 'inspect': 'what is true of a shape',
          'body': 'faces, shells, solids', 'mesh': 'triangles within a chord',
          'model': 'named shapes with a unit;\\ntables of offsets', 'fair': 'fairing within bounds', 'loft': 'fair hulls\\nfrom tables',
+         'hydrostatics': 'how a hull floats',
          'exchange': 'files: one room a format', 'picture': 'drawings and pictures',
          'design': 'the document, its features and outputs', 'cli': 'the command batten'}
 

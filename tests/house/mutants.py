@@ -33,7 +33,7 @@ from source import ROOT, TOKENS, blanked, read, tracked, without_directives  # n
 
 FAULT_SECONDS, FAULT_LIMIT = '0.02', 30  # for each test, for those of a room
 NOBODY = 65534  # its number on every system that we know
-KERNEL = ['base', 'numeric', 'spline', 'inspect', 'shape', 'body', 'mesh', 'model', 'fair', 'loft', 'exchange']
+KERNEL = ['base', 'numeric', 'spline', 'inspect', 'shape', 'body', 'mesh', 'model', 'fair', 'loft', 'hydrostatics', 'exchange']
 NEGATED = {'<': '>=', '<=': '>', '>': '<=', '>=': '<', '==': '!=', '!=': '=='}
 WIDENED = {'<': '<=', '<=': '<', '>': '>=', '>=': '>'}
 SWAPPED = {'+': '-', '-': '+', '*': '/', '/': '*', '+=': '-=', '-=': '+=', '*=': '/=', '/=': '*='}

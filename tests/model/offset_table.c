@@ -1,4 +1,4 @@
-#include <batten/offset_table.h>
+#include <batten/hull.h>
 
 #include "support/test.h"
 

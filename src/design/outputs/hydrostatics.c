@@ -1,0 +1,388 @@
+/* The output 'hydrostatics': how a hull floats, as a table by draughts, and its righting arms. */
+#include "design/outputs/hydrostatics.h"
+#include "base/arena.h"
+#include "base/elementary.h"
+#include "base/plural.h"
+#include "design/feature.h"
+
+#include <float.h>
+#include <string.h>
+
+/* Draughts where none are given: in round steps, no more than so many. */
+enum { MOST_DRAUGHTS = 12 };
+/* All numbers are right to this, relatively; shown are six digits. */
+static const double PRECISION = 1e-9;
+/* A draught at the edge of the deck is one that is given but for rounding. */
+static const double ROUNDING = 1e-9;
+/* The water may lack this share of the wetted surface to be kept out. */
+static const double OPEN = 1e-6;
+
+static const double STANDARD_HEELS[] = {0,  5,  10, 15, 20, 25, 30, 35,
+                                        40, 45, 50, 55, 60, 70, 80, 90};
+
+static const batten_parameter parameters[] = {
+    {"hydrostatics", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "the surfaces of the hull: of one half of it, or of both"},
+    {"draughts", BATTEN_VALUE_LENGTH, true, false, NULL, NULL,
+     "heights of the water above z = 0, at x = y = 0; else round ones up to the deck"},
+    {"trim", BATTEN_VALUE_ANGLE, false, false, "0 deg", NULL,
+     "of the table; above 0 the water rises towards lower x, the stern"},
+    {"heel", BATTEN_VALUE_ANGLE, false, false, "0 deg", NULL,
+     "of the table; above 0 starboard, y < 0, goes down"},
+    {"density", BATTEN_VALUE_NUMBER, false, false, "1.025", NULL,
+     "of the water, t/m3; 1 for fresh water"},
+    {"length", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "between perpendiculars, for the coefficients; else that of each waterline"},
+    {"whole", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "the surfaces are both halves, and closed by themselves"},
+    {"mass", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
+     "of the ship and what it carries, tonnes: how it floats then, and its righting arms"},
+    {"gravity", BATTEN_VALUE_POINT, false, false, NULL, NULL, "the centre of this mass"},
+    {"heels", BATTEN_VALUE_ANGLE, true, false, NULL, NULL,
+     "of the righting arms, free to trim; else 0 to 90 degrees"},
+};
+
+typedef struct {
+    bat_run *run;
+    bat_arena arena;
+    batten_hull *hull;
+    double metres;
+    bat_hydro_report report;
+} hydro;
+
+/* ---- the table ---- */
+
+/* The top of the hull is an edge along the ship that is closed across, above its middle. */
+static double deck_height(const hydro *h)
+{
+    const batten_box box = batten_hull_box(h->hull);
+    double height = box.high.z;
+    for (int i = 0; i < h->report.lid_count; i++) {
+        const batten_box *edge = &h->report.lids[i].edge;
+        if (edge->high.x - edge->low.x > edge->high.z - edge->low.z &&
+            edge->low.z > 0.5 * (box.low.z + box.high.z))
+            height = bat_min(height, edge->low.z);
+    }
+    return height;
+}
+
+/* What is 0 but for rounding is 0. */
+static double without_dust(const hydro *h, double place)
+{
+    const batten_box box = batten_hull_box(h->hull);
+    return fabs(place) < 1e-12 * (box.high.x - box.low.x) ? 0 : place;
+}
+
+static double share(double a, double b)
+{
+    return b > 0 ? a / b : (double)NAN;
+}
+
+static void fill_row(const hydro *h, const batten_hydrostatics *v, double length,
+                     double *values)
+{
+    const double cubic = h->metres * h->metres * h->metres, density = h->report.density;
+    const double draught = values[BAT_HYDRO_T], breadth = values[BAT_HYDRO_BREADTH];
+    const double area = values[BAT_HYDRO_MIDSHIP];
+    const bool wet = v->volume > 0;
+    values[BAT_HYDRO_VOLUME] = v->volume;
+    values[BAT_HYDRO_DISPLACEMENT] = density * v->volume * cubic;
+    values[BAT_HYDRO_WATERPLANE] = v->waterplane;
+    values[BAT_HYDRO_WETTED] = v->wetted;
+    values[BAT_HYDRO_LCB] = wet ? without_dust(h, v->buoyancy.x) : (double)NAN;
+    values[BAT_HYDRO_TCB] = wet ? without_dust(h, v->buoyancy.y) : (double)NAN;
+    values[BAT_HYDRO_VCB] = wet ? v->buoyancy.z : (double)NAN;
+    values[BAT_HYDRO_LCF] = v->waterplane > 0 ? without_dust(h, v->flotation.x) : (double)NAN;
+    values[BAT_HYDRO_ACROSS] = v->across;
+    values[BAT_HYDRO_ALONG] = v->along;
+    values[BAT_HYDRO_BMT] = share(v->across, v->volume);
+    values[BAT_HYDRO_BML] = share(v->along, v->volume);
+    values[BAT_HYDRO_KMT] = values[BAT_HYDRO_VCB] + values[BAT_HYDRO_BMT];
+    values[BAT_HYDRO_KML] = values[BAT_HYDRO_VCB] + values[BAT_HYDRO_BML];
+    values[BAT_HYDRO_TPC] = density * v->waterplane * h->metres * h->metres / 100;
+    values[BAT_HYDRO_MCT] =
+        share(density * v->along * cubic * h->metres, 100 * length * h->metres);
+    values[BAT_HYDRO_CB] = share(v->volume, length * breadth * draught);
+    values[BAT_HYDRO_CM] = share(area, breadth * draught);
+    values[BAT_HYDRO_CP] = share(v->volume, length * area);
+    values[BAT_HYDRO_CWP] = share(v->waterplane, length * breadth);
+    values[BAT_HYDRO_CVP] = share(v->volume, v->waterplane * draught);
+}
+
+/* What the water finds open is an error of the model, not a number to be printed. */
+static batten_status check_closed(const batten_hydrostatics *v, double draught)
+{
+    const double open = bat_max(v->open[0], v->open[1]);
+    if (open <= OPEN * (v->wetted + v->lids))
+        return BATTEN_OK;
+    return bat_fail(BATTEN_NOT_COMPATIBLE,
+                    "at the draught %.6g the hull is open below the water: %.3g of its area is "
+                    "missing; give all of its surfaces, or one half without 'whole'",
+                    draught, open);
+}
+
+static batten_status add_row(hydro *h, double draught, bat_hydro_row *row)
+{
+    const batten_flotation at = {draught, bat_number(h->run, "trim"),
+                                 bat_number(h->run, "heel")};
+    const batten_box box = batten_hull_box(h->hull);
+    const double size = bat_max(box.high.x - box.low.x, box.high.y - box.low.y);
+    batten_hydrostatics v;
+    batten_interval along, across;
+    batten_status status = batten_hull_hydrostatics(h->hull, &at, PRECISION, h->run->job, &v);
+    if (status == BATTEN_OK)
+        status = check_closed(&v, draught);
+    if (status == BATTEN_OK)
+        status = batten_hull_waterline(h->hull, &at, PRECISION * size, &along, &across);
+    if (status != BATTEN_OK)
+        return status;
+    if (draught > deck_height(h))
+        bat_note(h->run,
+                 "at the draught %.6g the edge of the deck, lowest at z = %.6g, is under water",
+                 draught, deck_height(h));
+    const double middle = 0.5 * (along.a + along.b);
+    double area = 0;
+    if (v.volume > 0)
+        status = batten_hull_section_areas(h->hull, &at, 1, &middle, PRECISION, &area);
+    row->values[BAT_HYDRO_T] = draught;
+    row->values[BAT_HYDRO_LENGTH] = along.b - along.a;
+    row->values[BAT_HYDRO_BREADTH] = across.b - across.a;
+    row->values[BAT_HYDRO_MIDSHIP] = area;
+    fill_row(h, &v, h->report.length > 0 ? h->report.length : along.b - along.a, row->values);
+    return status;
+}
+
+/* The smallest of 1, 2 and 5 times a power of ten that takes no more than so many steps. */
+static double round_step(double range)
+{
+    static const double factors[] = {2, 2.5, 2};
+    double step = 1;
+    while (range / step > MOST_DRAUGHTS)
+        step *= 10;
+    while (range / (step / 10) <= MOST_DRAUGHTS)
+        step /= 10;
+    for (int i = 0; range / (step / factors[i]) <= MOST_DRAUGHTS && i < 3; i++)
+        step /= factors[i];
+    return step;
+}
+
+/* Those that are given, else round ones from above the keel to the edge of the deck. */
+static batten_status list_draughts(hydro *h, double **draughts)
+{
+    const bat_argument *given = bat_argument_of(h->run, "draughts");
+    const double low = bat_max(0, batten_hull_box(h->hull).low.z), high = deck_height(h);
+    const double step = round_step(bat_max(high - low, DBL_MIN));
+    const int first = (int)floor(low / step) + 1,
+              last = (int)floor(high / step * (1 + ROUNDING));
+    const int count = given->count > 0 ? given->count : bat_max_int(0, last - first + 1);
+    *draughts = bat_arena_array(&h->arena, (size_t)count, sizeof **draughts);
+    if (!*draughts)
+        return BATTEN_OUT_OF_MEMORY;
+    if (count == 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the hull reaches from z = %.6g to %.6g: no draught above the baseline "
+                        "z = 0 is below its deck; give 'draughts'",
+                        low, high);
+    for (int i = 0; i < count; i++)
+        (*draughts)[i] = given->count > 0 ? given->items[i].number[0] : step * (first + i);
+    h->report.count = count;
+    return BATTEN_OK;
+}
+
+static batten_status fill_table(hydro *h)
+{
+    double *draughts = NULL;
+    batten_status status = list_draughts(h, &draughts);
+    bat_hydro_report *r = &h->report;
+    if (status == BATTEN_OK) {
+        r->rows = bat_arena_array(&h->arena, (size_t)r->count, sizeof *r->rows);
+        status = r->rows ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    }
+    for (int i = 0; status == BATTEN_OK && i < r->count; i++)
+        status = add_row(h, draughts[i], &r->rows[i]);
+    return status;
+}
+
+/* ---- afloat ---- */
+
+static batten_status add_arm(hydro *h, double heel, const batten_loading *loading,
+                             bat_hydro_arm *arm)
+{
+    batten_balance b;
+    const batten_flotation start = {h->report.rest.flotation.draught, 0, heel};
+    batten_loading held = *loading;
+    held.fixed_heel = true;
+    const batten_status status =
+        batten_hull_balance(h->hull, &held, &start, PRECISION, h->run->job, &b);
+    *arm = (bat_hydro_arm){heel * 180 / BAT_PI, NAN, NAN, NAN, NAN};
+    if (status == BATTEN_NOT_FOUND) {
+        bat_note(h->run, "at a heel of %g degrees the hull finds no trim: %s", arm->heel,
+                 batten_message());
+        return BATTEN_OK;
+    }
+    if (status != BATTEN_OK)
+        return status;
+    arm->arm = b.heeling;
+    arm->kn =
+        b.heeling + loading->gravity.z * bat_sin(heel) - loading->gravity.y * bat_cos(heel);
+    arm->draught = b.flotation.draught;
+    arm->trim = b.flotation.trim * 180 / BAT_PI;
+    return BATTEN_OK;
+}
+
+static batten_status fill_arms(hydro *h, const batten_loading *loading)
+{
+    const bat_argument *given = bat_argument_of(h->run, "heels");
+    const int standard = sizeof STANDARD_HEELS / sizeof STANDARD_HEELS[0];
+    bat_hydro_report *r = &h->report;
+    r->arm_count = given->count > 0 ? given->count : standard;
+    r->arms = bat_arena_array(&h->arena, (size_t)r->arm_count, sizeof *r->arms);
+    if (!r->arms)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < r->arm_count && status == BATTEN_OK; i++)
+        status = add_arm(
+            h, given->count > 0 ? given->items[i].number[0] : STANDARD_HEELS[i] * BAT_PI / 180,
+            loading, &r->arms[i]);
+    return status;
+}
+
+static batten_status float_hull(hydro *h)
+{
+    bat_hydro_report *r = &h->report;
+    const double cubic = h->metres * h->metres * h->metres;
+    if (bat_has(h->run, "mass") != bat_has(h->run, "gravity"))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'mass' and 'gravity' belong together");
+    if (!bat_has(h->run, "mass")) {
+        return bat_has(h->run, "heels")
+                   ? bat_fail(BATTEN_BAD_ARGUMENT,
+                              "'heels' are those of righting arms, which need 'mass' and "
+                              "'gravity'; 'heel' is that of the table")
+                   : BATTEN_OK;
+    }
+    r->mass = bat_number(h->run, "mass");
+    r->gravity = bat_point(h->run, "gravity");
+    const batten_loading loading = {r->mass / (r->density * cubic), r->gravity, false, false};
+    const batten_box box = batten_hull_box(h->hull);
+    const batten_flotation start = {0.5 * (box.low.z + box.high.z), 0, 0};
+    batten_status status =
+        batten_hull_balance(h->hull, &loading, &start, PRECISION, h->run->job, &r->rest);
+    return status == BATTEN_OK ? fill_arms(h, &loading) : status;
+}
+
+/* ---- the output ---- */
+
+static batten_status check_numbers(const bat_run *run)
+{
+    const double density = bat_number(run, "density");
+    if (!(density > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the density is %g t/m3; it must be above 0",
+                        density);
+    if (bat_has(run, "mass") && !(bat_number(run, "mass") > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the mass is %g t; it must be above 0",
+                        bat_number(run, "mass"));
+    if (bat_has(run, "length") && !(bat_number(run, "length") > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the length between perpendiculars is %g; it must be above 0",
+                        bat_number(run, "length"));
+    return BATTEN_OK;
+}
+
+static batten_status make_hull(hydro *h)
+{
+    bat_objects objects;
+    batten_hull_options options = batten_hull_defaults();
+    options.whole = bat_yes(h->run, "whole");
+    options.tolerance = bat_tolerance(h->run);
+    batten_status status = bat_gather(h->run, "hydrostatics", BAT_SURFACES, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_surface **surfaces =
+        bat_arena_array(&h->arena, (size_t)objects.count, sizeof(batten_surface *));
+    if (!surfaces)
+        status = BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; surfaces && i < objects.count; i++)
+        surfaces[i] = objects.at[i]->surface;
+    if (status == BATTEN_OK)
+        status = batten_hull_create(objects.count, surfaces, &options, &h->hull);
+    bat_objects_release(&objects);
+    return status;
+}
+
+static void note_lids(const hydro *h)
+{
+    int count;
+    const batten_hull_lid *lids = batten_hull_lids(h->hull, &count);
+    for (int i = 0; i < count; i++)
+        bat_remark(
+            h->run, "the hull is closed across from the edge at x %.6g to %.6g, z %.6g to %.6g",
+            lids[i].edge.low.x, lids[i].edge.high.x, lids[i].edge.low.z, lids[i].edge.high.z);
+}
+
+static batten_status write_report(const hydro *h)
+{
+    const char *dot = strrchr(h->run->name, '.');
+    batten_text text = BATTEN_TEXT;
+    (dot && strcmp(dot, ".json") == 0  ? bat_hydro_as_json
+     : dot && strcmp(dot, ".csv") == 0 ? bat_hydro_as_csv
+                                       : bat_hydro_as_text)(&h->report, &text);
+    const batten_status status = batten_text_take(&text, &h->run->data, &h->run->size);
+    batten_text_free(&text);
+    return status;
+}
+
+static batten_status run_hydrostatics(bat_run *run)
+{
+    hydro h = {.run = run, .metres = bat_unit_metres(run)};
+    h.report = (bat_hydro_report){
+        .unit = bat_unit_name(run),
+        .density = bat_number(run, "density"),
+        .trim = bat_number(run, "trim") * 180 / BAT_PI,
+        .heel = bat_number(run, "heel") * 180 / BAT_PI,
+        .length = bat_has(run, "length") ? bat_number(run, "length") : 0,
+    };
+    batten_status status = check_numbers(run);
+    if (status == BATTEN_OK)
+        status = make_hull(&h);
+    if (status == BATTEN_OK) {
+        note_lids(&h);
+        h.report.lids = batten_hull_lids(h.hull, &h.report.lid_count);
+        status = fill_table(&h);
+    }
+    if (status == BATTEN_OK)
+        status = float_hull(&h);
+    if (status == BATTEN_OK)
+        status = write_report(&h);
+    batten_hull_free(h.hull);
+    bat_arena_free(&h.arena);
+    return status;
+}
+
+const bat_feature bat_feature_hydrostatics = {
+    .shown =
+        {"hydrostatics",
+         "A report: displacement, centres, metacentres and righting arms of a hull",
+         "For each draught volume and displacement, the waterline's length and breadth, areas,\n"
+         "centres of buoyancy and flotation, second moments, metacentres, coefficients of form;\n"
+         "for a mass and its centre how the hull floats, and its righting arms GZ and cross values\n"
+         "KN at fixed heels, free to trim. Water is what lies below a plane, so all of it holds\n"
+         "for any trim and heel.\n\n"
+         "The surfaces are one half of the hull, or both when they are images of each other in the\n"
+         "centre plane. Edges off the centre plane that no other surface shares are closed by\n"
+         "straight lines across, as transoms, decks and flat bottoms are, and a remark names each.\n"
+         "x runs along the ship, z up from the baseline. A table (CSV) when the file ends in .csv,\n"
+         "as JSON when it ends in .json, else text with conventions and names.",
+         "features:\n"
+         "  table: {read: offsets.csv}\n"
+         "  hull: {loft: table, within: 3 mm}\n"
+         "outputs:\n"
+         "  hull.txt: {hydrostatics: hull, draughts: [0.2 m, 0.3 m, 0.4 m]}\n",
+         "[RT01]", "batten_hull_hydrostatics", BAT_PARAMETERS(parameters), true,
+         .also =
+             "displacement, curves of form, metacentre, KM, GM, GZ curve, righting arm, stability, centre of buoyancy, waterplane, block coefficient, cross curves, KN, draught, trim, heel, wetted surface",
+         .formula =
+             "    V = ∫ h n·N,  M = ∫ (P h − n h²/2) n·N,  A = −∫ n·N,  over the wet surface; h the height above the water,\n"
+             "    n up, N outwards. GZ = (B − G)·e, e across towards the side that is down",
+         .promise =
+             "Volume, centres and moments are right to 1e-9 of their size, at any heel and trim, of the surfaces that are given."},
+    .run = run_hydrostatics};

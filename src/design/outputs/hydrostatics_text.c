@@ -1,0 +1,210 @@
+/* The report of hydrostatics as text, as a table (CSV) and as JSON: the same numbers in all. */
+#include "design/outputs/hydrostatics.h"
+
+#include <string.h>
+
+/* "%" stands for the unit of length. */
+static const struct {
+    const char *symbol, *unit, *about;
+} columns[BAT_HYDRO_COLUMNS] = {
+    [BAT_HYDRO_T] = {"T", "%", "draught at x = 0 above the baseline z = 0"},
+    [BAT_HYDRO_VOLUME] = {"VOL", "%3", "displaced volume, moulded"},
+    [BAT_HYDRO_DISPLACEMENT] = {"DISP", "t", "displacement"},
+    [BAT_HYDRO_LENGTH] = {"LWL", "%", "length of the waterline"},
+    [BAT_HYDRO_BREADTH] = {"BWL", "%", "breadth of the waterline"},
+    [BAT_HYDRO_WATERPLANE] = {"AW", "%2", "area of the waterplane"},
+    [BAT_HYDRO_WETTED] = {"S", "%2", "wetted surface"},
+    [BAT_HYDRO_LCB] = {"XCB", "%", "centre of buoyancy: x"},
+    [BAT_HYDRO_TCB] = {"YCB", "%", "y"},
+    [BAT_HYDRO_VCB] = {"KB", "%", "z"},
+    [BAT_HYDRO_LCF] = {"XCF", "%", "centre of flotation: x"},
+    [BAT_HYDRO_ACROSS] = {"IT", "%4", "transverse second moment of the waterplane"},
+    [BAT_HYDRO_ALONG] = {"IL", "%4", "longitudinal second moment of the waterplane"},
+    [BAT_HYDRO_BMT] = {"BMT", "%", "transverse metacentric radius, IT / VOL"},
+    [BAT_HYDRO_BML] = {"BML", "%", "longitudinal metacentric radius, IL / VOL"},
+    [BAT_HYDRO_KMT] = {"KMT", "%", "transverse metacentre above the baseline, KB + BMT"},
+    [BAT_HYDRO_KML] = {"KML", "%", "longitudinal metacentre above the baseline, KB + BML"},
+    [BAT_HYDRO_TPC] = {"TPC", "t/cm", "tonnes per centimetre of immersion"},
+    [BAT_HYDRO_MCT] = {"MCT", "t m/cm", "moment to trim one centimetre, by BML"},
+    [BAT_HYDRO_MIDSHIP] = {"AM", "%2", "section area at the middle of the waterline"},
+    [BAT_HYDRO_CB] = {"CB", "1", "block coefficient, VOL / (L BWL T)"},
+    [BAT_HYDRO_CM] = {"CM", "1", "midship coefficient, AM / (BWL T)"},
+    [BAT_HYDRO_CP] = {"CP", "1", "prismatic coefficient, VOL / (L AM)"},
+    [BAT_HYDRO_CWP] = {"CWP", "1", "waterplane coefficient, AW / (L BWL)"},
+    [BAT_HYDRO_CVP] = {"CVP", "1", "vertical prismatic coefficient, VOL / (AW T)"},
+};
+
+static void add_unit(const bat_hydro_report *r, const char *unit, batten_text *out)
+{
+    if (*unit == '%')
+        batten_text_add(out, "%s%s", r->unit, unit + 1);
+    else
+        batten_text_add(out, "%s", unit);
+}
+
+/* ---- text ---- */
+
+enum { COLUMNS_OF_TEXT = 6 };
+
+static void add_cell(double value, batten_text *out)
+{
+    if (isnan(value))
+        batten_text_add(out, " %11s", "-");
+    else
+        batten_text_add(out, " %11.6g", value);
+}
+
+static void add_block(const bat_hydro_report *r, int first, batten_text *out)
+{
+    const int last = bat_min_int(first + COLUMNS_OF_TEXT, r->count);
+    for (int c = 0; c < BAT_HYDRO_COLUMNS; c++) {
+        const size_t before = out->length;
+        batten_text_add(out, "%-5s", columns[c].symbol);
+        add_unit(r, columns[c].unit, out);
+        const int width = (int)(out->length - before);
+        batten_text_add(out, "%*s", bat_max_int(0, 12 - width), "");
+        for (int i = first; i < last; i++)
+            add_cell(r->rows[i].values[c], out);
+        batten_text_add(out, "\n");
+    }
+    batten_text_add(out, "\n");
+}
+
+static void add_conventions(const bat_hydro_report *r, batten_text *out)
+{
+    batten_text_add(out,
+                    "x along the ship, y to port, z up from the baseline; moulded, water of "
+                    "%.6g t/m3\ntrim %.6g deg (by the stern, towards lower x, above 0), heel "
+                    "%.6g deg (to starboard above 0)\n",
+                    r->density, r->trim, r->heel);
+    if (r->length > 0)
+        batten_text_add(out, "L in the coefficients and in MCT is %.6g %s\n", r->length,
+                        r->unit);
+    else
+        batten_text_add(out, "L in the coefficients and in MCT is LWL\n");
+    for (int i = 0; i < r->lid_count; i++) {
+        const batten_box *box = &r->lids[i].edge;
+        batten_text_add(out,
+                        "closed across from the edge at x %.6g to %.6g, z %.6g to %.6g: "
+                        "%.6g %s2, which S does not count\n",
+                        box->low.x, box->high.x, box->low.z, box->high.z, r->lids[i].area,
+                        r->unit);
+    }
+    batten_text_add(out, "\n");
+}
+
+static void add_rest(const bat_hydro_report *r, batten_text *out)
+{
+    const batten_balance *b = &r->rest;
+    batten_text_add(out,
+                    "Afloat with %.6g t, their centre at (%.6g, %.6g, %.6g) %s\n"
+                    "  draught %.6g %s at x = 0, trim %.6g deg, heel %.6g deg\n"
+                    "  GMT %.6g %s, GML %.6g %s: %s\n",
+                    r->mass, r->gravity.x, r->gravity.y, r->gravity.z, r->unit,
+                    b->flotation.draught, r->unit, b->flotation.trim * 180 / BAT_PI,
+                    b->flotation.heel * 180 / BAT_PI, b->metacentric[0], r->unit,
+                    b->metacentric[1], r->unit, b->stable ? "stable" : "not stable");
+    batten_text_add(out, "\n%-12s %11s %11s %11s %11s\n", "heel, deg", "GZ", "KN", "T",
+                    "trim, deg");
+    for (int i = 0; i < r->arm_count; i++) {
+        const bat_hydro_arm *a = r->arms + i;
+        batten_text_add(out, "%-12.6g", a->heel);
+        add_cell(a->arm, out);
+        add_cell(a->kn, out);
+        add_cell(a->draught, out);
+        add_cell(a->trim, out);
+        batten_text_add(out, "\n");
+    }
+}
+
+void bat_hydro_as_text(const bat_hydro_report *r, batten_text *out)
+{
+    add_conventions(r, out);
+    for (int first = 0; first < r->count; first += COLUMNS_OF_TEXT)
+        add_block(r, first, out);
+    for (int c = 0; c < BAT_HYDRO_COLUMNS; c++)
+        batten_text_add(out, "%-5s%s\n", columns[c].symbol, columns[c].about);
+    if (r->mass > 0) {
+        batten_text_add(out, "\n");
+        add_rest(r, out);
+    }
+}
+
+/* ---- a table ---- */
+
+static void add_value(double value, const char *none, batten_text *out)
+{
+    if (isnan(value))
+        batten_text_add(out, "%s", none);
+    else
+        batten_text_number(out, value);
+}
+
+void bat_hydro_as_csv(const bat_hydro_report *r, batten_text *out)
+{
+    for (int c = 0; c < BAT_HYDRO_COLUMNS; c++)
+        batten_text_add(out, "%s%s", c ? "," : "", columns[c].symbol);
+    batten_text_add(out, "\n");
+    for (int c = 0; c < BAT_HYDRO_COLUMNS; c++) {
+        batten_text_add(out, "%s", c ? "," : "");
+        add_unit(r, columns[c].unit, out);
+    }
+    batten_text_add(out, "\n");
+    for (int i = 0; i < r->count; i++)
+        for (int c = 0; c < BAT_HYDRO_COLUMNS; c++) {
+            add_value(r->rows[i].values[c], "", out);
+            batten_text_add(out, c + 1 < BAT_HYDRO_COLUMNS ? "," : "\n");
+        }
+}
+
+/* ---- JSON ---- */
+
+static void add_member(const char *key, double value, bool first, batten_text *out)
+{
+    batten_text_add(out, "%s\"%s\": ", first ? "" : ", ", key);
+    add_value(value, "null", out);
+}
+
+static void add_json_rest(const bat_hydro_report *r, batten_text *out)
+{
+    const batten_balance *b = &r->rest;
+    batten_text_add(out, ",\n  \"afloat\": {");
+    add_member("mass", r->mass, true, out);
+    add_member("draught", b->flotation.draught, false, out);
+    add_member("trim", b->flotation.trim * 180 / BAT_PI, false, out);
+    add_member("heel", b->flotation.heel * 180 / BAT_PI, false, out);
+    add_member("GMT", b->metacentric[0], false, out);
+    add_member("GML", b->metacentric[1], false, out);
+    batten_text_add(out, ", \"stable\": %s},\n  \"arms\": [", b->stable ? "true" : "false");
+    for (int i = 0; i < r->arm_count; i++) {
+        const bat_hydro_arm *a = r->arms + i;
+        batten_text_add(out, "%s\n    {", i ? "," : "");
+        add_member("heel", a->heel, true, out);
+        add_member("GZ", a->arm, false, out);
+        add_member("KN", a->kn, false, out);
+        add_member("T", a->draught, false, out);
+        add_member("trim", a->trim, false, out);
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "\n  ]");
+}
+
+void bat_hydro_as_json(const bat_hydro_report *r, batten_text *out)
+{
+    batten_text_add(out, "{\n  \"unit\": \"%s\",\n  ", r->unit);
+    add_member("density", r->density, true, out);
+    add_member("trim", r->trim, false, out);
+    add_member("heel", r->heel, false, out);
+    add_member("L", r->length > 0 ? r->length : (double)NAN, false, out);
+    batten_text_add(out, ",\n  \"rows\": [");
+    for (int i = 0; i < r->count; i++) {
+        batten_text_add(out, "%s\n    {", i ? "," : "");
+        for (int c = 0; c < BAT_HYDRO_COLUMNS; c++)
+            add_member(columns[c].symbol, r->rows[i].values[c], c == 0, out);
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "\n  ]");
+    if (r->mass > 0)
+        add_json_rest(r, out);
+    batten_text_add(out, "\n}\n");
+}

@@ -1,0 +1,162 @@
+/* The report of hydrostatics. */
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A prism 20 long whose section is a triangle, 10 wide at 4 above its edge. */
+static const char prism[] = "  low: {line: [[0, 0, 0], [20, 0, 0]]}\n"
+                            "  high: {line: [[0, 5, 4], [20, 5, 4]]}\n"
+                            "  half: {ruled: [low, high]}\n"
+                            "  both: {mirror: half, plane: centre}\n";
+
+static batten_status report(const char *output, batten_notes *notes, char **data)
+{
+    char text[2000];
+    batten_design *design = NULL;
+    size_t size;
+    snprintf(text, sizeof text, "batten: 1\nfeatures:\n%soutputs:\n  %s\n", prism, output);
+    batten_status status = batten_design_parse(text, strlen(text), NULL, notes, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_output(design, 0, NULL, notes, data, &size);
+    batten_design_free(design);
+    return status;
+}
+
+static double number(const char *text, const char *key)
+{
+    const char *at = strstr(text, key);
+    CHECK(at != NULL);
+    return strtod(at + strlen(key), NULL);
+}
+
+TEST(a_prism_has_the_values_of_its_closed_form)
+{
+    static const char *const inputs[] = {"half", "both"};
+    const double t = 3.322, b = 2.5 * t;
+    const struct {
+        const char *key;
+        double value;
+    } rows[] = {
+        {"\"VOL\": ", 20 * b * t / 2},
+        {"\"DISP\": ", 1.025 * 20 * b * t / 2},
+        {"\"LWL\": ", 20},
+        {"\"BWL\": ", b},
+        {"\"AW\": ", 20 * b},
+        {"\"XCB\": ", 10},
+        {"\"KB\": ", t * 2 / 3},
+        {"\"XCF\": ", 10},
+        {"\"BMT\": ", b * b / (6 * t)},
+        {"\"KMT\": ", t * 2 / 3 + b * b / (6 * t)},
+        {"\"CB\": ", 0.5},
+        {"\"CM\": ", 0.5},
+        {"\"CP\": ", 1},
+        {"\"CWP\": ", 1},
+        {"\"TPC\": ", 1.025 * b * 0.2},
+        {"\"AM\": ", b * t / 2},
+        {"\"S\": ", 40 * hypot(t, b / 2)},
+        {"\"MCT\": ", 1.025 * b * 8000 / 12 / 100 / 20},
+    };
+    for (int i = 0; i < COUNT(inputs); i++) {
+        char output[200], *data = NULL;
+        snprintf(output, sizeof output, "a.json: {hydrostatics: %s, draughts: 3.322}",
+                 inputs[i]);
+        CHECK_OK(report(output, NULL, &data));
+        for (int k = 0; k < COUNT(rows); k++)
+            CHECK_NEAR(number(data, rows[k].key), rows[k].value, 1e-8 * rows[k].value);
+        CHECK_NEAR(number(data, "\"YCB\": "), 0, 0);
+        batten_release(data);
+    }
+}
+
+TEST(text_table_and_json_say_the_same)
+{
+    char *text = NULL, *csv = NULL, *json = NULL;
+    CHECK_OK(report("a.txt: {hydrostatics: half, draughts: [2, 3]}", NULL, &text));
+    CHECK_OK(report("a.csv: {hydrostatics: half, draughts: [2, 3]}", NULL, &csv));
+    CHECK_OK(report("a.json: {hydrostatics: half, draughts: [2, 3]}", NULL, &json));
+    CHECK_CONTAINS(text, "VOL  m3              100         225\n");
+    CHECK_CONTAINS(text, "closed across from the edge at x 0 to 20, z 4 to 4: 200 m2");
+    CHECK_CONTAINS(csv, "T,VOL,DISP,LWL,");
+    CHECK_CONTAINS(csv, "\nm,m3,t,m,");
+    CHECK_NEAR(number(strstr(csv, "\n3,"), "\n3,"), 225, 1e-9);
+    CHECK_NEAR(number(strstr(json, "\"T\": 3"), "\"VOL\": "), 225, 1e-9);
+    batten_release(text);
+    batten_release(csv);
+    batten_release(json);
+}
+
+TEST(draughts_are_round_ones_up_to_the_deck_where_none_are_given)
+{
+    char *data = NULL;
+    CHECK_OK(report("a.csv: {hydrostatics: half}", NULL, &data));
+    CHECK_CONTAINS(data, "\n0.5,");
+    CHECK_CONTAINS(data, "\n4,");
+    CHECK(!strstr(data, "\n4.5,"));
+    batten_release(data);
+}
+
+TEST(a_mass_floats_and_rights_itself)
+{
+    char *data = NULL;
+    CHECK_OK(report("a.json: {hydrostatics: half, draughts: 2, mass: 205, "
+                    "gravity: [10, 0, 1.5], heels: [0 deg, 10 deg]}",
+                    NULL, &data));
+    const char *afloat = strstr(data, "\"afloat\"");
+    CHECK_NEAR(number(afloat, "\"draught\": "), sqrt(8), 1e-8);
+    CHECK_NEAR(number(afloat, "\"trim\": "), 0, 1e-8);
+    const double gm = sqrt(8) * 2 / 3 + 6.25 * 8 / (6 * sqrt(8)) - 1.5;
+    CHECK_NEAR(number(afloat, "\"GMT\": "), gm, 1e-8);
+    const char *arm = strstr(data, "\"heel\": 10,");
+    const double gz = number(arm, "\"GZ\": ");
+    CHECK(gz > gm * sin(10 * 3.14159265358979 / 180)); /* the sides flare */
+    CHECK_NEAR(number(arm, "\"KN\": "), gz + 1.5 * sin(10 * 3.14159265358979 / 180), 1e-9);
+    batten_release(data);
+}
+
+TEST(what_closes_the_hull_and_a_deck_under_water_are_remarked_upon)
+{
+    batten_notes *notes = NULL;
+    char *data = NULL;
+    CHECK_OK(batten_notes_create(20, &notes));
+    CHECK_OK(report("a.txt: {hydrostatics: half, draughts: 4.2}", notes, &data));
+    int lids = 0, decks = 0;
+    for (int i = 0; i < batten_notes_count(notes); i++) {
+        const char *text = batten_notes_at(notes, i)->text;
+        lids += strstr(text, "the hull is closed across from the edge") != NULL;
+        decks += strstr(text, "the edge of the deck, lowest at z = 4, is under water") != NULL;
+    }
+    if (!batten_notes_dropped(notes)) { /* for lack of memory */
+        CHECK_INT(lids, 3);
+        CHECK_INT(decks, 1);
+    }
+    batten_release(data);
+    batten_notes_free(notes);
+}
+
+TEST(what_cannot_float_is_refused_with_its_reason)
+{
+    static const struct {
+        const char *output, *message;
+    } rows[] = {
+        {"a.txt: {hydrostatics: half, density: 0}", "density is 0"},
+        {"a.txt: {hydrostatics: half, mass: 3}", "'mass' and 'gravity' belong together"},
+        {"a.txt: {hydrostatics: half, gravity: [1, 0, 0]}",
+         "'mass' and 'gravity' belong together"},
+        {"a.txt: {hydrostatics: half, mass: -3, gravity: [1, 0, 0]}", "mass is -3"},
+        {"a.txt: {hydrostatics: half, mass: 3000, gravity: [10, 0, 1]}", "it sinks"},
+        {"a.txt: {hydrostatics: half, heels: 3 deg}", "'heel' is that of the table"},
+        {"a.txt: {hydrostatics: half, length: -1}", "between perpendiculars is -1"},
+        {"a.txt: {hydrostatics: half, draughts: 1, whole: yes}", "open below the water"},
+        {"a.txt: {hydrostatics: low}", "low"},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        char *data = NULL;
+        batten_status status = report(rows[i].output, NULL, &data);
+        if (test_memory_failed(status, BATTEN_BAD_ARGUMENT))
+            status = report(rows[i].output, NULL, &data);
+        CHECK(status != BATTEN_OK && !data);
+        CHECK_MESSAGE(rows[i].message);
+    }
+}

@@ -1,0 +1,122 @@
+/* Hulls from surfaces: which side is out, and what closes them. */
+#include "hydrostatics/hulls.h"
+#include "support/test.h"
+
+#include <batten/standard.h>
+
+static const batten_flotation HALF = {0, 0, 0};
+
+static double volume_of(const batten_hull *hull, batten_flotation at)
+{
+    batten_hydrostatics v;
+    CHECK_OK(batten_hull_hydrostatics(hull, &at, 1e-12, NULL, &v));
+    CHECK_NEAR(v.open[0] + v.open[1], 0, 1e-9);
+    return v.volume;
+}
+
+TEST(a_sphere_is_a_hull_that_is_closed_by_itself)
+{
+    const batten_frame world = batten_frame_world();
+    const double pi = 3.14159265358979323846;
+    batten_surface *ball = NULL;
+    batten_hull *hull = NULL;
+    batten_hull_options options = batten_hull_defaults();
+    options.whole = true;
+    CHECK_OK(batten_surface_sphere(&world, 2, &ball));
+    CHECK_OK(batten_hull_create(1, (const batten_surface *const[]){ball}, &options, &hull));
+    batten_hydrostatics v;
+    const batten_flotation tilted = {0, 0.3, 0.7};
+    CHECK_OK(batten_hull_hydrostatics(hull, &tilted, 1e-10, NULL, &v));
+    CHECK_NEAR(v.volume, pi * 16 / 3, 1e-8);
+    CHECK_NEAR(v.waterplane, pi * 4, 1e-8);
+    CHECK_NEAR(v.wetted, pi * 8, 1e-7);
+    CHECK_NEAR(v.along, pi * 4, 1e-7);
+    CHECK_NEAR(v.across, pi * 4, 1e-7);
+    /* 3/8 of the radius below the plane, along its normal */
+    CHECK_NEAR(v.buoyancy.x, -0.75 * sin(0.3), 1e-8);
+    CHECK_NEAR(v.buoyancy.y, -0.75 * cos(0.3) * sin(0.7), 1e-8);
+    CHECK_NEAR(v.buoyancy.z, -0.75 * cos(0.3) * cos(0.7), 1e-8);
+    CHECK_NEAR(v.open[0] + v.open[1], 0, 1e-8);
+    batten_hull_free(hull);
+    batten_surface_unref(ball);
+}
+
+/* Half of a cylinder along x, of radius 1. */
+TEST(a_cylinder_on_its_side_is_closed_by_its_ends)
+{
+    const double r = 0.70710678118654752440, pi = 3.14159265358979323846;
+    const double section[5][3] = {{0, -1, 1}, {1, -1, r}, {1, 0, 1}, {1, 1, r}, {0, 1, 1}};
+    static const double knots_u[] = {0, 0, 1, 1}, knots_v[] = {0, 0, 0, 1, 1, 2, 2, 2};
+    double points[2][5][3], weights[2][5];
+    batten_surface *half = NULL;
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 5; j++) {
+            points[i][j][0] = 6 * i;
+            points[i][j][1] = section[j][0];
+            points[i][j][2] = section[j][1];
+            weights[i][j] = section[j][2];
+        }
+    const batten_axis u = {1, 2, knots_u, false}, v = {2, 5, knots_v, false};
+    CHECK_OK(batten_surface_create(3, &u, &v, &points[0][0][0], &weights[0][0], &half));
+    batten_hull *hull = hull_of(half);
+    int count;
+    const batten_hull_lid *lids = batten_hull_lids(hull, &count);
+    CHECK_INT(count, 2);
+    CHECK_NEAR(lids[0].area, pi, 1e-9);
+    CHECK_NEAR(lids[1].edge.low.x, 6, 0);
+    CHECK(lids[0].direction == BATTEN_U && !lids[0].high && lids[1].high);
+    CHECK_NEAR(volume_of(hull, HALF), pi * 3, 1e-9);
+    CHECK_NEAR(volume_of(hull, (batten_flotation){0, 0, 1}), pi * 3, 1e-9);
+    CHECK_NEAR(volume_of(hull, (batten_flotation){2, 0, 0}), pi * 6, 1e-9);
+    CHECK_NEAR(volume_of(hull, (batten_flotation){-2, 0, 0}), 0, 0);
+    batten_hull_free(hull);
+}
+
+/* Whatever way the parameters run. */
+TEST(the_outside_is_found)
+{
+    static const double section[][2] = {{0, 0}, {1, 0}, {1, 2}};
+    for (int way = 0; way < 4; way++) {
+        batten_surface *half = half_prism(0, 4, 3, section), *turned = NULL;
+        CHECK_OK(way == 3   ? batten_surface_swap(half, &turned)
+                 : way == 2 ? batten_surface_reverse(half, BATTEN_V, &turned)
+                 : way == 1 ? batten_surface_reverse(half, BATTEN_U, &turned)
+                            : (turned = batten_surface_ref(half), BATTEN_OK));
+        batten_hull *hull = hull_of(turned);
+        CHECK_NEAR(volume_of(hull, (batten_flotation){1, 0.1, 0.2}),
+                   8 - 16 * tan(0.1) / cos(0.2), 1e-12);
+        batten_hull_free(hull);
+        batten_surface_unref(half);
+    }
+}
+
+TEST(edges_along_other_surfaces_need_no_lid)
+{
+    static const double bottom[][2] = {{0, 0}, {1, 0}}, side[][2] = {{1, 0}, {1, 2}};
+    batten_surface *parts[3] = {half_prism(0, 4, 2, bottom), half_prism(0, 1.5, 2, side),
+                                half_prism(1.5, 4, 2, side)};
+    batten_hull *hull = NULL;
+    int count;
+    CHECK_OK(batten_hull_create(3, (const batten_surface *const *)parts, NULL, &hull));
+    batten_hull_lids(hull, &count);
+    CHECK_INT(count, 6); /* the ends of bottom and sides, and two parts of the deck */
+    CHECK_NEAR(volume_of(hull, (batten_flotation){1, 0, 0.3}), 8, 1e-12);
+    batten_hull_free(hull);
+    for (int k = 0; k < 3; k++)
+        batten_surface_unref(parts[k]);
+}
+
+TEST(what_is_no_hull_is_refused_with_its_number)
+{
+    static const double section[][2] = {{0, 0}, {1, 0}};
+    batten_surface *half = half_prism(0, 4, 2, section);
+    batten_hull *hull = NULL;
+    batten_hull_options options = batten_hull_defaults();
+    CHECK_STATUS(batten_hull_create(0, NULL, NULL, &hull), BATTEN_BAD_ARGUMENT);
+    options.tolerance = -1;
+    CHECK_STATUS(batten_hull_create(1, (const batten_surface *const[]){half}, &options, &hull),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("tolerance of a hull is -1");
+    CHECK(!hull);
+    batten_surface_unref(half);
+}
