@@ -4,19 +4,7 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-double *bench_numbers(size_t count)
-{
-    double *numbers = malloc((count ? count : 1) * sizeof *numbers);
-    if (!numbers) {
-        perror("bench");
-        exit(1);
-    }
-    return numbers;
-}
 
 /* A linear congruential generator with Knuth's multiplier. */
 typedef struct {
@@ -278,26 +266,40 @@ static void fill_patches(bench_work *work)
             }
 }
 
-void bench_path(const bench_work *work, const char *who, char path[128])
+/* Arguments of an elementary function; a second one is spread over -10 ... 10. */
+static void fill_arguments(bench_work *work)
 {
-    const char *folder = getenv("TMPDIR");
-    snprintf(path, 128, "%.80s/batten-bench-%s.%s", folder ? folder : "/tmp", who,
-             work->iges ? "igs" : "step");
+    work->u = make_parameters(work->count, true, 81);
+    work->v = make_parameters(work->count, true, 82);
+    for (size_t i = 0; i < work->count; i++) {
+        const double t = work->u[i];
+        work->u[i] = work->by_ratio ? work->low * pow(work->high / work->low, t)
+                                    : work->low + (work->high - work->low) * t;
+        work->v[i] = 20 * work->v[i] - 10;
+    }
 }
 
-size_t bench_faces(const char *path, bool iges)
+static double *middles(size_t count, const double *u)
 {
-    char line[256];
-    size_t count = 0;
-    FILE *file = fopen(path, "r");
-    while (file && fgets(line, sizeof line, file))
-        if (iges)
-            count += strncmp(line, "     128", 8) == 0 && strlen(line) > 73 && line[72] == 'D';
-        else
-            count += strstr(line, "ADVANCED_FACE") != NULL;
-    if (file)
-        fclose(file);
-    return iges ? count / 2 : count;
+    double *v = bench_numbers(count);
+    for (size_t i = 0; i + 1 < count; i++)
+        v[i] = (u[i] + u[i + 1]) / 2;
+    return v;
+}
+
+static void fill_files(bench_work *work)
+{
+    fill_patches(work);
+    work->result_count = 3 * BENCH_PATCH * BENCH_PATCH * work->count;
+    work->data = bench_numbers(work->result_count);
+    for (size_t i = 0; i < work->result_count; i++)
+        work->data[i] = work->surface.points[i] / 1e2;
+    work->truth = work->data;
+}
+
+static size_t surface_numbers(const bench_work *work)
+{
+    return work->order == 0 ? 3 : work->normals_only ? 6 : 12;
 }
 
 void bench_fill(bench_work *work)
@@ -314,35 +316,42 @@ void bench_fill(bench_work *work)
         work->surface = make_surface(work->rational);
         work->u = make_parameters(n, false, 0);
         work->v = make_parameters(n, false, 0);
-        work->result_count = n * n * 3 * (size_t)(work->order + 1);
+        work->result_count = n * n * surface_numbers(work);
         break;
     case SURFACE_POINTS:
     case SURFACE_SINGLE:
         work->surface = make_surface(work->rational);
         work->u = make_parameters(n, true, 31);
         work->v = make_parameters(n, true, 32);
-        work->result_count = n * 3 * (size_t)(work->order + 1);
+        work->result_count = n * surface_numbers(work);
         break;
     case CURVE_THROUGH:
         work->data = make_cloud(n);
+        work->truth = work->data;
         work->u = centripetal(n, work->data);
         work->result_count = 3 * n;
         break;
     case FUNCTION_THROUGH:
         work->u = grid_parameters(n, 51);
+        work->v = middles(n, work->u);
         work->data = make_values(n, work->u);
-        work->result_count =
-            n - 3; /* not the end spans: GSL ends Steffen's otherwise than he does */
+        /* Not the end spans: GSL ends Steffen's otherwise than he does, and SciPy Akima's. */
+        work->result_count = n - 5;
         break;
     case PLANE_THROUGH:
         work->data = make_loop(n);
+        work->truth = work->data;
         work->result_count = 2 * n;
+        break;
+    case TRIANGULATION:
+        work->u = make_parameters(2 * n, true, 61);
+        work->result_count = 2;
         break;
     case SCATTERED_NEAR:
     case TRIANGLES_THROUGH:
-    case TRIANGULATION:
         work->u = make_parameters(2 * n, true, 61);
         work->data = franke_values(n, work->u);
+        work->truth = work->data;
         work->result_count = 1;
         break;
     case CURVE_LENGTH:
@@ -350,51 +359,28 @@ void bench_fill(bench_work *work)
         work->result_count = 1;
         break;
     case WRITE_PATCHES:
-        fill_patches(work);
-        work->result_count = 1;
-        break;
     case READ_PATCHES:
-        fill_patches(work);
-        work->result_count = 3 * BENCH_PATCH * BENCH_PATCH * n;
+        fill_files(work);
+        break;
+    case ELEMENTARY:
+        fill_arguments(work);
+        work->result_count = n;
         break;
     case SKIN:
         work->u = make_parameters(BENCH_PLACES, false, 0);
         fill_sections(work);
+        work->truth = work->data;
         work->result_count = n * BENCH_PLACES * 3;
         break;
     default:
         work->u = grid_parameters(n, 41);
         work->v = grid_parameters(n, 42);
         work->data = grid_points(n, work->u, work->v);
+        work->truth = work->data;
         work->result_count = 3 * n * n;
         break;
     }
-}
-
-void bench_release(bench_work *work)
-{
-    free(work->curve.knots);
-    free(work->curve.points);
-    free(work->curve.weights);
-    free(work->surface.knots[0]);
-    free(work->surface.knots[1]);
-    free(work->surface.points);
-    free(work->surface.weights);
-    for (size_t i = 0; work->sections && i < work->count; i++) {
-        free(work->sections[i].knots);
-        free(work->sections[i].points);
-    }
-    free(work->sections);
-    free(work->u);
-    free(work->v);
-    free(work->data);
-}
-
-void bench_unit_normal(const double *a, const double *b, double *normal)
-{
-    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
-    const double z = a[0] * b[1] - a[1] * b[0], length = sqrt(x * x + y * y + z * z);
-    normal[0] = x / length;
-    normal[1] = y / length;
-    normal[2] = z / length;
+    /* Coordinates reach 20: this is some hundred roundings of the spans' widths. */
+    if (work->within == 0)
+        work->within = 1e-11;
 }

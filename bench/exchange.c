@@ -1,10 +1,9 @@
-/* Batten on files of patches. */
-#include "exchange.h"
+/* Batten on files of patches, and what it finds in those of others. */
+#include "bench.h"
 
 #include <batten/batten.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 typedef struct {
     const bench_work *work;
@@ -56,10 +55,53 @@ static void run_write(void *object)
     must(batten_write_file(c->model, c->path, NULL, NULL));
 }
 
+static double *add_points(const batten_surface *surface, double *to, const double *end)
+{
+    const size_t size = 3 * BENCH_PATCH * BENCH_PATCH;
+    if (!surface || to + size > end) {
+        fprintf(stderr, "bench: batten: a patch is no B-spline of its size, or one too many\n");
+        exit(1);
+    }
+    const double *points = batten_surface_points(surface);
+    for (size_t i = 0; i < size; i++)
+        *to++ = points[i] / 1e2;
+    return to;
+}
+
+/* Patches lie in the model as surfaces or as faces of bodies, or in definitions that instances place. */
+static void gather_model(const bench_work *work, const batten_model *model, double *result)
+{
+    const double *end = result + work->result_count;
+    batten_model *flat = NULL;
+    must(batten_model_flat(model, &flat));
+    for (int k = 0; k < batten_model_count(flat); k++) {
+        const batten_object *found = batten_model_object(flat, k);
+        if (found->kind == BATTEN_OBJECT_SURFACE)
+            result = add_points(found->surface, result, end);
+        else if (found->kind == BATTEN_OBJECT_BODY)
+            for (int f = 0; f < batten_body_view(found->body)->face_count; f++)
+                result =
+                    add_points(batten_body_view(found->body)->faces[f].surface, result, end);
+    }
+    batten_model_unref(flat);
+    if (result != end) {
+        fprintf(stderr, "bench: batten: patches are missing in the file\n");
+        exit(1);
+    }
+}
+
+void bench_read_back(const bench_work *work, const char *path, double *result)
+{
+    batten_model *model = NULL;
+    must(batten_read_file(path, NULL, NULL, NULL, &model));
+    gather_model(work, model, result);
+    batten_model_unref(model);
+}
+
 static void gather_write(void *object, double *result)
 {
     const contest *c = object;
-    *result = (double)bench_faces(c->path, c->work->iges) / (double)c->work->count;
+    bench_read_back(c->work, c->path, result);
 }
 
 static void *open_read(const bench_work *work)
@@ -85,15 +127,7 @@ static void run_read(void *object)
 static void gather_read(void *object, double *result)
 {
     const contest *c = object;
-    const size_t size = 3 * BENCH_PATCH * BENCH_PATCH;
-    for (int k = 0; k < (int)c->work->count; k++) {
-        const batten_object *found = batten_model_object(c->model, k);
-        const batten_surface *surface =
-            found->body ? batten_body_view(found->body)->faces[0].surface : found->surface;
-        const double *points = batten_surface_points(surface);
-        for (size_t i = 0; i < size; i++)
-            result[(size_t)k * size + i] = points[i] / 1e2;
-    }
+    gather_model(c->work, c->model, result);
 }
 
 static void close_contest(void *object)
@@ -103,5 +137,9 @@ static void close_contest(void *object)
     free(c);
 }
 
-const bench_entry bench_batten_write = {open_write, run_write, gather_write, close_contest},
-                  bench_batten_read = {open_read, run_read, gather_read, close_contest};
+const bench_entry bench_batten_exchange[] = {
+    {"batten_write_file", WRITE_PATCHES, open_write, run_write, gather_write, close_contest,
+     NULL},
+    {"batten_read_file", READ_PATCHES, open_read, run_read, gather_read, close_contest, NULL},
+    {NULL},
+};

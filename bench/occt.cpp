@@ -1,5 +1,4 @@
-// Open CASCADE on the workloads: an adaptor that keeps the last span for sorted work, plain
-// calls for scattered work, whichever is faster there.
+// Open CASCADE on the workloads: plain calls, and adaptors that keep the last span; the faster counts.
 #include "bench.h"
 
 #include <GCPnts_AbscissaPoint.hxx>
@@ -118,10 +117,13 @@ template <class Evaluator> void evaluate_curve(Contest *c, const Evaluator &on)
 void run_curve(void *object)
 {
     auto *c = static_cast<Contest *>(object);
-    if (c->work->random)
-        evaluate_curve(c, *c->curve);
-    else
-        evaluate_curve(c, GeomAdaptor_Curve(c->curve));
+    evaluate_curve(c, *c->curve);
+}
+
+void run_curve_adaptor(void *object)
+{
+    auto *c = static_cast<Contest *>(object);
+    evaluate_curve(c, GeomAdaptor_Curve(c->curve));
 }
 
 void put(const gp_XYZ &from, double scale, double *to)
@@ -156,20 +158,27 @@ void evaluate_surface(Contest *c, const Evaluator &on, size_t i, double u, doubl
     c->normals[i] = c->first[i].Crossed(c->second[i]).Normalized();
 }
 
-void run_grid(void *object)
+template <class Evaluator> void evaluate_places(Contest *c, const Evaluator &on)
 {
-    auto *c = static_cast<Contest *>(object);
     const size_t n = c->work->count;
-    const GeomAdaptor_Surface on(c->surface);
-    for (size_t i = 0; i < n * n; i++)
-        evaluate_surface(c, on, i, c->work->u[i / n], c->work->v[i % n]);
+    if (c->work->kind == SURFACE_GRID)
+        for (size_t i = 0; i < n * n; i++)
+            evaluate_surface(c, on, i, c->work->u[i / n], c->work->v[i % n]);
+    else
+        for (size_t i = 0; i < n; i++)
+            evaluate_surface(c, on, i, c->work->u[i], c->work->v[i]);
 }
 
-void run_points(void *object)
+void run_surface(void *object)
 {
     auto *c = static_cast<Contest *>(object);
-    for (size_t i = 0; i < c->work->count; i++)
-        evaluate_surface(c, *c->surface, i, c->work->u[i], c->work->v[i]);
+    evaluate_places(c, *c->surface);
+}
+
+void run_surface_adaptor(void *object)
+{
+    auto *c = static_cast<Contest *>(object);
+    evaluate_places(c, GeomAdaptor_Surface(c->surface));
 }
 
 void gather_surface(void *object, double *result)
@@ -177,9 +186,12 @@ void gather_surface(void *object, double *result)
     auto *c = static_cast<Contest *>(object);
     const size_t count = c->points.size();
     for (size_t i = 0; i < count; i++) {
-        put(c->points[i].XYZ(), 1, result + 3 * i);
-        if (c->work->order > 0)
-            put(c->normals[i].XYZ(), 1, result + 3 * (count + i));
+        double jet[9], normal[3];
+        put(c->points[i].XYZ(), 1, jet);
+        put(c->first[i].XYZ(), 1, jet + 3);
+        put(c->second[i].XYZ(), 1, jet + 6);
+        put(c->normals[i].XYZ(), 1, normal);
+        bench_lay_point(c->work, bench_place{i, count}, jet, normal, result);
     }
 }
 
@@ -211,8 +223,9 @@ void run_curve_through(void *object)
 void gather_curve_through(void *object, double *result)
 {
     auto *c = static_cast<Contest *>(object);
+    const GeomAdaptor_Curve on(c->curve);
     for (size_t i = 0; i < c->work->count; i++)
-        put(c->curve->Value(c->work->u[i]).XYZ(), 1, result + 3 * i);
+        put(on.Value(c->work->u[i]).XYZ(), 1, result + 3 * i);
 }
 
 void run_length(void *object)
@@ -229,18 +242,30 @@ void gather_length(void *object, double *result)
 
 } // namespace
 
-// In the order of bench_kind. Its grid interpolation chooses its own parameters and cannot take
-// part.
-extern "C" const bench_entry bench_occt[KIND_COUNT] = {
-    {open_curve, run_curve, gather_curve, close_contest},
-    {open_curve, run_curve, gather_curve, close_contest},
-    {open_surface, run_grid, gather_surface, close_contest},
-    {open_surface, run_points, gather_surface, close_contest},
-    {open_surface, run_points, gather_surface, close_contest},
-    {open_data, run_curve_through, gather_curve_through, close_contest},
-    {nullptr, nullptr, nullptr, nullptr},
-    {nullptr, nullptr, nullptr, nullptr},
-    {nullptr, nullptr, nullptr, nullptr},
-    {nullptr, nullptr, nullptr, nullptr},
-    {open_curve, run_length, gather_length, close_contest},
+#define CURVE(name, kind, run)                                            \
+    {                                                                     \
+        name, kind, open_curve, run, gather_curve, close_contest, nullptr \
+    }
+#define SURFACE(name, kind, run)                                              \
+    {                                                                         \
+        name, kind, open_surface, run, gather_surface, close_contest, nullptr \
+    }
+
+// Its grid interpolation chooses its own parameters and cannot take part.
+extern "C" const bench_entry bench_occt[] = {
+    CURVE("Geom_BSplineCurve", CURVE_POINTS, run_curve),
+    CURVE("GeomAdaptor_Curve", CURVE_POINTS, run_curve_adaptor),
+    CURVE("Geom_BSplineCurve", CURVE_SINGLE, run_curve),
+    CURVE("GeomAdaptor_Curve", CURVE_SINGLE, run_curve_adaptor),
+    SURFACE("Geom_BSplineSurface", SURFACE_GRID, run_surface),
+    SURFACE("GeomAdaptor_Surface", SURFACE_GRID, run_surface_adaptor),
+    SURFACE("Geom_BSplineSurface", SURFACE_POINTS, run_surface),
+    SURFACE("GeomAdaptor_Surface", SURFACE_POINTS, run_surface_adaptor),
+    SURFACE("Geom_BSplineSurface", SURFACE_SINGLE, run_surface),
+    SURFACE("GeomAdaptor_Surface", SURFACE_SINGLE, run_surface_adaptor),
+    {"GeomAPI_Interpolate", CURVE_THROUGH, open_data, run_curve_through, gather_curve_through,
+     close_contest, nullptr},
+    {"GCPnts_AbscissaPoint", CURVE_LENGTH, open_curve, run_length, gather_length, close_contest,
+     nullptr},
+    {},
 };

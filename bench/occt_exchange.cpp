@@ -1,5 +1,5 @@
 // Open CASCADE on files of patches: its readers and writers of IGES and STEP as they come.
-#include "exchange.h"
+#include "bench.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Builder.hxx>
@@ -100,8 +100,7 @@ void run_write(void *object)
 void gather_write(void *object, double *result)
 {
     auto *c = static_cast<Contest *>(object);
-    *result = static_cast<double>(bench_faces(c->path, c->work->iges)) /
-              static_cast<double>(c->work->count);
+    bench_read_back(c->work, c->path, result);
 }
 
 // It reads the file that Batten wrote, or its own, whose numbers it rounded.
@@ -155,7 +154,10 @@ void close_contest(void *object)
 
 } // namespace
 
-extern "C" const bench_entry bench_occt_write = {open_write, run_write, gather_write,
-                                                 close_contest},
-                             bench_occt_read = {open_read, run_read, gather_read,
-                                                close_contest};
+extern "C" const bench_entry bench_occt_exchange[] = {
+    {"STEPControl, IGESControl_Writer", WRITE_PATCHES, open_write, run_write, gather_write,
+     close_contest, nullptr},
+    {"STEPControl, IGESControl_Reader", READ_PATCHES, open_read, run_read, gather_read,
+     close_contest, nullptr},
+    {},
+};

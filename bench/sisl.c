@@ -1,7 +1,7 @@
-/* SISL on the workloads. Its surfaces run u fastest; its grid call gives normals that are not
- * unit. */
+/* SISL on the workloads. Its surfaces run u fastest. */
 #include "bench.h"
 
+#include <math.h>
 #include <sisl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -116,7 +116,7 @@ static void close_contest(void *object)
     free(c);
 }
 
-static void run_curve_single(void *object)
+static void run_curve(void *object)
 {
     contest *c = object;
     const int order = c->work->order;
@@ -127,14 +127,17 @@ static void run_curve_single(void *object)
     must(status);
 }
 
-static void run_curve(void *object)
+/* Points alone, in rising order, not rational. */
+static void *open_sorted_curve(const bench_work *work)
+{
+    return work->random || work->order > 0 || work->rational ? NULL : open_curve(work);
+}
+
+static void run_curve_sorted(void *object)
 {
     contest *c = object;
     int status = 0;
-    if (c->work->random || c->work->order > 0 || c->work->rational)
-        run_curve_single(object);
-    else
-        s1542(c->curve, (int)c->work->count, c->work->u, c->out, &status);
+    s1542(c->curve, (int)c->work->count, c->work->u, c->out, &status);
     must(status);
 }
 
@@ -149,6 +152,15 @@ static void gather_curve(void *object, double *result)
                                                                      : 1e-6);
 }
 
+/* Its normals are not of unit length. */
+static void make_unit(double *normal)
+{
+    const double length =
+        sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    for (int k = 0; k < 3; k++)
+        normal[k] /= length;
+}
+
 static void run_grid(void *object)
 {
     contest *c = object;
@@ -157,6 +169,8 @@ static void run_grid(void *object)
     s1506(c->surface, c->work->order, n, c->work->u, n, c->work->v, c->out, c->normals,
           &status);
     must(status);
+    for (size_t i = 0; c->work->order > 0 && i < c->work->count * c->work->count; i++)
+        make_unit(c->normals + 3 * i);
 }
 
 static void run_points(void *object)
@@ -165,9 +179,11 @@ static void run_points(void *object)
     const int order = c->work->order;
     int left_u = 0, left_v = 0, status = 0;
     for (size_t i = 0; i < c->work->count; i++) {
-        double at[2] = {c->work->u[i], c->work->v[i]};
-        s1421(c->surface, order, at, &left_u, &left_v, c->out + (order ? 9 : 3) * i,
-              c->normals + 3 * i, &status);
+        double at[2] = {c->work->u[i], c->work->v[i]}, *normal = c->normals + 3 * i;
+        s1421(c->surface, order, at, &left_u, &left_v, c->out + (order ? 9 : 3) * i, normal,
+              &status);
+        if (order > 0)
+            make_unit(normal);
     }
     must(status);
 }
@@ -178,10 +194,9 @@ static void gather_surface(void *object, double *result)
     const bool grid = c->work->kind == SURFACE_GRID;
     const size_t n = c->work->count, count = grid ? n * n : n, step = c->work->order ? 9 : 3;
     for (size_t i = 0; i < count; i++) {
-        const double *from = c->out + step * (grid ? i % n * n + i / n : i);
-        memcpy(result + 3 * i, from, 3 * sizeof *result);
-        if (c->work->order > 0)
-            bench_unit_normal(from + 3, from + 6, result + 3 * (count + i));
+        const size_t from = grid ? i % n * n + i / n : i;
+        bench_lay_point(c->work, (bench_place){i, count}, c->out + step * from,
+                        c->normals + 3 * from, result);
     }
 }
 
@@ -281,15 +296,22 @@ static void gather_length(void *object, double *result)
     *result = *c->out / 1e3;
 }
 
-const bench_entry bench_sisl[KIND_COUNT] = {
-    [CURVE_POINTS] = {open_curve, run_curve, gather_curve, close_contest},
-    [CURVE_SINGLE] = {open_curve, run_curve_single, gather_curve, close_contest},
-    [SURFACE_GRID] = {open_surface, run_grid, gather_surface, close_contest},
-    [SURFACE_POINTS] = {open_surface, run_points, gather_surface, close_contest},
-    [SURFACE_SINGLE] = {open_surface, run_points, gather_surface, close_contest},
-    [CURVE_THROUGH] = {open_curve_data, run_curve_through, gather_curve_through, close_contest},
-    [SURFACE_THROUGH] = {open_grid_data, run_surface_through, gather_surface_through,
-                         close_contest},
-    [SKIN] = {open_sections, run_skin, gather_skin, close_contest},
-    [CURVE_LENGTH] = {open_curve, run_length, gather_length, close_contest},
+#define ENTRY(name, kind, open, run, gather)               \
+    {                                                      \
+        name, kind, open, run, gather, close_contest, NULL \
+    }
+
+const bench_entry bench_sisl[] = {
+    ENTRY("s1227", CURVE_POINTS, open_curve, run_curve, gather_curve),
+    ENTRY("s1542", CURVE_POINTS, open_sorted_curve, run_curve_sorted, gather_curve),
+    ENTRY("s1227", CURVE_SINGLE, open_curve, run_curve, gather_curve),
+    ENTRY("s1506", SURFACE_GRID, open_surface, run_grid, gather_surface),
+    ENTRY("s1421", SURFACE_POINTS, open_surface, run_points, gather_surface),
+    ENTRY("s1421", SURFACE_SINGLE, open_surface, run_points, gather_surface),
+    ENTRY("s1357", CURVE_THROUGH, open_curve_data, run_curve_through, gather_curve_through),
+    ENTRY("s1537", SURFACE_THROUGH, open_grid_data, run_surface_through,
+          gather_surface_through),
+    ENTRY("s1538", SKIN, open_sections, run_skin, gather_skin),
+    ENTRY("s1240", CURVE_LENGTH, open_curve, run_length, gather_length),
+    {NULL},
 };

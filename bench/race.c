@@ -1,0 +1,310 @@
+/*
+ * Contestants as processes. Each obeys letters that come through a pipe: o makes ready, r runs and answers with the CPU time,
+ * g lays the result into memory that all share, q ends it.
+ */
+#define _XOPEN_SOURCE 700
+#define _DEFAULT_SOURCE
+#include "race.h"
+
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+/* A sample is the best run of so many seconds, an entry is asked for samples until it has used up its share of CPU,
+ * or thrice when that takes less than the most. */
+static const double sample_seconds = 0.02, share_seconds = 0.7, most_seconds = 10;
+
+typedef struct {
+    race_result result;
+    pid_t process;
+    int ask, answer; /* pipes */
+    double *shown;   /* shared: what g lays down */
+    double times[RACE_MOST_RUNS], used;
+    int count;
+} contestant;
+
+/* ---- inside of a contestant's process ---- */
+
+static double cpu_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static double timed_run(const bench_entry *entry, void *object)
+{
+    const double start = cpu_seconds();
+    entry->run(object);
+    return entry->seconds ? entry->seconds(object) : cpu_seconds() - start;
+}
+
+static double sample_time(const bench_entry *entry, void *object)
+{
+    double best = INFINITY, sum = 0;
+    while (sum < sample_seconds) {
+        const double time = timed_run(entry, object);
+        best = fmin(best, time);
+        sum += fmax(time, 1e-7);
+    }
+    return best;
+}
+
+static double peak_megabytes(void)
+{
+    struct rusage used;
+    getrusage(RUSAGE_SELF, &used);
+    return (double)used.ru_maxrss / 1024;
+}
+
+/* By how many megabytes the work raises the peak of a process that has nothing left over; 0 when it fails. */
+static double sample_memory(const bench_entry *entry, void *object)
+{
+    int ends[2];
+    double grown = 0;
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+    if (pipe(ends) != 0)
+        return 0;
+    const pid_t child = fork();
+    if (child == 0) {
+        const double before = peak_megabytes();
+        entry->run(object);
+        grown = peak_megabytes() - before;
+        _exit(write(ends[1], &grown, sizeof grown) != (ssize_t)sizeof grown);
+    }
+    close(ends[1]);
+    if (read(ends[0], &grown, sizeof grown) != (ssize_t)sizeof grown)
+        grown = 0;
+    close(ends[0]);
+    waitpid(child, NULL, 0);
+    return grown;
+}
+
+static void obey(const bench_work *work, const bench_entry *entry, double *shown, int ask,
+                 int answer)
+{
+    void *object = NULL;
+    char letter;
+#ifdef __GLIBC__
+    /* Freed memory is kept, else page faults on results of a megabyte drown the work. */
+    if (!work->of_memory) {
+        mallopt(M_MMAP_THRESHOLD, 1 << 25);
+        mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    }
+#endif
+    while (read(ask, &letter, 1) == 1 && letter != 'q') {
+        double reply = 1;
+        if (letter == 'o')
+            reply = (object = entry->open(work)) != NULL;
+        else if (letter == 'g')
+            entry->gather(object, shown);
+        else if (work->of_memory)
+            reply = sample_memory(entry, object);
+        else
+            reply = sample_time(entry, object);
+        if (write(answer, &reply, sizeof reply) != (ssize_t)sizeof reply)
+            _exit(1);
+    }
+    if (object)
+        entry->close(object);
+    _exit(0);
+}
+
+/* ---- from outside ---- */
+
+static bool start_contestant(contestant *c, const bench_work *work)
+{
+    const size_t size = work->result_count * sizeof *c->shown;
+    int there[2], back[2];
+    c->shown = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (c->shown == MAP_FAILED || pipe(there) != 0 || pipe(back) != 0)
+        return false;
+    fflush(NULL);
+    c->process = fork();
+    if (c->process == 0) {
+        setpgid(0, 0);
+#ifdef __linux__
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+        close(there[1]);
+        close(back[0]);
+        obey(work, c->result.entry, c->shown, there[0], back[1]);
+    }
+    if (c->process > 0)
+        setpgid(c->process, c->process);
+    close(there[0]);
+    close(back[1]);
+    c->ask = there[1];
+    c->answer = back[0];
+    return c->process > 0;
+}
+
+static void end_contestant(contestant *c)
+{
+    int status = 0;
+    if (c->process <= 0)
+        return;
+    if (c->result.state == RACE_SLOW || write(c->ask, "q", 1) != 1)
+        kill(-c->process, SIGKILL);
+    close(c->ask);
+    waitpid(c->process, &status, 0);
+    if (c->result.state == RACE_FAILED && WIFSIGNALED(status))
+        c->result.signal = WTERMSIG(status);
+    close(c->answer);
+    c->process = 0;
+}
+
+/* Its answer to a letter; when there is none within the limit, or never will be, it is out. */
+static bool ask(contestant *c, char letter, double limit, double *reply)
+{
+    struct pollfd ready = {c->answer, POLLIN, 0};
+    if (c->result.state != RACE_TIMED)
+        return false;
+    if (write(c->ask, &letter, 1) != 1)
+        c->result.state = RACE_FAILED;
+    else if (poll(&ready, 1, (int)(1000 * limit)) == 0)
+        c->result.state = RACE_SLOW;
+    else if (read(c->answer, reply, sizeof *reply) != (ssize_t)sizeof *reply)
+        c->result.state = RACE_FAILED;
+    if (c->result.state != RACE_TIMED)
+        end_contestant(c);
+    return c->result.state == RACE_TIMED;
+}
+
+/* Ready, run once, and shown; what has nothing for the row is out. Memory is measured in processes of their own, which show
+ * nothing: the row of the same work in time does. */
+static void prepare(contestant *c, const bench_work *work, double limit)
+{
+    double reply = 0;
+    c->result.state = RACE_TIMED;
+    if (!start_contestant(c, work))
+        c->result.state = RACE_FAILED;
+    else if (ask(c, 'o', limit, &reply) && reply == 0) {
+        c->result.state = RACE_ABSENT;
+        end_contestant(c);
+    } else if (!work->of_memory && ask(c, 'r', limit, &reply))
+        ask(c, 'g', limit, &reply);
+}
+
+static double distance(const bench_work *work, const double *expected, const double *result)
+{
+    double worst = 0;
+    for (size_t i = 0; i < work->result_count; i++) {
+        const double scale = work->is_relative ? fmax(fabs(expected[i]), 0x1p-1000) : 1;
+        worst =
+            fmax(worst, isfinite(result[i]) ? fabs(result[i] - expected[i]) / scale : INFINITY);
+    }
+    return worst;
+}
+
+/* All are compared with what the data say, or where they do not, with the first that has a result. */
+static void compare_results(contestant *all, int count, const bench_work *work)
+{
+    const double *expected = work->truth;
+    for (int i = 0; i < count; i++) {
+        contestant *c = &all[i];
+        if (c->result.state != RACE_TIMED || work->of_memory)
+            continue;
+        if (!expected)
+            expected = c->shown;
+        c->result.off = distance(work, expected, c->shown);
+        if (!(c->result.off <= work->within))
+            c->result.state = RACE_DIFFERS;
+    }
+}
+
+static bool wants_more(const contestant *c, const bench_work *work)
+{
+    if (c->result.state != RACE_TIMED || c->count >= RACE_MOST_RUNS)
+        return false;
+    if (work->of_memory)
+        return c->count == 0;
+    return c->used < share_seconds || (c->count < 3 && c->used < most_seconds);
+}
+
+/* In turns, so that what slows the machine slows all. */
+static void take_times(contestant *all, int count, const bench_work *work, double limit)
+{
+    bool is_going = true;
+    while (is_going) {
+        is_going = false;
+        for (int i = 0; i < count; i++) {
+            contestant *c = &all[i];
+            if (!wants_more(c, work) || !ask(c, 'r', limit, &c->times[c->count]))
+                continue;
+            c->used += fmax(c->times[c->count++], sample_seconds);
+            is_going = true;
+        }
+    }
+}
+
+static int compare_times(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void finish(contestant *c, const bench_work *work)
+{
+    end_contestant(c);
+    if (c->shown != MAP_FAILED)
+        munmap(c->shown, work->result_count * sizeof *c->shown);
+    if (c->count == 0)
+        return;
+    qsort(c->times, (size_t)c->count, sizeof *c->times, compare_times);
+    c->result.best = c->times[0];
+    c->result.median = c->times[c->count / 2];
+}
+
+int race_run(const bench_work *work, const bench_peer *peers, int peer_count, double limit,
+             int most, race_result *results)
+{
+    contestant *all = calloc((size_t)most, sizeof *all);
+    int count = 0;
+    signal(SIGPIPE, SIG_IGN);
+    for (int p = 0; all && p < peer_count; p++)
+        for (const bench_entry *e = peers[p].entries; e && e->way && count < most; e++) {
+            if (e->kind != work->kind)
+                continue;
+            all[count].result.entry = e;
+            all[count].result.peer = p;
+            prepare(&all[count++], work, limit);
+        }
+    compare_results(all, count, work);
+    take_times(all, count, work, limit);
+    for (int i = 0; i < count; i++) {
+        finish(&all[i], work);
+        results[i] = all[i].result;
+    }
+    free(all);
+    return count;
+}
+
+const race_result *race_best(const race_result *results, int count, int first_peer,
+                             int last_peer)
+{
+    const race_result *best = NULL;
+    for (int i = 0; i < count; i++) {
+        const race_result *r = &results[i];
+        const bool is_meant = r->peer >= first_peer && r->peer <= last_peer;
+        if (is_meant && r->state == RACE_TIMED && (!best || r->best < best->best))
+            best = r;
+    }
+    return best;
+}
