@@ -161,7 +161,7 @@ static void print_row(const bench_work *row, const race_result *results, int cou
     if (refused)
         printf(" | **refused** | ");
     else if (ours && theirs)
-        printf(" | %.2f | ", theirs->best / ours->best);
+        printf(" | %.2f | ", race_ratio(ours, theirs));
     else
         printf(" | - | ");
     print_others(row, results, count, shown, s->limit);

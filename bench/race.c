@@ -33,8 +33,7 @@ typedef struct {
     pid_t process;
     int ask, answer; /* pipes */
     double *shown;   /* shared: what g lays down */
-    double times[RACE_MOST_RUNS], used;
-    int count;
+    double used;
 } contestant;
 
 /* ---- inside of a contestant's process ---- */
@@ -231,11 +230,11 @@ static void compare_results(contestant *all, int count, const bench_work *work)
 
 static bool wants_more(const contestant *c, const bench_work *work)
 {
-    if (c->result.state != RACE_TIMED || c->count >= RACE_MOST_RUNS)
+    if (c->result.state != RACE_TIMED || c->result.count >= RACE_MOST_RUNS)
         return false;
     if (work->of_memory)
-        return c->count == 0;
-    return c->used < share_seconds || (c->count < 3 && c->used < most_seconds);
+        return c->result.count == 0;
+    return c->used < share_seconds || (c->result.count < 3 && c->used < most_seconds);
 }
 
 /* In turns, so that what slows the machine slows all. */
@@ -246,9 +245,9 @@ static void take_times(contestant *all, int count, const bench_work *work, doubl
         is_going = false;
         for (int i = 0; i < count; i++) {
             contestant *c = &all[i];
-            if (!wants_more(c, work) || !ask(c, 'r', limit, &c->times[c->count]))
+            if (!wants_more(c, work) || !ask(c, 'r', limit, &c->result.times[c->result.count]))
                 continue;
-            c->used += fmax(c->times[c->count++], sample_seconds);
+            c->used += fmax(c->result.times[c->result.count++], sample_seconds);
             is_going = true;
         }
     }
@@ -260,16 +259,35 @@ static int compare_times(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+static double median(const double *numbers, int count)
+{
+    double sorted[RACE_MOST_RUNS];
+    memcpy(sorted, numbers, (size_t)count * sizeof *sorted);
+    qsort(sorted, (size_t)count, sizeof *sorted, compare_times);
+    return sorted[count / 2];
+}
+
 static void finish(contestant *c, const bench_work *work)
 {
+    race_result *r = &c->result;
     end_contestant(c);
     if (c->shown != MAP_FAILED)
         munmap(c->shown, work->result_count * sizeof *c->shown);
-    if (c->count == 0)
+    if (r->count == 0)
         return;
-    qsort(c->times, (size_t)c->count, sizeof *c->times, compare_times);
-    c->result.best = c->times[0];
-    c->result.median = c->times[c->count / 2];
+    r->median = median(r->times, r->count);
+    r->best = r->times[0];
+    for (int i = 1; i < r->count; i++)
+        r->best = fmin(r->best, r->times[i]);
+}
+
+double race_ratio(const race_result *first, const race_result *second)
+{
+    double ratios[RACE_MOST_RUNS];
+    const int count = first->count < second->count ? first->count : second->count;
+    for (int i = 0; i < count; i++)
+        ratios[i] = second->times[i] / first->times[i];
+    return count > 0 ? median(ratios, count) : 0;
 }
 
 int race_run(const bench_work *work, const bench_peer *peers, int peer_count, double limit,
@@ -303,7 +321,7 @@ const race_result *race_best(const race_result *results, int count, int first_pe
     for (int i = 0; i < count; i++) {
         const race_result *r = &results[i];
         const bool is_meant = r->peer >= first_peer && r->peer <= last_peer;
-        if (is_meant && r->state == RACE_TIMED && (!best || r->best < best->best))
+        if (is_meant && r->state == RACE_TIMED && (!best || r->median < best->median))
             best = r;
     }
     return best;

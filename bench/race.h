@@ -6,7 +6,7 @@
 #define RACE_H
 #include "bench.h"
 
-enum { RACE_MOST_RUNS = 15 };
+enum { RACE_MOST_RUNS = 31 };
 
 typedef enum {
     RACE_ABSENT, /* it has nothing for the row */
@@ -21,9 +21,11 @@ typedef struct {
     const bench_entry *entry;
     int peer;
     race_state state;
-    double best, median; /* seconds of CPU, or megabytes */
-    double off;          /* the largest distance of its result from what is expected */
-    int signal;          /* of RACE_FAILED: what ended it, or 0 */
+    double best, median;          /* seconds of CPU, or megabytes */
+    double times[RACE_MOST_RUNS]; /* of each round */
+    int count;
+    double off; /* the largest distance of its result from what is expected */
+    int signal; /* of RACE_FAILED: what ended it, or 0 */
 } race_result;
 
 /* The entries that offer the row, all peers', run against each other: results [most]; their number. `limit`: seconds that a
@@ -31,7 +33,11 @@ typedef struct {
 int race_run(const bench_work *work, const bench_peer *peers, int peer_count, double limit,
              int most, race_result *results);
 
-/* The fastest of a peer that is right, or NULL. */
+/* How many times as long the second took as the first: the median over the rounds, in each of which they worked one after the
+ * other. */
+double race_ratio(const race_result *first, const race_result *second);
+
+/* The fastest of some peers, by the median, that is right; or NULL. */
 const race_result *race_best(const race_result *results, int count, int first_peer,
                              int last_peer);
 

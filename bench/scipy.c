@@ -180,7 +180,7 @@ static void close_script(void *object)
     DO(9, "RectBivariateSpline", SURFACE_THROUGH, true)                       \
     DO(10, "CubicSpline", FUNCTION_THROUGH, work->method == NATURAL_CUBIC)    \
     DO(11, "Akima1DInterpolator", FUNCTION_THROUGH, work->method == AKIMA)    \
-    DO(12, "SmoothBivariateSpline", SCATTERED_NEAR, true)                     \
+    DO(12, "SmoothBivariateSpline", SCATTERED_NEAR, work->count <= 100000)    \
     DO(13, "Delaunay", TRIANGULATION, true)                                   \
     DO(14, "CloughTocher2DInterpolator", TRIANGLES_THROUGH, true)
 

@@ -119,6 +119,7 @@ TEST(the_fastest_way_of_a_peer_counts)
     CHECK_BITS(first->best, 0.2);
     CHECK_BITS(best->best, 0.1);
     CHECK_BITS(best->median, 0.1);
+    CHECK_BITS(race_ratio(first, best), 0.5);
     CHECK_TEXT(best->entry->way, "faster");
 }
 
