@@ -105,7 +105,7 @@ static int race(const bench_entry *others, race_result results[MOST])
     const bench_peer peers[] = {
         {"ours", ours, NULL}, {"missing", NULL, "none"}, {"theirs", others, NULL}};
     const bench_work work = {.kind = CURVE_LENGTH, .result_count = 1, .within = 0.25};
-    return race_run(&work, peers, COUNT(peers), 2, MOST, results);
+    return race_run(&work, peers, COUNT(peers), 0.5, MOST, results);
 }
 
 TEST(the_fastest_way_of_a_peer_counts)
