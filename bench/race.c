@@ -24,9 +24,11 @@
 #include <malloc.h>
 #endif
 
-/* A sample is the best run of so many seconds, an entry is asked for samples until it has used up its share of CPU,
+/* A sample is the mean of the runs of so many seconds, an entry is asked for samples until it has used up its share of CPU,
  * or thrice when that takes less than the most. */
 static const double sample_seconds = 0.02, share_seconds = 0.7, most_seconds = 10;
+
+enum { MOST_RUNS_OF_SAMPLE = 1 << 20 };
 
 typedef struct {
     race_result result;
@@ -53,15 +55,16 @@ static double timed_run(const bench_entry *entry, void *object)
                           : seconds_of(CLOCK_PROCESS_CPUTIME_ID) - start;
 }
 
+/* The mean, for the clock of a process may jump by more than a short run takes. */
 static double sample_time(const bench_entry *entry, void *object)
 {
-    double best = INFINITY, sum = 0;
-    while (sum < sample_seconds) {
-        const double time = timed_run(entry, object);
-        best = fmin(best, time);
-        sum += fmax(time, 1e-7);
-    }
-    return best;
+    double sum = 0;
+    int count = 0;
+    do {
+        sum += timed_run(entry, object);
+        count++;
+    } while (sum < sample_seconds && count < MOST_RUNS_OF_SAMPLE);
+    return sum / count;
 }
 
 static double peak_megabytes(void)
