@@ -56,6 +56,8 @@ typedef struct batten_object {
     int point_count;          /**< POINTS; also of a CURVE: the data that it was made from */
     const double *points;     /**< [point_count][3] */
     const double *parameters; /**< [point_count], of the data on the curve; or NULL */
+    bool
+        points_are_vertices; /**< of a CURVE: of the polygon that shapes it, which it may leave */
 } batten_object;
 
 /* A model is filled by its maker, then shared as const. */

@@ -188,6 +188,7 @@ static batten_status put_made(task *t, const batten_object *from)
         .point_count = made->is_elsewhere ? 0 : t->row->count,
         .points = made->is_elsewhere ? NULL : t->row->points,
         .parameters = made->has_parameters ? made->parameters : NULL,
+        .points_are_vertices = made->from_polygon,
     };
     if (made->has_error)
         bat_report_error(t->run, made->error_max, made->error_rms);

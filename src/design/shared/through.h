@@ -61,7 +61,8 @@ typedef struct {
                            to false when the points have none */
     bool is_elsewhere;  /* the curve was moved away from the points: they are no data of it */
     bool has_parameters;
-    bool has_error; /* of an approximation */
+    bool from_polygon; /* the points are the vertices of a polygon that shapes the curve */
+    bool has_error;    /* of an approximation */
     double error_max, error_rms;
 } bat_made;
 

@@ -227,8 +227,8 @@ static void draw_mark(const bat_cubic_drawing *d, bat_colour colour, const batte
     bat_canvas_disc(d->canvas, colour, x, y, 0.27 * em);
     snprintf(text, sizeof text, "%d", number);
     if (number <= MOST_NUMBERS)
-        bat_canvas_label(d->canvas, colour, 0.75 * em, BAT_LEFT, x + 0.5 * em, y - 0.45 * em,
-                         text);
+        bat_canvas_name(d->canvas, (bat_lettering){colour, 0.75 * em, true}, 1,
+                        (const double[2]){x, y}, text);
 }
 
 static batten_status draw_marks(const bat_cubic_drawing *d, const batten_object *object,

@@ -48,15 +48,20 @@ static void draw_comb(bat_canvas *canvas, const bat_drawing *d, const bat_shape 
 
 static void draw_polygon(bat_canvas *canvas, const bat_drawing *d, const bat_shape *s)
 {
-    const int count = batten_curve_point_count(s->object->curve);
+    const int count = bat_drawing_control_count(s->object);
     for (int i = 0; i < count; i++) {
         double point[3];
-        bat_drawing_control_point(s->object->curve, i, point);
+        bat_drawing_control_point(s->object, i, point);
         to_sheet(d, point, d->xy + 2 * i);
     }
     bat_canvas_line(canvas, (bat_pen){bat_grey, 0.7, BAT_DASHED}, (size_t)count, d->xy);
-    for (int i = 0; i < count; i++)
-        bat_canvas_disc(canvas, bat_grey, d->xy[2 * i], d->xy[2 * i + 1], 0.2 * canvas->em);
+    double radius = 0; /* a vertex that repeats is a larger dot */
+    for (int i = 0; i < count; i++) {
+        const double *at = d->xy + 2 * i;
+        const bool repeats = i > 0 && at[0] == at[-2] && at[1] == at[-1];
+        radius = repeats ? radius + 0.12 * canvas->em : 0.2 * canvas->em;
+        bat_canvas_disc(canvas, bat_grey, at[0], at[1], radius);
+    }
 }
 
 static bat_pen point_pen(const bat_shape *s)
@@ -120,8 +125,8 @@ static void draw_name(bat_canvas *canvas, const bat_drawing *d, const bat_shape 
     const bat_stroke *line = &s->lines.strokes[0];
     double end[2];
     to_sheet(d, line->points + 3 * (line->count - 1), end);
-    bat_canvas_label(canvas, s->colour, 0.8 * canvas->em, BAT_LEFT, end[0] + 0.5 * canvas->em,
-                     end[1], s->object->name);
+    bat_canvas_name(canvas, (bat_lettering){s->colour, 0.8 * canvas->em, true}, 1, end,
+                    s->object->name);
 }
 
 void bat_drawing_draw(bat_canvas *canvas, const bat_drawing *d)

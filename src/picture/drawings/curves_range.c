@@ -4,24 +4,45 @@
 #include "picture/sheet/axes.h"
 #include "picture/sheet/flat.h"
 
+#include <string.h>
+
 /* ---- every point that will be drawn, for those who must know them all ---- */
 
 typedef void visit_point(void *user, const double point[3]);
 
+/* Points that shape a curve are its control polygon, whoever asks for points or polygon. */
+static bool has_vertices(const batten_object *object)
+{
+    return object->kind == BATTEN_OBJECT_CURVE && object->points_are_vertices &&
+           object->point_count > 0;
+}
+
 bool bat_drawing_shows_polygon(const bat_drawing *d, const batten_object *object)
 {
-    return object->kind == BATTEN_OBJECT_CURVE && d->options->control_polygon &&
+    const bool asked =
+        d->options->control_polygon || (has_vertices(object) && d->options->data_points);
+    return object->kind == BATTEN_OBJECT_CURVE && asked &&
            batten_curve_dimension(object->curve) > 1;
 }
 
 bool bat_drawing_shows_points(const bat_drawing *d, const batten_object *object)
 {
-    return object->point_count > 0 &&
+    return object->point_count > 0 && !has_vertices(object) &&
            (object->kind == BATTEN_OBJECT_POINTS || d->options->data_points);
 }
 
-void bat_drawing_control_point(const batten_curve *curve, int i, double point[3])
+int bat_drawing_control_count(const batten_object *object)
 {
+    return has_vertices(object) ? object->point_count : batten_curve_point_count(object->curve);
+}
+
+void bat_drawing_control_point(const batten_object *object, int i, double point[3])
+{
+    const batten_curve *curve = object->curve;
+    if (has_vertices(object)) {
+        memcpy(point, object->points + 3 * (size_t)i, 3 * sizeof *point);
+        return;
+    }
     const int dimension = batten_curve_dimension(curve);
     for (int k = 0; k < 3; k++)
         point[k] = k < dimension ? batten_curve_points(curve)[i * dimension + k] : 0;
@@ -45,8 +66,8 @@ static void visit_shape(const bat_drawing *d, const bat_shape *s, visit_point *v
         for (int i = 0; i < s->object->point_count; i++)
             visit(user, s->object->points + 3 * (size_t)i);
     if (bat_drawing_shows_polygon(d, s->object))
-        for (int i = 0; i < batten_curve_point_count(s->object->curve); i++) {
-            bat_drawing_control_point(s->object->curve, i, point);
+        for (int i = 0; i < bat_drawing_control_count(s->object); i++) {
+            bat_drawing_control_point(s->object, i, point);
             visit(user, point);
         }
     for (int i = 0; d->comb_scale > 0 && i < s->tooth_count; i++) {
@@ -173,8 +194,8 @@ batten_status bat_drawing_make_room(bat_drawing *d)
         if ((size_t)s->tooth_count > longest)
             longest = (size_t)s->tooth_count;
         if (s->object->kind == BATTEN_OBJECT_CURVE &&
-            (size_t)batten_curve_point_count(s->object->curve) > longest)
-            longest = (size_t)batten_curve_point_count(s->object->curve);
+            (size_t)bat_drawing_control_count(s->object) > longest)
+            longest = (size_t)bat_drawing_control_count(s->object);
     }
     d->xy = bat_array3(longest, 2, sizeof *d->xy);
     return d->xy ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;

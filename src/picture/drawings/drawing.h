@@ -54,8 +54,9 @@ batten_status bat_drawing_choose_view(bat_drawing *drawing);
 batten_status bat_drawing_make_room(bat_drawing *drawing);
 bool bat_drawing_shows_polygon(const bat_drawing *drawing, const batten_object *object);
 bool bat_drawing_shows_points(const bat_drawing *drawing, const batten_object *object);
-/* A control point of a curve, in space. */
-void bat_drawing_control_point(const batten_curve *curve, int i, double point[3]);
+/* The vertices that a curve was made from, else its control points; in space. */
+int bat_drawing_control_count(const batten_object *object);
+void bat_drawing_control_point(const batten_object *object, int i, double point[3]);
 /* Where a tooth of a comb ends. */
 void bat_drawing_comb_tip(const batten_tooth *tooth, double scale, double tip[3]);
 

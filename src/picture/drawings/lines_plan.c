@@ -98,10 +98,10 @@ static void draw_grids(bat_canvas *canvas, const bat_lines_sheet *s)
     bat_canvas_segment(canvas, centre_pen, breadth->frame.x - 2 * em, y,
                        breadth->frame.x + breadth->frame.width + 2 * em, y);
     bat_canvas_segment(canvas, centre_pen, x, body->frame.y - 1.2 * em, x,
-                       body->frame.y + body->frame.height + 1.2 * em);
+                       body->frame.y + body->frame.height + 0.8 * em);
     bat_canvas_label(canvas, bat_grey, 0.8 * em, BAT_MIDDLE, x,
                      body->frame.y + body->frame.height + 1.5 * em, "CL");
-    bat_canvas_label(canvas, bat_grey, 0.8 * em, BAT_RIGHT, breadth->frame.x - 2.2 * em, y,
+    bat_canvas_label(canvas, bat_grey, 0.8 * em, BAT_RIGHT, breadth->frame.x - 2.5 * em, y,
                      "CL");
 }
 
@@ -174,7 +174,7 @@ static batten_status draw_edges(bat_canvas *canvas, const bat_lines_sheet *s,
     return status;
 }
 
-/* Name a curve at its far end, or where there is room along it. */
+/* Name a curve at its far end, or along it where there is more room. */
 static void name_curve(bat_canvas *canvas, const bat_lines_sheet *s, bat_lines_view view,
                        double sign, bat_family family, int i)
 {
@@ -186,17 +186,18 @@ static void name_curve(bat_canvas *canvas, const bat_lines_sheet *s, bat_lines_v
         const bat_stroke *line = &lines->strokes[k];
         const size_t up = (size_t)bat_lines_views[view].up, last = 3 * (line->count - 1);
         const bool rises = line->points[last + up] > line->points[up];
-        /* A curve of the half-breadth plan ends on an edge at both ends; it is named on its
-         * way. */
-        for (int tenth = view == BREADTH ? 9 : 10; tenth >= 1; tenth--) {
-            const size_t along = (line->count - 1) * (size_t)tenth / 10;
+        double at[BAT_NAME_PLACES][2];
+        for (int n = 0; n < BAT_NAME_PLACES; n++) {
+            const size_t along =
+                (line->count - 1) * (size_t)(BAT_NAME_PLACES - n) / BAT_NAME_PLACES;
             const double *p = line->points + 3 * (rises ? along : line->count - 1 - along);
-            const double x = bat_plot_x(plot, sign * p[bat_lines_views[view].right]);
-            const double y = bat_plot_y(plot, p[up]) - (tenth == 10 ? 0.7 * canvas->em : 0);
-            if (bat_canvas_label(canvas, name_colour(s, family, i), 0.75 * canvas->em,
-                                 BAT_MIDDLE, x, y, text))
-                return;
+            at[n][0] = bat_plot_x(plot, sign * p[bat_lines_views[view].right]);
+            at[n][1] = bat_plot_y(plot, p[up]);
         }
+        bat_canvas_name(canvas,
+                        (bat_lettering){name_colour(s, family, i), 0.75 * canvas->em, true},
+                        BAT_NAME_PLACES, at[0], text);
+        return;
     }
 }
 
@@ -286,7 +287,9 @@ static batten_status draw_sheet(bat_canvas *canvas, bat_lines_sheet *s)
     if (status != BATTEN_OK)
         return status;
     title_views(canvas, s);
+    canvas->draws_ground = true;
     draw_grids(canvas, s);
+    canvas->draws_ground = false;
     for (int view = 0; view < VIEWS && status == BATTEN_OK; view++)
         status = draw_view(canvas, s, (bat_lines_view)view);
     draw_given(canvas, s);

@@ -5,10 +5,18 @@
 #include "picture/sheet/flat.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /* ---- lines ---- */
 
 static const bat_colour contour_colour = {0.66, 0.30, 0.04};
+
+/* Each fifth contour is stronger, as on maps. */
+static bool is_fifth(const bat_looks_drawing *d, const bat_wire *wire)
+{
+    return wire->kind == BAT_WIRE_CONTOUR &&
+           fmod(fabs(round(wire->value / d->wires.level_step)), 5) < 0.5;
+}
 
 static bat_pen pen_of(const bat_looks_drawing *d, const bat_wire *wire)
 {
@@ -22,14 +30,12 @@ static bat_pen pen_of(const bat_looks_drawing *d, const bat_wire *wire)
                                   share * object->colour[2]};
     if (wire->kind == BAT_WIRE_CONTOUR) {
         pen.colour = contour_colour;
-        /* Each fifth is stronger, as on maps. */
-        if (fmod(fabs(round(wire->value / d->wires.level_step)), 5) < 0.5)
-            pen.width *= 1.7;
+        pen.width *= is_fifth(d, wire) ? 1.7 : 1;
     }
     return pen;
 }
 
-/* The value of a contour in the middle of its longest visible run. */
+/* The value of a contour at its longest visible run, where there is room. */
 static void write_label(bat_canvas *canvas, const bat_wire *wire, const bat_runs *runs)
 {
     const bat_run *longest = NULL;
@@ -48,19 +54,23 @@ static void write_label(bat_canvas *canvas, const bat_wire *wire, const bat_runs
         return;
     char text[BATTEN_NUMBER_SIZE];
     bat_digits_text(wire->value, 6, text);
-    const double *middle = longest->xy + 2 * (longest->count / 2);
-    bat_canvas_label(canvas, contour_colour, 0.75 * canvas->em, BAT_MIDDLE, middle[0],
-                     middle[1], text);
+    double at[BAT_NAME_PLACES][2];
+    for (size_t k = 0; k < BAT_NAME_PLACES; k++)
+        memcpy(at[k], longest->xy + 2 * ((longest->count - 1) * k / BAT_NAME_PLACES),
+               sizeof at[k]);
+    bat_canvas_name(canvas, (bat_lettering){contour_colour, 0.75 * canvas->em, false},
+                    BAT_NAME_PLACES, at[0], text);
 }
 
-typedef enum { HIDDEN, VISIBLE, LABELS } layer;
+typedef enum { HIDDEN, VISIBLE, LABELS_OF_FIFTHS, OTHER_LABELS } layer;
 
 static void draw_runs(bat_canvas *canvas, const bat_looks_drawing *d, const bat_wire *wire,
                       const bat_runs *runs, layer which)
 {
     bat_pen pen = pen_of(d, wire);
-    if (which == LABELS) {
-        write_label(canvas, wire, runs);
+    if (which >= LABELS_OF_FIFTHS) {
+        if (is_fifth(d, wire) == (which == LABELS_OF_FIFTHS))
+            write_label(canvas, wire, runs);
         return;
     }
     if (which == HIDDEN)
@@ -128,7 +138,8 @@ static void draw_layer(bat_canvas *canvas, const bat_looks_drawing *d, const bat
     for (int kind = 0; kind < BAT_WIRE_KINDS; kind++)
         for (size_t i = 0; i < d->wires.count; i++) {
             const bat_wire *wire = &d->wires.wires[i];
-            if ((int)wire->kind == kind && (which != LABELS || kind == BAT_WIRE_CONTOUR))
+            if ((int)wire->kind == kind &&
+                (which < LABELS_OF_FIFTHS || kind == BAT_WIRE_CONTOUR))
                 draw_runs(canvas, d, wire, &runs[i], which);
         }
 }
@@ -144,7 +155,8 @@ static batten_status draw_wires(bat_canvas *canvas, const bat_looks_drawing *d,
         if (d->options->hidden == BATTEN_HIDDEN_DASHED)
             draw_layer(canvas, d, runs, HIDDEN);
         draw_layer(canvas, d, runs, VISIBLE);
-        draw_layer(canvas, d, runs, LABELS);
+        draw_layer(canvas, d, runs, LABELS_OF_FIFTHS);
+        draw_layer(canvas, d, runs, OTHER_LABELS);
     }
     for (size_t i = 0; runs && i < d->wires.count; i++)
         bat_runs_free(&runs[i]);

@@ -68,7 +68,16 @@ batten_status bat_canvas_begin(batten_picture_format format, int width, int heig
     batten_status status = bat_canvas_check_size(width, height);
     if (status != BATTEN_OK)
         return status;
-    *out = (bat_canvas){.format = format, .width = width, .height = height, .em = em};
+    bat_cover cover;
+    status = bat_cover_make(width, height, 0.125 * em, &cover);
+    if (status != BATTEN_OK)
+        return status;
+    *out = (bat_canvas){.format = format,
+                        .width = width,
+                        .height = height,
+                        .em = em,
+                        .clip = {0, 0, width, height},
+                        .cover = cover};
     out->bytes = BATTEN_TEXT;
     out->surface = make_surface(out, title);
     out->cairo = cairo_create(out->surface);
@@ -84,6 +93,8 @@ void bat_canvas_end(bat_canvas *canvas)
     cairo_surface_destroy(canvas->surface);
     batten_text_free(&canvas->bytes);
     bat_release(canvas->taken);
+    bat_release(canvas->names);
+    bat_cover_free(&canvas->cover);
 }
 
 /* cairo numbers its surfaces through the life of the program and writes that number into an
@@ -113,6 +124,7 @@ static batten_status cairo_failure(const bat_canvas *canvas, cairo_status_t stat
 
 batten_status bat_canvas_finish(bat_canvas *canvas, char **data, size_t *size)
 {
+    bat_canvas_place_names(canvas);
     batten_status status = canvas->status;
     cairo_status_t drawn = cairo_status(canvas->cairo);
     if (drawn == CAIRO_STATUS_SUCCESS && canvas->format == BATTEN_PICTURE_PNG)
@@ -165,8 +177,18 @@ static void trace(bat_canvas *canvas, size_t count, const double *xy)
         cairo_line_to(canvas->cairo, xy[2 * i], xy[2 * i + 1]);
 }
 
+/* Names keep away from here, but for the ground. */
+static void cover_segment(bat_canvas *canvas, const double *from, const double *to, double half)
+{
+    const bat_rectangle c = canvas->clip;
+    if (!canvas->draws_ground)
+        bat_cover_segment(&canvas->cover, from, to, half,
+                          (double[4]){c.x, c.y, c.x + c.width, c.y + c.height});
+}
+
 void bat_canvas_clip(bat_canvas *canvas, bat_rectangle to)
 {
+    canvas->clip = to;
     cairo_save(canvas->cairo);
     cairo_rectangle(canvas->cairo, to.x, to.y, to.width, to.height);
     cairo_clip(canvas->cairo);
@@ -175,6 +197,7 @@ void bat_canvas_clip(bat_canvas *canvas, bat_rectangle to)
 void bat_canvas_unclip(bat_canvas *canvas)
 {
     cairo_restore(canvas->cairo);
+    canvas->clip = (bat_rectangle){0, 0, canvas->width, canvas->height};
 }
 
 void bat_canvas_line(bat_canvas *canvas, bat_pen pen, size_t count, const double *xy)
@@ -182,6 +205,8 @@ void bat_canvas_line(bat_canvas *canvas, bat_pen pen, size_t count, const double
     set_pen(canvas, pen);
     trace(canvas, count, xy);
     cairo_stroke(canvas->cairo);
+    for (size_t i = 0; i + 1 < count; i++)
+        cover_segment(canvas, xy + 2 * i, xy + 2 * i + 2, 0.5 * pen.width);
 }
 
 void bat_canvas_segment(bat_canvas *canvas, bat_pen pen, double x0, double y0, double x1,
@@ -211,6 +236,11 @@ void bat_canvas_frame(bat_canvas *canvas, bat_pen pen, bat_rectangle box)
     set_pen(canvas, pen);
     cairo_rectangle(canvas->cairo, box.x, box.y, box.width, box.height);
     cairo_stroke(canvas->cairo);
+    const double right = box.x + box.width, bottom = box.y + box.height;
+    const double corners[5][2] = {
+        {box.x, box.y}, {right, box.y}, {right, bottom}, {box.x, bottom}, {box.x, box.y}};
+    for (int i = 0; i < 4; i++)
+        cover_segment(canvas, corners[i], corners[i + 1], 0.5 * pen.width);
 }
 
 void bat_canvas_disc(bat_canvas *canvas, bat_colour colour, double x, double y, double radius)
@@ -219,6 +249,7 @@ void bat_canvas_disc(bat_canvas *canvas, bat_colour colour, double x, double y, 
     cairo_new_path(canvas->cairo);
     cairo_arc(canvas->cairo, x, y, radius, 0, 2 * BAT_PI);
     cairo_fill(canvas->cairo);
+    cover_segment(canvas, (double[2]){x, y}, (double[2]){x, y}, radius);
 }
 
 void bat_canvas_cross(bat_canvas *canvas, bat_pen pen, double x, double y, double radius)
@@ -296,12 +327,22 @@ static void show_text(bat_canvas *canvas, bat_colour colour, double size, bat_an
 {
     char letters[LONGEST_TEXT];
     clean(text, letters);
+    const double wide = advance(canvas, text), left = x - 0.5 * (double)anchor * wide;
     /* Figures and capitals of a sans face are about 0.72 em high. */
     set_colour(canvas, colour, 1);
-    cairo_move_to(canvas->cairo, x - 0.5 * (double)anchor * advance(canvas, text),
-                  y + 0.36 * size);
+    cairo_move_to(canvas->cairo, left, y + 0.36 * size);
     cairo_show_text(canvas->cairo, letters);
     cairo_new_path(canvas->cairo);
+}
+
+/* Names keep away from this text, whose letters reach a little below their line. */
+static void take_text(bat_canvas *canvas, double size, bat_anchor anchor, double x, double y,
+                      const char *text)
+{
+    const double wide = advance(canvas, text);
+    if (*text)
+        bat_canvas_take(canvas, (bat_rectangle){x - 0.5 * (double)anchor * wide, y - 0.5 * size,
+                                                wide, 1.1 * size});
 }
 
 void bat_canvas_text(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
@@ -309,6 +350,7 @@ void bat_canvas_text(bat_canvas *canvas, bat_colour colour, double size, bat_anc
 {
     set_font(canvas, size, CAIRO_FONT_WEIGHT_NORMAL);
     show_text(canvas, colour, size, anchor, x, y, text);
+    take_text(canvas, size, anchor, x, y, text);
 }
 
 void bat_canvas_bold(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
@@ -316,6 +358,7 @@ void bat_canvas_bold(bat_canvas *canvas, bat_colour colour, double size, bat_anc
 {
     set_font(canvas, size, CAIRO_FONT_WEIGHT_BOLD);
     show_text(canvas, colour, size, anchor, x, y, text);
+    take_text(canvas, size, anchor, x, y, text);
 }
 
 void bat_canvas_text_up(bat_canvas *canvas, bat_colour colour, double size, double x, double y,
@@ -324,55 +367,7 @@ void bat_canvas_text_up(bat_canvas *canvas, bat_colour colour, double size, doub
     cairo_save(canvas->cairo);
     cairo_translate(canvas->cairo, x, y);
     cairo_rotate(canvas->cairo, -0.5 * BAT_PI);
-    bat_canvas_text(canvas, colour, size, BAT_MIDDLE, 0, 0, text);
+    set_font(canvas, size, CAIRO_FONT_WEIGHT_NORMAL);
+    show_text(canvas, colour, size, BAT_MIDDLE, 0, 0, text);
     cairo_restore(canvas->cairo);
-}
-
-static bool overlap(bat_rectangle a, bat_rectangle b)
-{
-    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
-           b.y < a.y + a.height;
-}
-
-static bool is_free(const bat_canvas *canvas, bat_rectangle place)
-{
-    if (place.x < 0 || place.y < 0 || place.x + place.width > canvas->width ||
-        place.y + place.height > canvas->height)
-        return false;
-    for (size_t i = 0; i < canvas->taken_count; i++)
-        if (overlap(place, canvas->taken[i]))
-            return false;
-    return true;
-}
-
-/* Keep labels away from here. */
-static void take_place(bat_canvas *canvas, bat_rectangle place)
-{
-    if (canvas->taken_count == canvas->taken_capacity) {
-        const size_t capacity = 2 * canvas->taken_capacity + 64;
-        bat_rectangle *taken = bat_resize(canvas->taken, capacity, sizeof *taken);
-        if (!taken) {
-            canvas->status = BATTEN_OUT_OF_MEMORY;
-            return;
-        }
-        canvas->taken = taken;
-        canvas->taken_capacity = capacity;
-    }
-    canvas->taken[canvas->taken_count++] = place;
-}
-
-bool bat_canvas_label(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
-                      double x, double y, const char *text)
-{
-    if (!*text)
-        return true; /* its ground would be a white spot on what is drawn there */
-    const double width = bat_canvas_text_width(canvas, size, text), margin = 0.3 * size;
-    const bat_rectangle place = {x - 0.5 * (double)anchor * width - margin, y - 0.5 * size,
-                                 width + 2 * margin, size};
-    if (!is_free(canvas, place))
-        return false;
-    take_place(canvas, place);
-    bat_canvas_box(canvas, (bat_colour){1, 1, 1}, place);
-    bat_canvas_text(canvas, colour, size, anchor, x, y, text);
-    return true;
 }

@@ -7,6 +7,7 @@
 #ifndef BAT_CANVAS_H
 #define BAT_CANVAS_H
 #include "base/base.h"
+#include "picture/sheet/cover.h"
 #include <batten/picture.h>
 #include <batten/text.h>
 #include <cairo.h>
@@ -30,6 +31,23 @@ typedef struct {
 /* Where the given point lies on a text. */
 typedef enum { BAT_LEFT, BAT_MIDDLE, BAT_RIGHT } bat_anchor;
 
+/* How a name is written. */
+typedef struct {
+    bat_colour colour;
+    double size;
+    bool leads; /* where there is no room near, it stands farther off, with a leader */
+} bat_lettering;
+
+/* A name that waits for its place. */
+enum { BAT_NAME_PLACES = 10, BAT_NAME_TEXT = 256 };
+typedef struct {
+    bat_lettering how;
+    int count;
+    double at[BAT_NAME_PLACES][2]; /* what it names, the best place first */
+    bat_rectangle room;
+    char text[BAT_NAME_TEXT];
+} bat_name;
+
 typedef struct {
     cairo_t *cairo;
     cairo_surface_t *surface;
@@ -37,6 +55,11 @@ typedef struct {
     double width, height;
     double em; /* the size of ordinary text; everything around a drawing is measured in it */
     batten_text bytes;
+    bat_rectangle clip; /* what may be drawn on now: the sheet, or less */
+    bool draws_ground;  /* what is drawn may be covered by names: a grid */
+    bat_cover cover;    /* where all other lines are */
+    bat_name *names;    /* that are put when all is drawn */
+    size_t name_count, name_capacity;
     bat_rectangle *taken; /* where labels stand */
     size_t taken_count, taken_capacity;
     batten_status status;
@@ -79,9 +102,20 @@ void bat_canvas_bold(bat_canvas *canvas, bat_colour colour, double size, bat_anc
 /* Turned a quarter to the left, centred on (x, y). */
 void bat_canvas_text_up(bat_canvas *canvas, bat_colour colour, double size, double x, double y,
                         const char *text);
+/* ---- labels.c ---- */
+
+/* Keep labels and names away from here. */
+void bat_canvas_take(bat_canvas *canvas, bat_rectangle place);
 /* A text on a white ground, when it lies within the sheet and covers no earlier label; an empty
- * one is nothing. */
+ * one is nothing. For places beside drawings: lines are not minded. */
 bool bat_canvas_label(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
                       double x, double y, const char *text);
+/* The name of what is at one of these places [count][2], the best first: beside it, or as near as it
+ * covers neither a line nor a text; within what is clipped to now. It is put when all is drawn, and left out
+ * where there is no room. */
+void bat_canvas_name(bat_canvas *canvas, bat_lettering how, int count, const double *at,
+                     const char *text);
+/* Put the names, in their order. */
+void bat_canvas_place_names(bat_canvas *canvas);
 
 #endif

@@ -94,8 +94,10 @@ void bat_plot_grid(bat_canvas *canvas, const bat_plot *plot, const char *name_x,
 {
     const bat_rectangle f = plot->frame;
     const double em = canvas->em, step = plot_step(canvas, plot);
+    canvas->draws_ground = true;
     grid_upright(canvas, plot, step);
     grid_level(canvas, plot, step);
+    canvas->draws_ground = false;
     bat_canvas_frame(canvas, (bat_pen){bat_grey, 0.8, BAT_SOLID}, f);
     bat_canvas_text(canvas, bat_grey, 0.85 * em, BAT_MIDDLE, f.x + 0.5 * f.width,
                     f.y + f.height + 2.0 * em, name_x);

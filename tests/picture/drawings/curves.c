@@ -160,6 +160,37 @@ TEST(many_curves_are_named_where_they_end)
     batten_model_unref(model);
 }
 
+/* A square of vertices, and the curve that they shape. */
+static batten_model *shaped_curve(bool are_vertices)
+{
+    static const double points[][3] = {{0, 0, 0}, {0, 4, 0}, {6, 4, 0}, {6, 0, 0}};
+    batten_model *model = scene_empty();
+    batten_curve *curve = scene_curve(3, 3, 4, points[0]);
+    const batten_object object = {.name = "arch",
+                                  .layer = "",
+                                  .kind = BATTEN_OBJECT_CURVE,
+                                  .curve = curve,
+                                  .point_count = 4,
+                                  .points = points[0],
+                                  .points_are_vertices = are_vertices};
+    CHECK_OK(batten_model_add(model, &object));
+    batten_curve_unref(curve);
+    return model;
+}
+
+TEST(vertices_are_drawn_as_a_polygon_and_are_not_called_data)
+{
+    for (int vertices = 0; vertices < 2; vertices++) {
+        batten_model *model = shaped_curve(vertices);
+        batten_draw_options options = usual();
+        options.data_points = true;
+        const scene_words words = words_of(model, options);
+        CHECK((scene_find(&words, "polygon") != NULL) == (vertices == 1));
+        CHECK((scene_find(&words, "data") != NULL) == (vertices == 0));
+        batten_model_unref(model);
+    }
+}
+
 /* How many pixels of an arc with so many data points are nearly black: those of their marks. */
 static int mark_ink(int count)
 {

@@ -15,6 +15,7 @@ static const batten_parameter parameters[] = {
 static batten_status make_b_spline(bat_run *run, const bat_data *data, bat_made *made)
 {
     made->has_parameters = false;
+    made->from_polygon = true;
     return batten_curve_uniform((batten_points){data->dimension, data->count, data->points},
                                 bat_count(run, "degree"), NULL,
                                 (batten_polygon_end)bat_word(run, "ends"), &made->curve);

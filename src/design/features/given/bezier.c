@@ -22,6 +22,7 @@ static batten_status make_bezier(bat_run *run, const bat_data *data, bat_made *m
     double weights[BATTEN_MAX_DEGREE + 1];
     const int n = data->count;
     made->has_parameters = false;
+    made->from_polygon = bat_word(run, "given") != EDGES;
     if (n > BATTEN_MAX_DEGREE + 1)
         return bat_fail(BATTEN_BAD_DEGREE,
                         "a polygon of %d corners gives degree %d; the highest is %d, and "

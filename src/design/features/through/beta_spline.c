@@ -21,6 +21,7 @@ static batten_status make_beta_spline(bat_run *run, const bat_data *data, bat_ma
     for (int i = 0; i < data->count; i++)
         made->parameters[i] = i;
     made->has_parameters = use == BATTEN_BETA_THROUGH;
+    made->from_polygon = use != BATTEN_BETA_THROUGH;
     return batten_curve_beta((batten_points){data->dimension, data->count, data->points}, use,
                              bat_number(run, "beta1"), bat_number(run, "beta2"),
                              bat_yes(run, "closed"), &made->curve);
