@@ -4,6 +4,8 @@
 #include "picture/sheet/flat.h"
 #include "picture/sheet/size.h"
 
+#include <string.h>
+
 /* ---- drawing ---- */
 
 static void to_sheet(const bat_drawing *d, const double point[3], double xy[2])
@@ -34,13 +36,21 @@ static void draw_comb(bat_canvas *canvas, const bat_drawing *d, const bat_shape 
     if (d->comb_scale <= 0 || s->tooth_count == 0)
         return;
     const bat_pen tooth = {lighter(s->colour, 0.62), 0.7, BAT_SOLID};
+    /* All tips make the outline; of the teeth those stand that leave room between them. */
+    const double apart = 0.4 * canvas->em;
+    double last[4] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (int i = 0; i < s->tooth_count; i++) {
         const batten_vec3 foot = s->teeth[i].foot;
-        double tip[3], from[2];
+        double tip[3], from[2], *to = d->xy + 2 * i;
         bat_drawing_comb_tip(&s->teeth[i], d->comb_scale, tip);
         to_sheet(d, (double[3]){foot.x, foot.y, foot.z}, from);
-        to_sheet(d, tip, d->xy + 2 * i);
-        bat_canvas_segment(canvas, tooth, from[0], from[1], d->xy[2 * i], d->xy[2 * i + 1]);
+        to_sheet(d, tip, to);
+        const bool stands = bat_hypot(from[0] - last[0], from[1] - last[1]) >= apart ||
+                            bat_hypot(to[0] - last[2], to[1] - last[3]) >= apart;
+        if (!stands && i + 1 < s->tooth_count)
+            continue;
+        bat_canvas_segment(canvas, tooth, from[0], from[1], to[0], to[1]);
+        memcpy(last, (double[4]){from[0], from[1], to[0], to[1]}, sizeof last);
     }
     bat_canvas_line(canvas, (bat_pen){lighter(s->colour, 0.35), 1, BAT_SOLID},
                     (size_t)s->tooth_count, d->xy);
