@@ -181,7 +181,8 @@ BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
 /**
  * A lines drawing of a half hull (x along, y >= 0 to the side, z up): profile, half-breadth
  * plan below it, and body plan, at one usual scale (1:20, 1:25, 1:30 ...), true in PDF and SVG,
- * with grid, title block and legend.
+ * with grid, title block, legend and the table of offsets measured on the drawn lines. The scale is
+ * the largest usual one at which the views find room, whichever way they stand.
  *
  * The bow is at the larger x, to the right; stations are numbered from 0 at the smallest x. Of
  * a whole hull the half with y >= 0 is drawn; a half at y <= 0 is mirrored. Notes say what

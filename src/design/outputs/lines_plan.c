@@ -99,8 +99,9 @@ static batten_status run_lines_plan(bat_run *run)
 const bat_feature bat_feature_lines_plan = {
     .shown =
         {"lines-plan", "The lines drawing of a hull",
-         "Body plan, profile and half-breadth plan of half a hull: x along the ship, y to the\n"
-         "side, z up.",
+         "Body plan, profile and half-breadth plan of half a hull, and its table of offsets: x\n"
+         "along the ship, y to the side, z up. The largest usual scale that the sheet allows is\n"
+         "taken.",
          "features:\n"
          "  offsets: {read: offsets.csv}\n"
          "  stations: {interpolate: offsets, each: station}\n"

@@ -294,6 +294,11 @@ static batten_status draw_sheet(bat_canvas *canvas, bat_lines_sheet *s)
         status = draw_view(canvas, s, (bat_lines_view)view);
     draw_given(canvas, s);
     bat_lines_draw_foot(canvas, s);
+    if (!bat_lines_draw_table(canvas, s))
+        batten_notes_remark(
+            s->notes, "", 0, "lines plan",
+            "the table of offsets has no room on a sheet of %g x %g and is left out",
+            canvas->width, canvas->height);
     return status;
 }
 
@@ -318,7 +323,7 @@ batten_status batten_draw_lines_plan(const batten_model *model,
                               *options->title ? options->title : "Lines plan", &canvas);
     if (status != BATTEN_OK)
         return status;
-    bat_lines_sheet s = {.model = model, .plan = plan, .options = options};
+    bat_lines_sheet s = {.model = model, .plan = plan, .options = options, .notes = notes};
     status = bat_hull_cut(model, plan, notes, &s.hull);
     if (status == BATTEN_OK) {
         s.middle = 0.5 * (s.hull.low[0] + s.hull.high[0]);

@@ -31,12 +31,14 @@ typedef struct {
     const batten_model *model;
     const batten_draw_lines_plan_options *plan;
     const batten_draw_options *options;
+    batten_notes *notes;
     bat_hull hull;
     double middle; /* x between after-body and fore-body */
     double ratio;  /* the scale is 1 : ratio */
     double scale;  /* points per unit */
     bat_plot plots[VIEWS];
     bat_rectangle strip; /* the foot of the sheet: legend, scale bar, title block */
+    bat_rectangle table; /* room for the table of offsets */
 } bat_lines_sheet;
 
 /* Between the edge of the sheet and its frame, in em. */
@@ -62,5 +64,15 @@ batten_status bat_lines_lay_out(bat_lines_sheet *s, const bat_canvas *canvas);
 
 /* Legend, scale bar and title block, in the strip of the sheet. */
 void bat_lines_draw_foot(bat_canvas *canvas, const bat_lines_sheet *s);
+
+/* ---- lines_plan_table.c ---- */
+
+/* Where a station crosses a waterline, its half-breadth; where it crosses a buttock, the lowest height; NaN where it
+ * does not. */
+double bat_lines_offset(const bat_lines_sheet *s, int station, bat_family family, int line);
+/* The width and height that the table wants, in em. */
+void bat_lines_table_size(const bat_lines_sheet *s, double size[2]);
+/* The table in its room; false when it is too large for it. */
+bool bat_lines_draw_table(bat_canvas *canvas, const bat_lines_sheet *s);
 
 #endif

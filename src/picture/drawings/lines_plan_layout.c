@@ -21,18 +21,57 @@ static void view_size(const bat_hull *hull, bat_lines_view view, double size[2])
         size[0] *= 2;
 }
 
-/* How large the three views can be in `room`, in two columns or stacked. */
-static double largest_scale(const bat_hull *hull, bat_rectangle room, double em, bool stacked)
+/* How the views stand: in two columns over the foot; one below the other over the foot; or so with the foot beside
+ * the body plan, which is at the bottom. */
+typedef enum { COLUMNS, STACKED, COMPACT, ARRANGEMENTS } arrangement;
+
+/* What the foot needs where it stands beside the body plan, in em. */
+static const double foot_width = 62;
+
+typedef struct {
+    double profile[2], breadth[2], body[2]; /* model units */
+    double wide, high;                      /* of all views without their surroundings */
+    double columns, rows;
+} sizes;
+
+static sizes measure(const bat_hull *hull, arrangement how)
 {
-    double profile[2], breadth[2], body[2];
-    view_size(hull, PROFILE, profile);
-    view_size(hull, BREADTH, breadth);
-    view_size(hull, BODY, body);
-    const double columns = stacked ? 1 : 2, rows = stacked ? 3 : 2;
-    const double wide = stacked ? bat_max(profile[0], body[0]) : profile[0] + body[0];
-    const double high = profile[1] + breadth[1] + (stacked ? body[1] : 0);
-    return bat_min((room.width - columns * 2 * beside * em) / wide,
-                   (room.height - rows * (above + below) * em) / high);
+    sizes m;
+    view_size(hull, PROFILE, m.profile);
+    view_size(hull, BREADTH, m.breadth);
+    view_size(hull, BODY, m.body);
+    m.columns = how == COLUMNS ? 2 : 1;
+    m.rows = how == COLUMNS ? 2 : 3;
+    m.wide = how == COLUMNS ? m.profile[0] + m.body[0] : bat_max(m.profile[0], m.body[0]);
+    m.high = m.profile[1] + m.breadth[1] + (how == COLUMNS ? 0 : m.body[1]);
+    if (how == COLUMNS) /* the body plan may be the higher one of its row */
+        m.high = bat_max(m.profile[1], m.body[1]) + m.breadth[1];
+    return m;
+}
+
+/* The part of the sheet inside its border that an arrangement has for its views. */
+static bat_rectangle room_of(bat_rectangle inside, arrangement how, double em)
+{
+    if (how != COMPACT)
+        inside.height -= strip_height * em;
+    return inside;
+}
+
+/* How large the three views can be, in points per unit. */
+static double largest_scale(const bat_hull *hull, bat_rectangle inside, double em,
+                            arrangement how)
+{
+    const sizes m = measure(hull, how);
+    const bat_rectangle room = room_of(inside, how, em);
+    const double row = (above + below) * em;
+    double scale = bat_min((room.width - m.columns * 2 * beside * em) / m.wide,
+                           (room.height - m.rows * row) / m.high);
+    if (how != COMPACT)
+        return scale;
+    /* The foot beside the body plan, and at least as high as its strip. */
+    scale = bat_min(scale, (room.width - (2 * beside + foot_width) * em) / m.body[0]);
+    return bat_min(scale,
+                   (room.height - 2 * row - strip_height * em) / (m.profile[1] + m.breadth[1]));
 }
 
 /* The next usual drawing scale that is not larger: 1, 1.5, 2 ... 7.5 times a power of ten. */
@@ -58,33 +97,50 @@ static void place_view(bat_lines_sheet *s, bat_lines_view view, double left, dou
                                 .y0 = s->hull.low[bat_lines_views[view].up]};
 }
 
-static void place_views(bat_lines_sheet *s, bat_rectangle room, double em, bool stacked)
+/* Strip and table beside the body plan, or below everything with the table where a corner is free. */
+static void place_foot(bat_lines_sheet *s, bat_rectangle inside, double em, arrangement how)
 {
-    double profile[2], breadth[2], body[2];
-    view_size(&s->hull, PROFILE, profile);
-    view_size(&s->hull, BREADTH, breadth);
-    view_size(&s->hull, BODY, body);
-    const double columns = stacked ? 1 : 2, rows = stacked ? 3 : 2;
-    const double wide = stacked ? bat_max(profile[0], body[0]) : profile[0] + body[0];
-    const double high = profile[1] + breadth[1] + (stacked ? body[1] : 0);
+    const bat_rectangle body = s->plots[BODY].frame, breadth = s->plots[BREADTH].frame;
+    const double high = strip_height * em, bottom = inside.y + inside.height;
+    const double right = inside.x + inside.width, after = (beside + 1) * em;
+    const double left = body.x + body.width + after;
+    s->strip = (bat_rectangle){inside.x, bottom - high, inside.width, high};
+    double top = body.y - above * em;
+    if (how == COMPACT) {
+        s->strip.x = left;
+        s->strip.width = right - left;
+    }
+    s->table = (bat_rectangle){left, top, right - left - em, s->strip.y - top};
+    if (how == COLUMNS) { /* the corner below the body plan */
+        top = bat_max(body.y + body.height + (below + 1) * em, breadth.y - above * em);
+        s->table.x = breadth.x + breadth.width + after;
+        s->table = (bat_rectangle){s->table.x, top, right - s->table.x - em, s->strip.y - top};
+    }
+}
+
+static void place_views(bat_lines_sheet *s, bat_rectangle inside, double em, arrangement how)
+{
+    const sizes m = measure(&s->hull, how);
+    const bat_rectangle room = room_of(inside, how, em);
     /* What is left over is shared evenly. */
     const double gap_x =
-        (room.width - wide * s->scale - columns * 2 * beside * em) / (columns + 1);
+        (room.width - m.wide * s->scale - m.columns * 2 * beside * em) / (m.columns + 1);
     const double gap_y =
-        (room.height - high * s->scale - rows * (above + below) * em) / (rows + 1);
-
-    const double centre = room.x + 0.5 * room.width;
+        (room.height - m.high * s->scale - m.rows * (above + below) * em) / (m.rows + 1);
+    const double first = how == COLUMNS ? bat_max(m.profile[1], m.body[1]) : m.profile[1];
     const double left =
-        stacked ? centre - 0.5 * profile[0] * s->scale : room.x + gap_x + beside * em;
+        room.x +
+        (how == COLUMNS ? gap_x + beside * em : 0.5 * (room.width - m.profile[0] * s->scale));
     double top = room.y + gap_y + above * em;
     place_view(s, PROFILE, left, top);
-    if (!stacked)
-        place_view(s, BODY, left + profile[0] * s->scale + 2 * beside * em + gap_x, top);
-    top += profile[1] * s->scale + (above + below) * em + gap_y;
+    if (how == COLUMNS)
+        place_view(s, BODY, left + m.profile[0] * s->scale + 2 * beside * em + gap_x, top);
+    top += first * s->scale + (above + below) * em + gap_y;
     place_view(s, BREADTH, left, top);
-    top += breadth[1] * s->scale + (above + below) * em + gap_y;
-    if (stacked)
-        place_view(s, BODY, centre - 0.5 * body[0] * s->scale, top);
+    top += m.breadth[1] * s->scale + (above + below) * em + gap_y;
+    if (how != COLUMNS) /* to the left, for the table beside it */
+        place_view(s, BODY, room.x + (beside + 1) * em, top);
+    place_foot(s, inside, em, how);
 }
 
 batten_status bat_lines_lay_out(bat_lines_sheet *s, const bat_canvas *canvas)
@@ -92,14 +148,15 @@ batten_status bat_lines_lay_out(bat_lines_sheet *s, const bat_canvas *canvas)
     const double em = canvas->em, edge = BAT_LINES_BORDER * em;
     const bat_rectangle inside = {edge, edge, canvas->width - 2 * edge,
                                   canvas->height - 2 * edge};
-    bat_rectangle room = inside;
-    room.height -= strip_height * em;
-    s->strip =
-        (bat_rectangle){inside.x, inside.y + room.height, inside.width, strip_height * em};
-
-    const double beside_it = largest_scale(&s->hull, room, em, false);
-    const double stacked = largest_scale(&s->hull, room, em, true);
-    const double largest = bat_max(beside_it, stacked);
+    arrangement best = COLUMNS;
+    double largest = 0;
+    for (int how = 0; how < ARRANGEMENTS; how++) {
+        const double scale = largest_scale(&s->hull, inside, em, (arrangement)how);
+        if (scale > largest) {
+            largest = scale;
+            best = (arrangement)how;
+        }
+    }
     const double metres = batten_model_unit_metres(s->model);
     const double points = 72 / 0.0254 * (metres > 0 ? metres : 1); /* per unit at 1 : 1 */
     if (!(largest > 0))
@@ -110,6 +167,6 @@ batten_status bat_lines_lay_out(bat_lines_sheet *s, const bat_canvas *canvas)
     if (!isfinite(s->ratio) || !(s->scale > 0))
         return bat_fail(BATTEN_OVERFLOW, "a hull of length %g is too large to draw",
                         s->hull.high[0] - s->hull.low[0]);
-    place_views(s, room, em, stacked > beside_it);
+    place_views(s, inside, em, best);
     return BATTEN_OK;
 }
