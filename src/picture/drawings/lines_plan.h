@@ -65,14 +65,20 @@ batten_status bat_lines_lay_out(bat_lines_sheet *s, const bat_canvas *canvas);
 /* Legend, scale bar and title block, in the strip of the sheet. */
 void bat_lines_draw_foot(bat_canvas *canvas, const bat_lines_sheet *s);
 
-/* ---- lines_plan_table.c ---- */
+/* ---- lines_plan_offsets.c ---- */
 
 /* Where a station crosses a waterline, its half-breadth; where it crosses a buttock, the lowest height; NaN where it
  * does not. */
 double bat_lines_offset(const bat_lines_sheet *s, int station, bat_family family, int line);
-/* The width and height that the table wants, in em. */
-void bat_lines_table_size(const bat_lines_sheet *s, double size[2]);
-/* The table in its room; false when it is too large for it. */
+/* The lowest and the highest point of a station, and how far the highest is from the middle; NaN without any. */
+typedef struct {
+    double keel, sheer, breadth;
+} bat_lines_ends;
+bat_lines_ends bat_lines_ends_of(const bat_lines_sheet *s, int station);
+
+/* ---- lines_plan_table.c ---- */
+
+/* The table of offsets in its room; false when it is too large for it. */
 bool bat_lines_draw_table(bat_canvas *canvas, const bat_lines_sheet *s);
 
 #endif

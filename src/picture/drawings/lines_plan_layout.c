@@ -34,7 +34,7 @@ typedef struct {
     double columns, rows;
 } sizes;
 
-static sizes measure(const bat_hull *hull, arrangement how)
+static sizes measure_views(const bat_hull *hull, arrangement how)
 {
     sizes m;
     view_size(hull, PROFILE, m.profile);
@@ -61,7 +61,7 @@ static bat_rectangle room_of(bat_rectangle inside, arrangement how, double em)
 static double largest_scale(const bat_hull *hull, bat_rectangle inside, double em,
                             arrangement how)
 {
-    const sizes m = measure(hull, how);
+    const sizes m = measure_views(hull, how);
     const bat_rectangle room = room_of(inside, how, em);
     const double row = (above + below) * em;
     double scale = bat_min((room.width - m.columns * 2 * beside * em) / m.wide,
@@ -120,7 +120,7 @@ static void place_foot(bat_lines_sheet *s, bat_rectangle inside, double em, arra
 
 static void place_views(bat_lines_sheet *s, bat_rectangle inside, double em, arrangement how)
 {
-    const sizes m = measure(&s->hull, how);
+    const sizes m = measure_views(&s->hull, how);
     const bat_rectangle room = room_of(inside, how, em);
     /* What is left over is shared evenly. */
     const double gap_x =

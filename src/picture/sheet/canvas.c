@@ -9,7 +9,7 @@
 /* Longer texts are cut, with dots at the end. */
 enum { LONGEST_TEXT = 256 };
 
-static cairo_status_t append(void *closure, const unsigned char *data, unsigned length)
+cairo_status_t bat_canvas_append(void *closure, const unsigned char *data, unsigned length)
 {
     batten_text *bytes = closure;
     batten_text_bytes(bytes, (const char *)data, length);
@@ -38,10 +38,11 @@ static cairo_surface_t *make_surface(bat_canvas *canvas, const char *title)
     if (canvas->format == BATTEN_PICTURE_PNG)
         return cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)width, (int)height);
     if (canvas->format == BATTEN_PICTURE_SVG)
-        return cairo_svg_surface_create_for_stream(append, &canvas->bytes, width, height);
+        return cairo_svg_surface_create_for_stream(bat_canvas_append, &canvas->bytes, width,
+                                                   height);
 
     cairo_surface_t *surface =
-        cairo_pdf_surface_create_for_stream(append, &canvas->bytes, width, height);
+        cairo_pdf_surface_create_for_stream(bat_canvas_append, &canvas->bytes, width, height);
     char letters[LONGEST_TEXT];
     clean(title, letters);
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, letters);
@@ -95,51 +96,6 @@ void bat_canvas_end(bat_canvas *canvas)
     bat_release(canvas->taken);
     bat_release(canvas->names);
     bat_cover_free(&canvas->cover);
-}
-
-/* cairo numbers its surfaces through the life of the program and writes that number into an
- * SVG. Nothing refers to it; equal digits make equal bytes. */
-static void forget_surface_number(batten_text *svg)
-{
-    static const char mark[] = "<g id=\"surface";
-    char *at = svg->bytes ? strstr(svg->bytes, mark) : NULL;
-    if (!at)
-        return;
-    char *digits = at + sizeof mark - 1, *end = digits;
-    while (*end >= '0' && *end <= '9')
-        end++;
-    const size_t rest = svg->length - (size_t)(end - svg->bytes);
-    memmove(digits, end, rest + 1);
-    svg->length -= (size_t)(end - digits);
-}
-
-static batten_status cairo_failure(const bat_canvas *canvas, cairo_status_t status)
-{
-    if (canvas->bytes.failed || status == CAIRO_STATUS_NO_MEMORY)
-        return bat_fail(BATTEN_OUT_OF_MEMORY, "no memory for a picture of %g x %g",
-                        canvas->width, canvas->height);
-    return bat_fail(BATTEN_UNSUPPORTED, "the picture of %g x %g could not be drawn: %s",
-                    canvas->width, canvas->height, cairo_status_to_string(status));
-}
-
-batten_status bat_canvas_finish(bat_canvas *canvas, char **data, size_t *size)
-{
-    bat_canvas_place_names(canvas);
-    batten_status status = canvas->status;
-    cairo_status_t drawn = cairo_status(canvas->cairo);
-    if (drawn == CAIRO_STATUS_SUCCESS && canvas->format == BATTEN_PICTURE_PNG)
-        drawn = cairo_surface_write_to_png_stream(canvas->surface, append, &canvas->bytes);
-    cairo_surface_finish(canvas->surface);
-    if (drawn == CAIRO_STATUS_SUCCESS)
-        drawn = cairo_surface_status(canvas->surface);
-    if (status == BATTEN_OK && drawn != CAIRO_STATUS_SUCCESS)
-        status = cairo_failure(canvas, drawn);
-    if (status == BATTEN_OK && canvas->format == BATTEN_PICTURE_SVG)
-        forget_surface_number(&canvas->bytes);
-    if (status == BATTEN_OK)
-        status = batten_text_take(&canvas->bytes, data, size);
-    bat_canvas_end(canvas);
-    return status;
 }
 
 /* ---- lines and areas ---- */
@@ -335,14 +291,29 @@ static void show_text(bat_canvas *canvas, bat_colour colour, double size, bat_an
     cairo_new_path(canvas->cairo);
 }
 
-/* Names keep away from this text, whose letters reach a little below their line. */
+void bat_canvas_take(bat_canvas *canvas, bat_rectangle place)
+{
+    if (canvas->taken_count == canvas->taken_capacity) {
+        const size_t capacity = 2 * canvas->taken_capacity + 64;
+        bat_rectangle *taken = bat_resize(canvas->taken, capacity, sizeof *taken);
+        if (!taken) {
+            canvas->status = BATTEN_OUT_OF_MEMORY;
+            return;
+        }
+        canvas->taken = taken;
+        canvas->taken_capacity = capacity;
+    }
+    canvas->taken[canvas->taken_count++] = place;
+}
+
+/* Names keep away from this text. */
 static void take_text(bat_canvas *canvas, double size, bat_anchor anchor, double x, double y,
                       const char *text)
 {
     const double wide = advance(canvas, text);
     if (*text)
         bat_canvas_take(canvas, (bat_rectangle){x - 0.5 * (double)anchor * wide, y - 0.5 * size,
-                                                wide, 1.1 * size});
+                                                wide, size});
 }
 
 void bat_canvas_text(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,

@@ -72,7 +72,9 @@ batten_status bat_canvas_check_size(int width, int height);
 /* A white sheet. `em` is the size of its text. */
 batten_status bat_canvas_begin(batten_picture_format format, int width, int height, double em,
                                const char *title, bat_canvas *out);
-/* Hand over the file, or report the first thing that went wrong; the canvas is gone in either
+/* More bytes for the file of the canvas: what cairo calls. */
+cairo_status_t bat_canvas_append(void *closure, const unsigned char *data, unsigned length);
+/* Put the names and hand over the file, or report the first thing that went wrong; the canvas is gone in either
  * case. */
 batten_status bat_canvas_finish(bat_canvas *canvas, char **data, size_t *size);
 /* Give everything back without a file. */

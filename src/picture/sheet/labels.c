@@ -26,21 +26,6 @@ static bool is_untaken(const bat_canvas *canvas, bat_rectangle place)
     return true;
 }
 
-void bat_canvas_take(bat_canvas *canvas, bat_rectangle place)
-{
-    if (canvas->taken_count == canvas->taken_capacity) {
-        const size_t capacity = 2 * canvas->taken_capacity + 64;
-        bat_rectangle *taken = bat_resize(canvas->taken, capacity, sizeof *taken);
-        if (!taken) {
-            canvas->status = BATTEN_OUT_OF_MEMORY;
-            return;
-        }
-        canvas->taken = taken;
-        canvas->taken_capacity = capacity;
-    }
-    canvas->taken[canvas->taken_count++] = place;
-}
-
 /* The text on a white ground, which hides the grid below it. */
 static void put_label(bat_canvas *canvas, bat_colour colour, double size, bat_rectangle place,
                       const char *text)
