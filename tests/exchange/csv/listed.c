@@ -18,6 +18,16 @@ static const struct {
      "1: column 'girth' is not read\n"},
     {"x,z,half-breadth\n0,0,\n", BATTEN_BAD_FORMAT,
      "2: station x = 0 has no points; left out\nt: there is no point in the table\n"},
+    /* frames of PIAS, whose third number is a mark, and sections of PDSTRIP */
+    {"1\n0.0\n2\n0 0 0\n1 1 0\n", BATTEN_OK, ""},
+    {"1\n0.0\n3\n0 0 1\n1 1 0\n2 3 0\n", BATTEN_OK,
+     "~0: 1 point is marked; tables of offsets have no marks\n"},
+    {"1\n0.0\n3\n0 0 1\n1 1 0\n2 3 1\n", BATTEN_OK,
+     "~0: 2 points are marked; tables of offsets have no marks\n"},
+    {"1 F 0.96\n 0.0 3 1 2\n 0 1 2\n 0 1 3\n", BATTEN_OK,
+     "4: section 1 has 1 gap; its points are taken as one line\n"},
+    {"1 F 0.96\n 0.0 3 2 1 2\n 0 1 2\n 0 1 3\n", BATTEN_OK,
+     "4: section 1 has 2 gaps; its points are taken as one line\n"},
     /* the loftsman's table */
     {"Stations,a,b\nPOSITION,,\nk,0,9\nHEIGHT,,\nk,1,2\nBREADTH,,\nk,3,4\n", BATTEN_OK, ""},
     {"Stations,a,b\nPOSITION,,\nk,0,9\nHEIGHT,,\nk,1,2\nm,x,2\nBREADTH,,\nk,3,x\nn,3,3\n",

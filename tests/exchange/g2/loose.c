@@ -1,5 +1,6 @@
 /* Faces whose edges are farther off than the tolerance of their body. */
 #include "body/builder.h"
+#include "exchange/g2/g2.h"
 #include "exchange/reading.h"
 
 #include <batten/standard.h>
@@ -116,4 +117,24 @@ TEST(each_body_says_its_own_largest_tolerance)
     batten_release(data);
     batten_notes_free(notes);
     batten_model_unref(model);
+}
+
+/* Curves on the plane that end beside their vertices, along it. */
+TEST(edges_that_end_beside_their_vertices_are_loose_too)
+{
+    static const double beside[] = {0, 0.005, 0.01};
+    for (int i = 0; i < COUNT(beside); i++) {
+        batten_body *body = square_with_bulge(0);
+        const batten_body_parts *from = batten_body_view(body);
+        double vertices[12], tolerance = 0;
+        batten_body_parts parts = *from;
+        memcpy(vertices, from->vertices, sizeof vertices);
+        vertices[3] +=
+            beside[i]; /* x of the second, of one end of an edge and the start of another */
+        parts.vertices = vertices;
+        CHECK_OK(
+            bat_g2_loop_tolerance(&parts, &parts.faces[0], parts.faces[0].surface, &tolerance));
+        CHECK_NEAR(tolerance, i ? 1.5 * beside[i] : 1e-6, 1e-9);
+        batten_body_unref(body);
+    }
 }
