@@ -39,8 +39,10 @@ static void multiples(double from, double range, double step, double *first, dou
     *first = ceil(from / step - 1e-9);
     *last = floor((from + range) / step + 1e-9);
     /* From there on doubles are a whole number apart: no multiples are left inside a step. */
-    if (fabs(*first) > 1e15 || fabs(*last) > 1e15)
-        *last = *first - 1;
+    if (fabs(*first) > 1e15 || fabs(*last) > 1e15) {
+        *first = 0;
+        *last = -1;
+    }
 }
 
 double bat_plot_numbers_width(bat_canvas *canvas, const bat_plot *plot)

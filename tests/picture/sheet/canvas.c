@@ -1,6 +1,7 @@
 #include "picture/sheet/canvas.h"
 
 #include "picture/scenes.h"
+#include "picture/sheet/pixels.h"
 
 static const bat_colour ink = {0, 0, 0};
 
@@ -159,36 +160,6 @@ TEST(many_labels_find_memory_or_say_so)
 }
 
 /* ---- marks by their pixels ---- */
-
-static bool is_dark(const bat_canvas *canvas, double x, double y)
-{
-    cairo_surface_flush(canvas->surface);
-    const unsigned char *data = cairo_image_surface_get_data(canvas->surface);
-    const int stride = cairo_image_surface_get_stride(canvas->surface);
-    return data[(int)y * stride + 4 * (int)x] < 128;
-}
-
-static bat_canvas begin_pixels(void)
-{
-    bat_canvas canvas;
-    CHECK_OK(bat_canvas_begin(BATTEN_PICTURE_PNG, 200, 100, 10, "", &canvas));
-    return canvas;
-}
-
-/* The box around all that is dark; of nothing its width is below 0. */
-static bat_rectangle dark_box(const bat_canvas *canvas)
-{
-    int x[2] = {1000, -1}, y[2] = {1000, -1};
-    for (int i = 0; i < (int)canvas->width; i++)
-        for (int k = 0; k < (int)canvas->height; k++)
-            if (is_dark(canvas, i, k)) {
-                x[0] = i < x[0] ? i : x[0];
-                x[1] = i > x[1] ? i : x[1];
-                y[0] = k < y[0] ? k : y[0];
-                y[1] = k > y[1] ? k : y[1];
-            }
-    return (bat_rectangle){x[0], y[0], x[1] + 1 - x[0], y[1] + 1 - y[0]};
-}
 
 /* Strokes and gaps in widths of the line, one after another from its start; a fine line has them
  * in points. */
@@ -357,5 +328,40 @@ TEST(a_label_keeps_free_as_much_as_it_covers)
     CHECK(bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 100, 6, "88"));
     CHECK(!bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 100, 96, "88"));
     CHECK(bat_canvas_label(&canvas, ink, 10, BAT_MIDDLE, 100, 94, "88"));
+    bat_canvas_end(&canvas);
+}
+
+/* What is no letter of UTF-8 is a question mark for each of its bytes. */
+TEST(bytes_that_are_no_letters_are_as_wide_as_question_marks)
+{
+    static const struct {
+        const char *text;
+        int marks; /* 0: a letter */
+    } cases[] = {{"\xed\xa0\x80", 3},
+                 {"\xed\xbf\xbf", 3},
+                 {"\xc0\xaf", 2},
+                 {"\xff", 1},
+                 {"\x01", 1},
+                 {"\xc3", 1},
+                 {"\xe0\x80\x80", 3},
+                 {"\xf4\x90\x80\x80", 4},
+                 {"\xf0\x80\x80\x80", 4},
+                 {"\x80", 1},
+                 {"\xc3\xa9", 0},
+                 {"\xe2\x82\xac", 0},
+                 {"W", 0},
+                 {"\xed\x9f\xbf"
+                  "i",
+                  0}};
+    bat_canvas canvas = begin_pixels();
+    const double mark = bat_canvas_text_width(&canvas, 20, "?");
+    for (int i = 0; i < COUNT(cases); i++) {
+        const double wide = bat_canvas_text_width(&canvas, 20, cases[i].text);
+        const int bytes = (int)strlen(cases[i].text);
+        if (cases[i].marks)
+            CHECK_NEAR(wide, cases[i].marks * mark, 1e-9);
+        else
+            CHECK(fabs(wide - bytes * mark) > 0.1);
+    }
     bat_canvas_end(&canvas);
 }
