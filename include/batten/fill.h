@@ -351,9 +351,10 @@ BATTEN_API void batten_fill_sheet_release(batten_fill_sheet *sheet);
  * and through points and curves inside.
  *
  * The surface is the graph of a quintic spline with single knots over the mean plane of the hole:
- * four derivatives are continuous inside, and it cannot fold. The integral of the squares of its third derivatives, with a thousandth of those of the
- * second, is least among the splines that meet the sides, their tangent planes and curvatures,
- * and what is inside; beyond the sides a thousandth counts. Spans are doubled until all is kept.
+ * four derivatives are continuous inside, and it cannot fold. It bends little between what it
+ * meets: by the squares of its second derivatives and a hundredth of those of its third, lengths
+ * over half the size of the hole; beyond the sides a thousandth counts. Spans are
+ * doubled until all is kept.
  *
  * @param sides [count], 2 to 64 curves in space in any order and direction; `slope` points into
  *              the hole; corners may be re-entrant, with ribbons too

@@ -139,14 +139,16 @@ static batten_status refuse_excess(const batten_fill_sheet_report *r, const boun
 static const int spans_tried[] = {6, 12, 24, 48, 96};
 
 static batten_status make_sheet(const bat_sheet_outline *outline,
-                                const bat_sheet_inside *inside, bool curvature, int spans,
-                                batten_surface **out)
+                                const bat_sheet_inside *inside, const double allowed[3],
+                                int spans, batten_surface **out)
 {
     bat_sheet_conditions conditions = {0, 0, NULL};
     const double longer =
         bat_max(outline->high[0] - outline->low[0], outline->high[1] - outline->low[1]);
     batten_status status =
-        bat_sheet_ask(outline, inside, curvature, longer / spans, &conditions);
+        bat_sheet_ask(outline, inside, isfinite(allowed[2]), longer / spans, &conditions);
+    for (int k = 0; k < conditions.count; k++)
+        conditions.at[k].allowed = allowed[conditions.at[k].order];
     if (status == BATTEN_OK)
         status = bat_sheet_solve(outline, &conditions, spans, out);
     bat_release(conditions.at);
@@ -164,7 +166,11 @@ static batten_status refine(const bat_sheet_outline *outline,
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < tries; k++) {
         batten_surface *made = NULL;
-        status = make_sheet(outline, &inside, options->curvature, spans_tried[k], &made);
+        const bounds aim = bounds_of(options, outline, report);
+        /* in the frame, and half, since places between those asked may be farther off */
+        const double allowed[3] = {aim.gap / outline->size / 2, aim.angle / 2,
+                                   aim.curvature * outline->size / 2};
+        status = make_sheet(outline, &inside, allowed, spans_tried[k], &made);
         if (status == BATTEN_OK)
             status = bat_sheet_measure(outline, &inside, made, report);
         const bounds most = bounds_of(options, outline, report);

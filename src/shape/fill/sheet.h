@@ -34,6 +34,7 @@ typedef struct {
     double at[2], along[2];
     int order; /* 0 to 2 */
     double value, weight;
+    double allowed; /* how far it may be missed */
 } bat_sheet_condition;
 
 typedef struct {

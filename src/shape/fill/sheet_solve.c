@@ -1,10 +1,10 @@
 /*
- * The z of a sheet: the integral of the squares of the third derivatives, and a little of those
- * of the second, becomes least among the splines that meet the conditions best.
+ * The z of a sheet: the integral of the squares of the second derivatives, and a hundredth of
+ * those of the third, becomes least among the splines that meet the conditions best.
  *
  * Conditions are met by the method of multipliers: each counts as a square that outweighs
- * the energy, and what it is missed by is added to what is asked the next time. So conditions
- * that the spline can meet are met to rounding, others in the sense of least squares.
+ * the energy, and what it is missed by is added to what is asked the next time. That ends
+ * as soon as all are missed by less than is allowed.
  */
 #include "numeric/banded.h"
 #include "numeric/quadrature.h"
@@ -69,9 +69,9 @@ static int span_at(const sheet_axis *axis, double u)
 
 /* ---- the energy ---- */
 
-/* How much the second derivatives count beside the third: enough to choose where the sides
- * leave a quadric free, as over a circle. */
-static const double second_order = 1e-3;
+/* How much the second derivatives count beside the third, over a hole of size 1: less, and sides
+ * that leave a quadric nearly free would be met by a balloon. */
+static const double second_order = 100;
 
 /* Beyond the outline the spline only has to continue. */
 static const double outside = 1e-3;
@@ -153,21 +153,23 @@ static void add_condition(sheet_system *s, int k, double weight)
 
 /* ---- multipliers ---- */
 
-/* How much more a condition weighs than the stiffest of the energy: five digits of each round's
- * misses go, and as many stay for the energy. */
-static const double stiffness = 1e5;
+/* How much more a condition weighs than the stiffest of the energy: so little that the sheet
+ * comes to its sides round by round, and stops before it bends for what is not asked. */
+static const double stiffness = 100;
 
-/* By how much the conditions are missed: the root of the mean of the weighed squares; the misses
- * are added to what is asked. */
-static double carry_misses(sheet_system *s)
+/* By how much the conditions are missed, the root of the mean of the weighed squares; `over`: and
+ * the most against what is allowed. The misses are added to what is asked. */
+static double carry_misses(sheet_system *s, double *over)
 {
     double sum = 0, weights = 0;
+    *over = 0;
     for (int k = 0; k < s->conditions->count; k++) {
         const bat_sheet_condition *c = &s->conditions->at[k];
         double missed = c->value;
         for (int a = 0; a < SQUARE; a++)
             missed -= s->rows[(size_t)k * SQUARE + (size_t)a] * s->z[point_of(s, k, a)];
         s->asked[k] += missed;
+        *over = bat_max(*over, fabs(missed) / c->allowed);
         sum += c->weight * missed * missed;
         weights += c->weight;
     }
@@ -189,9 +191,10 @@ static batten_status meet_conditions(sheet_system *s, double weight)
                 s->z[point_of(s, k, a)] += weight * s->conditions->at[k].weight * s->asked[k] *
                                            s->rows[(size_t)k * SQUARE + (size_t)a];
         bat_symmetric_solve(s->count, s->band, s->matrix, 1, s->z);
-        const double missed = carry_misses(s);
-        /* What no longer falls by a twentieth a round is what the spline cannot do. */
-        if (round > 4 && !(missed < 0.95 * last))
+        double over;
+        const double missed = carry_misses(s, &over);
+        /* To ask for more than is needed would bend the sheet for nothing. What no longer falls by a twentieth a round is what the spline cannot do. */
+        if (over <= 1 || (round > 4 && !(missed < 0.95 * last)))
             break;
         last = missed;
     }
