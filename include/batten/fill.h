@@ -317,7 +317,7 @@ typedef struct batten_fill_sheet_options {
 /** The defaults of sheets: those beside the fields of batten_fill_sheet_options. */
 BATTEN_API batten_fill_sheet_options batten_fill_sheet_defaults(void);
 
-/** What a sheet reached, measured on it: at 66 places of each span of a side at least. */
+/** What a sheet reached: measured at 66 places of each span of a side at least. */
 typedef struct batten_fill_sheet_report {
     int count;                                  /**< of the sides */
     batten_fill_edge outer[BATTEN_SHEET_SIDES]; /**< [count], round the loop */
@@ -347,24 +347,23 @@ typedef struct batten_fill_sheet {
 BATTEN_API void batten_fill_sheet_release(batten_fill_sheet *sheet);
 
 /**
- * Fill a hole by one surface that its sides trim: of any outline, with re-entrant corners too,
- * and through points and curves inside.
+ * Fill a hole of any outline by one surface that its sides trim, through points and curves inside.
  *
  * The surface is the graph of a quintic spline with single knots over the mean plane of the hole:
  * four derivatives are continuous inside, and it cannot fold. It bends little between what it
  * meets: by the squares of its second derivatives and a hundredth of those of its third, lengths
- * over half the size of the hole; beyond the sides a thousandth counts. Spans are
- * doubled until all is kept.
+ * over half the size of the hole; beyond the sides a thousandth counts.
  *
  * @param sides [count], 2 to 64 curves in space in any order and direction; `slope` points into
  *              the hole; corners may be re-entrant, with ribbons too
  * @param options NULL for the defaults
  * @param[out] report  may be NULL; set also with TOLERANCE_NOT_MET
- * @param[out] out  as it was when the function fails; batten_fill_sheet_release
+ * @param[out] out  to be released
  * @return BATTEN_OK; BAD_ARGUMENT; NOT_COMPATIBLE naming an open corner, sides that cross as
  * seen along the mean normal, a side or ribbon that stands steeper than 84 degrees on the mean
  * plane, a ribbon that points out of the hole, what is inside and lies beyond the sides;
- * TOLERANCE_NOT_MET naming the side or what is inside, with the number; COINCIDENT ...
+ * TOLERANCE_NOT_MET naming the side or what is inside, with the number; COINCIDENT,
+ * NOT_FINITE, OUT_OF_MEMORY
  *
  * Cost: for n spans a side, 6 to 96, n^4 multiplications: some seconds with 96.
  * Source: [NW06] 17.3 for the multipliers.
