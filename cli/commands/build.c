@@ -259,6 +259,8 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
     const char *only = arguments_get(given, "only");
     int made = 0;
     batten_status status = names ? set_values(design, given, notes) : BATTEN_OUT_OF_MEMORY;
+    /* Nothing is made yet: what cannot be set was not a call. */
+    bool is_misused = status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && !only && overwrites_inputs(design, given)) {
         batten_release(names);
         return EXIT_USAGE;
@@ -270,6 +272,8 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
         status = make_all(design, given, notes, names, &made);
     else if (status == BATTEN_OK)
         status = batten_design_evaluate(design, only, job_get(), notes);
+    /* There is no such feature, where none was evaluated. */
+    is_misused |= status == BATTEN_NOT_FOUND && batten_design_result_count(design) == 0;
 
     const bool failed = is_failure(status), in_notes = all && !ends_all(status);
     int exit = exit_of(design, failed);
@@ -278,6 +282,8 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
     const int reported = report(given, design, names, made, notes);
     if (failed)
         exit = say_failure(design, status, in_notes, made);
+    if (is_misused)
+        exit = EXIT_USAGE;
     batten_release(names);
     return reported == EXIT_DONE ? exit : reported;
 }

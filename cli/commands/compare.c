@@ -241,6 +241,15 @@ static bool add_methods(comparison *c, const char *list)
     return add_list(c, list ? list : usual);
 }
 
+static bool check_unit(const arguments *given)
+{
+    const char *unit = arguments_get(given, "unit");
+    if (!unit || batten_unit_metres(unit) > 0)
+        return true;
+    complain("batten compare: --unit: unknown unit of length '%s'", unit);
+    return false;
+}
+
 static int run_compare(const arguments *given)
 {
     const char *output = arguments_get(given, "output");
@@ -253,7 +262,7 @@ static int run_compare(const arguments *given)
                  "'batten help compare'");
         return EXIT_USAGE;
     }
-    if (!add_methods(&c, list))
+    if (!add_methods(&c, list) || !check_unit(given))
         return EXIT_USAGE;
     if (!formats_option("compare", given, "from-format", &c.format) ||
         output_is_input("compare", given->files[0], output))

@@ -165,7 +165,11 @@ static int print_results(const batten_model *model, const arguments *given,
     batten_text_add(&text, asked->json ? "{\"results\": [" : "");
     const batten_status status = evaluate_all(model, given, asked, &text);
     batten_text_add(&text, asked->json ? "\n]}\n" : "");
-    const int exit = status == BATTEN_OK ? output_print(&text) : output_failed("eval", status);
+    int exit = status == BATTEN_OK ? output_print(&text) : output_failed("eval", status);
+    /* Places where the shape is not, or of which it has none. */
+    if (status == BATTEN_OUT_OF_DOMAIN || status == BATTEN_BAD_ARGUMENT ||
+        status == BATTEN_NOT_FOUND)
+        exit = EXIT_USAGE;
     batten_text_free(&text);
     return exit;
 }
@@ -206,7 +210,8 @@ const command command_eval = {
     .manual =
         "IN is a file, file#name for one object in it, or - for standard input. Derivatives are\n"
         "printed after the point: du, duu ... for a curve; du, dv, duu, duv, dvv ... for a\n"
-        "surface. Numbers have the fewest digits that read back to the same bits.",
+        "surface. Numbers have the fewest digits that read back to the same bits. Parameters outside\n"
+        "the domain are a usage error (2), but for curves with --beyond.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

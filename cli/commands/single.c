@@ -14,7 +14,8 @@ static void add_parameters(batten_text *text, const single *s, const char *opera
 {
     const batten_feature *feature = batten_feature_find(operation);
     for (int k = 1; feature && k < feature->parameter_count; k++)
-        if (!s->choice || strcmp(s->choice, feature->parameters[k].name) != 0)
+        if ((!s->choice || strcmp(s->choice, feature->parameters[k].name) != 0) &&
+            (!s->is_plain || feature->parameters[k].required))
             values_add(text, given, &feature->parameters[k]);
 }
 
@@ -120,6 +121,41 @@ static int failed(const single *s, batten_status status)
     return output_failed(s->command, status);
 }
 
+/* Does the same fail in the same way without the values that need not be given? Then the input is at fault, as far as can be told.
+ * The message stays as it is. */
+static bool fails_plain(const single *s, const arguments *given, const batten_model *model,
+                        batten_status status)
+{
+    single plain = *s;
+    batten_design *design = NULL;
+    batten_text kept = BATTEN_TEXT;
+    char *data = NULL;
+    size_t size = 0;
+    plain.is_plain = true;
+    plain.settings = NULL;
+    batten_text_add(&kept, "%s", batten_message());
+    batten_status again = open_design(&plain, given, model, NULL, &design);
+    if (again == BATTEN_OK)
+        again = batten_design_output(design, 0, job_get(), NULL, &data, &size);
+    const bool same = !design || (again == status && !kept.failed &&
+                                  strcmp(kept.bytes, batten_message()) == 0);
+    if (!kept.failed)
+        batten_fail(status, "%s", kept.bytes);
+    batten_text_free(&kept);
+    batten_release(data);
+    batten_design_free(design);
+    return same;
+}
+
+/* A value that an operation refuses is a mistake in the call, as one that is refused before. */
+static bool is_usage(const single *s, const arguments *given, const batten_model *model,
+                     batten_status status)
+{
+    const bool is_value = status == BATTEN_BAD_ARGUMENT || status == BATTEN_OUT_OF_DOMAIN ||
+                          status == BATTEN_UNSUPPORTED || status == BATTEN_BAD_DEGREE;
+    return is_value && !fails_plain(s, given, model, status);
+}
+
 static int apply_single(const single *s, const arguments *given, const batten_model *model,
                         batten_notes *notes)
 {
@@ -127,6 +163,8 @@ static int apply_single(const single *s, const arguments *given, const batten_mo
     char *data = NULL;
     size_t size = 0;
     batten_status status = open_design(s, given, model, notes, &design);
+    /* What cannot be a design was not a call: nothing has been evaluated yet. */
+    const bool is_wrong = status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = batten_design_output(design, 0, job_get(), notes, &data, &size);
     int exit = status == BATTEN_OK ? output_save(s->output, data, size) : EXIT_FAILED;
@@ -138,8 +176,11 @@ static int apply_single(const single *s, const arguments *given, const batten_mo
         exit = EXIT_PARTLY;
     if (!arguments_has(given, "json"))
         status == BATTEN_OK ? notes_show(notes) : failed_show(notes);
-    if (status != BATTEN_OK)
+    if (status != BATTEN_OK) {
+        const bool is_misused = is_wrong || is_usage(s, given, model, status);
         exit = failed(s, status);
+        exit = is_misused ? EXIT_USAGE : exit;
+    }
     batten_release(data);
     batten_design_free(design);
     return exit;

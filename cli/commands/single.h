@@ -12,6 +12,7 @@ typedef struct {
     const char *output_operation; /* of the output, or NULL: written by its ending */
     const char *output; /* file name; "-": printed, with `output_ending` to choose the form */
     const char *output_ending;
+    bool is_plain; /* options give those values alone that are required */
 } single;
 
 /* Read the file, apply the operation, write the output; options of the feature's name are its

@@ -89,7 +89,7 @@ TEST(set_refuses_a_parameter_that_the_design_has_not)
     const char *path = write_design("set.yaml", "points");
     CHECK_INT(RUN("batten", "build", path, "--set", "height=3").exit, 0);
     const test_process run = RUN("batten", "build", path, "--set", "hieght=3");
-    CHECK_INT(run.exit, 1);
+    CHECK_INT(run.exit, 2);
     CHECK_CONTAINS(run.errors, "no parameter 'hieght'; did you mean 'height'?");
 }
 
@@ -181,7 +181,7 @@ TEST(lists_and_vectors_can_be_given_as_options)
     CHECK_INT(RUN("batten", "fit", points, "-o", curve, "--start=direction",
                   "--start-vector=[1, 0, 0], degree: [2]")
                   .exit,
-              1);
+              2);
 }
 
 TEST(points_alone_have_no_verdict)
@@ -274,12 +274,12 @@ TEST(a_failure_is_said_once_and_without_a_place_in_no_file)
 {
     const char *points = write_wavy("once.xyz"), *curve = test_scratch("once.igs");
     test_process run = RUN("batten", "fit", points, "-o", curve, "--start-vector=up");
-    CHECK_INT(run.exit, 1);
+    CHECK_INT(run.exit, 2);
     CHECK(strncmp(run.errors, "batten fit: 'start-vector' of", 29) == 0);
     const char *end = strchr(run.errors, '\n');
     CHECK(end && !end[1]);
     run = RUN("batten", "fit", points, "-o", curve, "--method", "circle");
-    CHECK_INT(run.exit, 1);
+    CHECK_INT(run.exit, 2);
     end = strchr(run.errors, '\n');
     CHECK(end && !end[1]);
 }
@@ -308,7 +308,7 @@ TEST(what_was_fitted_can_be_evaluated)
     CHECK_CONTAINS(run.out, "\"point\": [0, 0, 0]");
     CHECK_CONTAINS(run.out, "\"derivatives\": [[");
     run = RUN("batten", "eval", curve, "--at", "-1");
-    CHECK_INT(run.exit, 1);
+    CHECK_INT(run.exit, 2);
     CHECK_CONTAINS(run.errors, "the parameter -1 is outside the domain");
     run = RUN("batten", "eval", curve, "--at", "-1", "--order", "2", "--beyond", "linear",
               "--json");
@@ -346,7 +346,7 @@ TEST(a_parameter_named_method_stands_behind_the_method)
               0);
     const test_process run =
         RUN("batten", "fit", points, "-o", surface, "--method=fit-grid:method=smoth");
-    CHECK_INT(run.exit, 1);
+    CHECK_INT(run.exit, 2);
     CHECK_CONTAINS(run.errors, "did you mean 'smooth'");
     CHECK_CONTAINS(
         RUN("batten", "fit", points, "-o", surface, "--method", "fit-gird:a=b").errors,
@@ -404,7 +404,7 @@ TEST(a_misspelt_parameter_is_refused_with_the_nearest)
     static const char *const wrong[] = {"baem=4 m", "parameters.baem=4 m"};
     for (int i = 0; i < COUNT(wrong); i++) {
         const test_process run = RUN("batten", "build", design, "--set", wrong[i]);
-        CHECK_INT(run.exit, 1);
+        CHECK_INT(run.exit, 2);
         CHECK_CONTAINS(run.errors, "no parameter 'baem'; did you mean 'beam'?");
     }
 }

@@ -78,6 +78,32 @@ TEST(every_command_that_works_takes_a_number_of_threads)
     }
 }
 
+TEST(U1_values_that_the_operation_itself_refuses_are_usage_errors)
+{
+    const char *points = test_scratch("refused.xyz"), *out = test_scratch("refused.igs"),
+               *design = test_scratch("refused.yaml");
+    test_write(points, "0 0\n1 1\n2 0\n3 1\n4 0\n5 1\n6 2\n7 1\n");
+    test_write(design,
+               "batten: 1\nparameters: {a: 1}\nfeatures:\n  l: {line: [[0, 0], [1, =a]]}\n");
+    static const char *const fits[][3] = {{"--method=tension", "--amount=-1", "-1"},
+                                          {"--method=smooth", "--lambda=-1", "-1"},
+                                          {"--method=smooth", "--order=9", "9"},
+                                          {"--method=interpolate", "--degree=100", "100"},
+                                          {"--method=aerofoil", "--panels=7", "7"},
+                                          {"--method=write", "--unit=m", "write"},
+                                          {"--method=interpolate", "--unit=ell", "ell"}};
+    for (size_t i = 0; i < sizeof fits / sizeof fits[0]; i++)
+        check_usage(RUN("batten", "fit", points, "-o", out, fits[i][0], fits[i][1]),
+                    fits[i][2]);
+    /* The input is at fault, whatever the options. */
+    CHECK_INT(RUN("batten", "fit", points, "-o", out, "--method=aerofoil", "--panels=40").exit,
+              1);
+    check_usage(RUN("batten", "compare", points, "-o", "x.svg", "--unit", "ell"), "ell");
+    check_usage(RUN("batten", "build", design, "--set", "a"), "NAME=VALUE");
+    check_usage(RUN("batten", "build", design, "--set", "b=1"), "'b'");
+    check_usage(RUN("batten", "build", design, "--only", "k"), "'k'");
+}
+
 TEST(U1_an_option_is_not_the_value_of_another)
 {
     check_usage(RUN("batten", "check", "none.igs", "--within", "--json"), "needs a value");

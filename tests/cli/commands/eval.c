@@ -27,6 +27,16 @@ TEST(a_curve_takes_one_parameter_and_a_surface_two)
 {
     const char *line = write_line();
     const test_process run = RUN("batten", "eval", line, "--at", "0,1");
-    CHECK_INT(run.exit, 1);
+    CHECK_INT(run.exit, 2);
     CHECK_CONTAINS(run.errors, "is not a surface, so 2 parameters do not fit");
+}
+
+TEST(places_outside_the_domain_are_a_usage_error_unless_it_may_be_left)
+{
+    const char *line = write_line();
+    test_process run = RUN("batten", "eval", line, "--at", "7");
+    CHECK_INT(run.exit, 2);
+    CHECK_CONTAINS(run.errors, "the parameter 7 is outside the domain");
+    run = RUN("batten", "eval", line, "--at", "7", "--beyond", "linear");
+    CHECK_INT(run.exit, 0);
 }
