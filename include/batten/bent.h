@@ -2,9 +2,10 @@
 #define BATTEN_BENT_H
 /**
  * @file
- * Curves bent like a batten: elastica, spirals, least energy, spiro.
+ * Curves bent like a batten: elastica, spirals, least energy, spiro, rational splines in tension.
  */
 #include <batten/chain.h>
+#include <batten/interpolate.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -285,6 +286,30 @@ BATTEN_API batten_status batten_chain_spiro(batten_points points,
                                             double *parameters,
                                             batten_chain_spiro_report *report,
                                             batten_chain **out);
+
+/**
+ * The rational spline in tension through points, after Spaeth: on each span, with t from 0 to 1 and u = 1 - t,
+ * A u + B t + C u^3 / (1 + p t) + D t^3 / (1 + p u). Its second derivatives are continuous, and within a span it bends
+ * between those at its ends, without an inflection where both bend alike. p = 0 gives the cubic spline, a large p the chord.
+ *
+ * An exact curve of degree 4 with weights, where the spline in tension of batten_chain_tension needs a chain; its knots at
+ * the points are full, for the weights beside them differ.
+ *
+ * @param points  dimension: 1..3
+ *     [count][dimension], at least two; closed: at least three, each once
+ * @param options  NULL for the defaults; `tension` and `tensions` are p, 0 to 1e6, which has no unit: 1 is a little, 10 much,
+ * 100 nearly the polygon. The rule must be GIVEN
+ * @param[out] parameters  [count], those of the points; may be NULL
+ * @param[out] out  clamped, also when it is closed
+ * @return BATTEN_OK, BAD_ARGUMENT (tension, ends, rule), NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, NOT_INCREASING, OVERFLOW,
+ * TOLERANCE_NOT_MET (a slope that jumps), OUT_OF_MEMORY
+ *
+ * Cost: linear in count.
+ * Source: [Spaeth95].
+ */
+BATTEN_API batten_status
+batten_curve_rational_tension(batten_points points, const batten_chain_tension_options *options,
+                              double *parameters, batten_curve **out);
 
 #ifdef __cplusplus
 }

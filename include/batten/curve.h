@@ -617,11 +617,11 @@ BATTEN_API batten_status batten_curve_from_power(int dimension, batten_pieces pi
                                                  const double *coefficients, double tolerance,
                                                  batten_curve **out);
 /**
- * The graph (u, f(u)) of a polynomial curve of one dimension, in the plane; clamped.
+ * The graph (u, f(u)) of a curve of one dimension, clamped; of a rational one in Bezier form, one degree higher.
  *
- * @param function  of dimension 1, polynomial
+ * @param function  of dimension 1
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK; BAD_ARGUMENT for other dimensions, UNSUPPORTED for rational curves;
+ * @return BATTEN_OK; BAD_ARGUMENT for other dimensions, BAD_DEGREE where one higher is too high;
  * OVERFLOW, OUT_OF_MEMORY
  *
  * Cost: linear in the control points.

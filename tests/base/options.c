@@ -111,6 +111,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     ROW(batten_curve_quadratic, batten_curve_quadratic, (none, o, NULL, &curve)) \
     ROW(batten_curve_constrained, batten_curve_constrained, (none, o, NULL, NULL, &curve)) \
     ROW(batten_chain_tension, batten_chain_tension, (none, o, NULL, &chain)) \
+    ROW(batten_curve_rational_tension, batten_chain_tension, (none, o, NULL, &curve)) \
     ROW(batten_tangents, batten_tangents, (none, o, many, NULL, many, many)) \
     ROW(batten_curve_catmull_rom, batten_curve_catmull_rom, (none, o, NULL, NULL, &curve)) \
     ROW(batten_tangents_kochanek_bartels, batten_tangents_kochanek_bartels, (none, o, many, many, many)) \

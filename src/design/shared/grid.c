@@ -47,6 +47,45 @@ static batten_status transpose_rows(const bat_rows *all, bat_grid *out)
     return BATTEN_OK;
 }
 
+/* The most uneven line of the grid along one direction: its number and distances. */
+static void find_uneven(const bat_grid *grid, bool along_rows, int *line, bat_spread *worst)
+{
+    const int lines = along_rows ? grid->count_v : grid->count_u;
+    const int count = along_rows ? grid->count_u : grid->count_v;
+    const size_t step = along_rows ? (size_t)grid->count_v : 1,
+                 next = along_rows ? 1 : (size_t)grid->count_v;
+    for (int l = 0; l < lines; l++) {
+        bat_spread spread;
+        const double *p = grid->points + 3 * (size_t)l * next;
+        bat_spread_begin(&spread);
+        for (int i = 1; i < count; i++, p += 3 * step)
+            bat_spread_add(&spread, i - 1, p, p + 3 * step);
+        if (bat_spread_is_uneven(&spread) &&
+            spread.most * worst->least > worst->most * spread.least) {
+            *worst = spread;
+            *line = l;
+        }
+    }
+}
+
+/* As of rows of points, once for the rows and once for the columns. */
+static void note_grid(const bat_run *run, const char *parameter, const bat_grid *grid)
+{
+    for (int k = 0; k < 2; k++) {
+        bat_spread worst = {.least = 1};
+        int line = 0;
+        find_uneven(grid, k == 0, &line, &worst);
+        if (worst.most > 0)
+            bat_note(
+                run,
+                "'%s': points %d and %d of %s %d are %.3g apart, others of it up to %.3g; a "
+                "surface through such points may turn sharply between them",
+                parameter, worst.at + 1, worst.at + 2, k == 0 ? "row" : "column", line + 1,
+                worst.least, worst.most);
+    }
+    bat_note_reach(run, parameter, grid->count_u * grid->count_v, grid->points);
+}
+
 batten_status bat_grid_of(const bat_run *run, const char *parameter, bat_grid *out)
 {
     bat_objects objects;
@@ -60,6 +99,8 @@ batten_status bat_grid_of(const bat_run *run, const char *parameter, bat_grid *o
         status = transpose_rows(&all, out);
     if (status == BATTEN_OK)
         status = bat_points_check_size(out->count_u * out->count_v, out->points);
+    if (status == BATTEN_OK)
+        note_grid(run, parameter, out);
     bat_rows_release(&all);
     bat_objects_release(&objects);
     return status;

@@ -144,6 +144,7 @@ batten_status bat_gather_points(const bat_run *run, const char *parameter, int *
         bat_release(gathered);
         return status;
     }
+    bat_note_reach(run, parameter, all, gathered);
     *count = all;
     *points = gathered;
     return BATTEN_OK;
@@ -224,31 +225,51 @@ static const double most_uneven = 1e6;
 /* What a method loses to rounding, as a share of the largest coordinate: some ten operations on each. */
 static const double lost = 64 * DBL_EPSILON;
 
-void bat_note_spacing(const bat_run *run, const char *name, int count, const double *points)
+void bat_spread_begin(bat_spread *spread)
 {
-    double least = HUGE_VAL, most = 0, size = 0;
-    int at = 0;
+    *spread = (bat_spread){.least = HUGE_VAL};
+}
+
+void bat_spread_add(bat_spread *spread, int at, const double *from, const double *to)
+{
+    const double chord = bat_distance(3, from, to);
+    spread->most = bat_max(spread->most, chord);
+    if (chord > 0 && chord < spread->least) {
+        spread->least = chord;
+        spread->at = at;
+    }
+}
+
+bool bat_spread_is_uneven(const bat_spread *spread)
+{
+    return spread->most > most_uneven * spread->least;
+}
+
+void bat_note_reach(const bat_run *run, const char *name, int count, const double *points)
+{
+    double size = 0;
     for (int i = 0; i < 3 * count; i++)
         size = bat_max(size, fabs(points[i]));
-    for (int i = 1; i < count; i++) {
-        const double chord = bat_distance(3, points + 3 * (i - 1), points + 3 * i);
-        most = bat_max(most, chord);
-        if (chord > 0 && chord < least) {
-            least = chord;
-            at = i - 1;
-        }
-    }
-    if (most > most_uneven * least)
-        bat_note(
-            run,
-            "'%s': points %d and %d are %.3g apart, others up to %.3g; curves through such "
-            "points may turn sharply between them: 'thin-points' merges what is meant to be "
-            "one",
-            name, at + 1, at + 2, least, most);
     if (lost * size > bat_tolerance(run))
         bat_note(
             run,
             "'%s': coordinates of up to %.3g lose %.2g to rounding, more than the tolerance "
             "%.2g; move the points towards the origin, or ask for less",
             name, size, lost * size, bat_tolerance(run));
+}
+
+void bat_note_spacing(const bat_run *run, const char *name, int count, const double *points)
+{
+    bat_spread spread;
+    bat_spread_begin(&spread);
+    for (int i = 1; i < count; i++)
+        bat_spread_add(&spread, i - 1, points + 3 * (i - 1), points + 3 * i);
+    if (bat_spread_is_uneven(&spread))
+        bat_note(
+            run,
+            "'%s': points %d and %d are %.3g apart, others up to %.3g; curves through such "
+            "points may turn sharply between them: 'thin-points' merges what is meant to be "
+            "one",
+            name, spread.at + 1, spread.at + 2, spread.least, spread.most);
+    bat_note_reach(run, name, count, points);
 }

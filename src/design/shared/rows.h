@@ -25,8 +25,21 @@ batten_status bat_gather_points(const bat_run *run, const char *parameter, int *
  * is not from 1e-90 to 1e90 (or 0) are refused, with a word about units. */
 batten_status bat_points_check_size(int count, const double *points);
 
-/* Note points of a row so near each other, for the distances of the others, or so far from the origin, for the
- * tolerance of the design, that curves through them are at the mercy of rounding. */
+/* How far neighbours of one row are from each other: the shortest distance above 0, which begins at point `at` counted
+ * from 0, and the longest. */
+typedef struct {
+    double least, most;
+    int at;
+} bat_spread;
+
+void bat_spread_begin(bat_spread *spread);
+void bat_spread_add(bat_spread *spread, int at, const double *from, const double *to);
+/* A millionth or less: parameters from distances have no six digits left. */
+bool bat_spread_is_uneven(const bat_spread *spread);
+
+/* Note points so far from the origin, for the tolerance of the design, that they are at the mercy of rounding. */
+void bat_note_reach(const bat_run *run, const char *name, int count, const double *points);
+/* The same of a row, and points of it so near each other for the distances of the others. */
 void bat_note_spacing(const bat_run *run, const char *name, int count, const double *points);
 
 /* The axis along which all points have the same coordinate bit for bit (the last of several),

@@ -18,8 +18,7 @@ batten_chain_tension_options batten_chain_tension_defaults(void)
                                           .slack = 0.01};
 }
 
-/* Each row of the system is a handful of sums; more than their rounding is no solution. */
-static batten_status check_slopes(const bat_tension *t)
+batten_status bat_tension_check_slopes(const bat_tension *t)
 {
     const int d = t->dimension;
     for (int i = t->closed ? 0 : 1; i < t->spans; i++) {
@@ -57,7 +56,7 @@ static batten_status allocate(bat_tension *t)
                : BATTEN_OUT_OF_MEMORY;
 }
 
-static void release(bat_tension *t)
+void bat_tension_end(bat_tension *t)
 {
     bat_release(t->u);
     bat_release(t->sigma);
@@ -78,7 +77,7 @@ static batten_status fill(bat_tension *t, const batten_chain_tension_options *o)
         if (!(tension >= 0 && isfinite(tension)))
             return bat_fail(BATTEN_BAD_ARGUMENT, "the tension of span %d is %g, not 0 or more",
                             i + 1, tension);
-        t->sigma[i] = tension / mean;
+        t->sigma[i] = t->rational ? tension : tension / mean;
         for (int k = 0; k < d; k++)
             t->slopes[i * d + k] =
                 (t->points[bat_tension_next(t, i) * d + k] - t->points[i * d + k]) / h;
@@ -90,7 +89,7 @@ static batten_status fill(bat_tension *t, const batten_chain_tension_options *o)
     return BATTEN_OK;
 }
 
-static batten_status prepare(bat_tension *t, const batten_chain_tension_options *o)
+batten_status bat_tension_begin(bat_tension *t, const batten_chain_tension_options *o)
 {
     const batten_end ends[2] = {o->start, o->end};
     if (!(o->slack > 0))
@@ -150,7 +149,7 @@ batten_status batten_chain_tension(batten_points points,
                      .spans = o->closed ? points.count : points.count - 1,
                      .closed = o->closed,
                      .points = points.at};
-    status = prepare(&t, o);
+    status = bat_tension_begin(&t, o);
     if (status == BATTEN_OK)
         status = bat_tension_solve(&t);
     if (status == BATTEN_OK && o->rule == BATTEN_TENSION_CONVEX)
@@ -158,11 +157,11 @@ batten_status batten_chain_tension(batten_points points,
     if (status == BATTEN_OK && o->rule == BATTEN_TENSION_MONOTONE)
         status = bat_tension_monotone(&t, o->slack);
     if (status == BATTEN_OK)
-        status = check_slopes(&t);
+        status = bat_tension_check_slopes(&t);
     if (status == BATTEN_OK)
         status = make_chain(&t, out);
     if (status == BATTEN_OK && parameters)
         memcpy(parameters, t.u, (size_t)points.count * sizeof *parameters);
-    release(&t);
+    bat_tension_end(&t);
     return status;
 }

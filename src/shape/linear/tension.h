@@ -11,7 +11,8 @@ typedef struct {
     bool closed;
     const double *points; /* [count][dimension] */
     double *u;            /* [spans + 1] */
-    double *sigma;        /* [spans] */
+    bool rational;        /* Spaeth's rational spans instead of hyperbolic ones */
+    double *sigma;        /* [spans]; of rational ones p */
     double *slopes;       /* [spans][dimension] of the chords */
     double *a, *b;        /* [spans] how far a second derivative turns the slope, at its own end
                              and at the other */
@@ -20,6 +21,11 @@ typedef struct {
     bat_ends ends;        /* CLAMPED, SECOND, PARABOLIC */
 } bat_tension;
 
+/* Parameters, tensions, chords and ends from the options; bat_tension_end is due in any case. */
+batten_status bat_tension_begin(bat_tension *t, const batten_chain_tension_options *options);
+void bat_tension_end(bat_tension *t);
+/* Each row of the system is a handful of sums: slopes that differ by more than their rounding are refused. */
+batten_status bat_tension_check_slopes(const bat_tension *t);
 /* The second derivatives for the tensions as they are. */
 batten_status bat_tension_solve(bat_tension *t);
 /* The point at the end of a span. */

@@ -9,7 +9,12 @@
 static void find_coefficients(bat_tension *t)
 {
     for (int i = 0; i < t->spans; i++) {
-        const double h = t->u[i + 1] - t->u[i];
+        const double h = t->u[i + 1] - t->u[i], p = t->sigma[i];
+        if (t->rational) {
+            t->b[i] = h / (2 * (p * p + 3 * p + 3));
+            t->a[i] = (2 + p) * t->b[i];
+            continue;
+        }
         double at_start[4], at_end[4];
         bat_tension_shape(t->sigma[i] * h, 0, 1, at_start);
         bat_tension_shape(t->sigma[i] * h, 1, 0, at_end);

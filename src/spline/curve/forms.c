@@ -236,6 +236,48 @@ batten_status batten_curve_to_power(const batten_curve *curve, double *coefficie
     return BATTEN_OK;
 }
 
+/* One Bezier piece over [a, b] of degree p with weights: (u, f(u)) has the degree p + 1, because u times the weight does. */
+static void raise_rational_piece(int p, const double ends[2], const double *f, const double *w,
+                                 double *points, double *weights)
+{
+    for (int i = 0; i <= p + 1; i++) {
+        const double left = i <= p ? (p + 1 - i) * w[i] : 0, right = i > 0 ? i * w[i - 1] : 0;
+        const double of_left = i <= p ? left * f[i] : 0,
+                     of_right = i > 0 ? right * f[i - 1] : 0;
+        points[2 * i] = (left * ends[0] + right * ends[1]) / (left + right);
+        points[2 * i + 1] = (of_left + of_right) / (left + right);
+        weights[i] = (left + right) / (p + 1);
+    }
+}
+
+static batten_status graph_of_rational(const batten_curve *function, batten_curve **out)
+{
+    batten_curve *pieces = NULL;
+    batten_status status = batten_curve_to_bezier(function, &pieces);
+    if (status != BATTEN_OK)
+        return status;
+    const int p = pieces->degree, count = (pieces->count - 1) / p;
+    const size_t room = (size_t)count * (size_t)(p + 1) + 1;
+    double *points = bat_array(room, 2 * sizeof *points),
+           *weights = bat_array(room, sizeof *weights);
+    double *breaks = bat_array((size_t)count + 1, sizeof *breaks);
+    status = points && weights && breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int k = 0; k <= count && status == BATTEN_OK; k++)
+        breaks[k] = pieces->knots[p * k + 1];
+    for (int k = 0; k < count && status == BATTEN_OK; k++)
+        raise_rational_piece(p, breaks + k, pieces->points + p * k, pieces->weights + p * k,
+                             points + (size_t)(2 * k) * (size_t)(p + 1),
+                             weights + (size_t)k * (size_t)(p + 1));
+    if (status == BATTEN_OK)
+        status = batten_curve_from_bezier(2, (batten_pieces){p + 1, count, breaks}, points,
+                                          weights, out);
+    bat_release(points);
+    bat_release(weights);
+    bat_release(breaks);
+    batten_curve_unref(pieces);
+    return status;
+}
+
 batten_status batten_curve_from_function(const batten_curve *function, batten_curve **out)
 {
     assert(function && out);
@@ -244,7 +286,7 @@ batten_status batten_curve_from_function(const batten_curve *function, batten_cu
         return bat_fail(BATTEN_BAD_ARGUMENT, "a graph is of a function, not of %d dimensions",
                         function->dimension);
     if (function->weights)
-        return bat_fail(BATTEN_UNSUPPORTED, "the graph of a rational function");
+        return graph_of_rational(function, out);
     batten_status status = batten_curve_clamp(function, &clamped);
     if (status == BATTEN_OK)
         status = bat_curve_make(2, clamped->degree, clamped->count, false, &graph);

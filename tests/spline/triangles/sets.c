@@ -71,7 +71,17 @@ TEST(graphs_are_of_functions)
     CHECK_OK(batten_curve_create((batten_points){1, 2, line}, 1, weights, knots, &rational));
     CHECK_OK(batten_curve_create((batten_points){1, 2, line}, 1, NULL, knots, &function));
     CHECK_STATUS(batten_curve_from_function(curve, &graph), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_from_function(rational, &graph), BATTEN_UNSUPPORTED);
+    CHECK_OK(batten_curve_from_function(rational, &graph));
+    CHECK_INT(batten_curve_degree(graph), 2);
+    for (int i = 0; i <= 8; i++) {
+        double f, at[2];
+        CHECK_OK(batten_curve_evaluate(rational, i / 8.0, 0, &f));
+        CHECK_OK(batten_curve_evaluate(graph, i / 8.0, 0, at));
+        CHECK_NEAR(at[0], i / 8.0, 1e-15);
+        CHECK_NEAR(at[1], f, 1e-15);
+    }
+    batten_curve_unref(graph);
+    graph = NULL;
     CHECK_OK(batten_curve_from_function(function, &graph));
     CHECK_NEAR(batten_curve_points(graph)[2], 1, 0);
     CHECK_NEAR(batten_curve_points(graph)[3], 4, 0);

@@ -46,10 +46,11 @@ static void measure_skin_rows(const bat_rows *rows, all_rows *all)
         all->room += (size_t)rows->rows[i].count;
 }
 
-static void take_rows(const bat_rows *rows, all_rows *all)
+static void take_rows(const bat_run *run, const bat_rows *rows, all_rows *all)
 {
     for (int i = 0; i < rows->count; i++) {
         const bat_row *row = &rows->rows[i];
+        bat_note_spacing(run, row->name, row->count, row->points);
         memcpy(all->points + 3 * all->used, row->points,
                3 * (size_t)row->count * sizeof *row->points);
         all->used += (size_t)row->count;
@@ -57,7 +58,7 @@ static void take_rows(const bat_rows *rows, all_rows *all)
     }
 }
 
-static batten_status gather(const bat_objects *objects, all_rows *all)
+static batten_status gather(const bat_run *run, const bat_objects *objects, all_rows *all)
 {
     bat_rows *rows = bat_array((size_t)objects->count, sizeof *rows);
     batten_status status = rows ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -73,7 +74,7 @@ static batten_status gather(const bat_objects *objects, all_rows *all)
     }
     for (int i = 0; rows && i < objects->count; i++) {
         if (status == BATTEN_OK)
-            take_rows(&rows[i], all);
+            take_rows(run, &rows[i], all);
         bat_rows_release(&rows[i]);
     }
     bat_release(rows);
@@ -119,7 +120,7 @@ static batten_status run_skin_rows(bat_run *run)
     if (status != BATTEN_OK)
         return status;
     all_rows all = {0};
-    status = gather(&objects, &all);
+    status = gather(run, &objects, &all);
     if (status == BATTEN_OK)
         status = skin(run, &all);
     bat_release(all.points);

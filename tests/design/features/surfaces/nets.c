@@ -66,3 +66,27 @@ TEST(places_of_a_surface_are_pulled_where_they_are_wanted)
     };
     EXPECT(patch, rows);
 }
+
+/* Two points 1e-7 apart in the second row, and in the second column. */
+static const char near_by[] =
+    "  near: {points: [[0, 0], [1, 0], [2, 0], [0, 1], [1.9999999, 1], [2, 1], [0, 2], [1, 2], [2, 2]], columns: 3}\n"
+    "  beside: {points: [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1], [0, 2], [1, 1.0000001], [2, 2]], columns: 3}\n"
+    "  far: {points: [[1e11, 0], [100000000001, 0], [1e11, 1], [100000000001, 1]], columns: 2}\n"
+    "  even: {points: [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1], [0, 2], [1, 2], [2, 2]], columns: 3}\n"
+    "  row: {points: [[0, 0, 0], [1, 0, 0], [1.0000001, 0, 0]]}\n  other: {points: [[0, 0, 1], [1, 0, 1], [2, 0, 1]]}\n";
+
+TEST(N2_grids_at_the_mercy_of_rounding_are_noted)
+{
+    static const expect_row rows[] = {
+        {"{interpolate-grid: near, degree-u: 2, degree-v: 2}", BATTEN_OK,
+         "notes points 2 and 3 of row 2 are 1e-07 apart, others of it up to 2"},
+        {"{interpolate-grid: beside, degree-u: 2, degree-v: 2}", BATTEN_OK,
+         "notes points 2 and 3 of column 2 are 1e-07 apart"},
+        {"{interpolate-grid: far, degree-u: 1, degree-v: 1}", BATTEN_OK,
+         "notes more than the tolerance 0.001"},
+        {"{interpolate-grid: even, degree-u: 2, degree-v: 2}", BATTEN_OK, "silent"},
+        {"{skin-rows: [row, other], degree-u: 1, degree-v: 1}", BATTEN_OK,
+         "notes points 2 and 3 are 1e-07 apart"},
+    };
+    EXPECT(near_by, rows);
+}
