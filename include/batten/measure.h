@@ -320,9 +320,11 @@ typedef struct batten_surface_fold {
 } batten_surface_fold;
 /**
  * Does a surface fold over? Its normal is looked at in places three to a span and direction, 12
- * at least; where neighbours are more than a right angle apart, closely. Edges, as along a sharp
- * trailing edge, are no folds, nor is anything beside corners where both derivatives are
- * parallel to a thousandth of a radian. What folds and unfolds between places is not seen.
+ * at least, and on the rims; where neighbours are more than a right angle apart, closely. So a
+ * fold at a corner is seen however narrow it is, and along a rim what is longer than the
+ * distance of the places. Edges, as along a sharp trailing edge, are no folds, nor is anything
+ * beside corners where both derivatives are parallel to a thousandth of a radian. What folds
+ * and unfolds between places is not seen.
  *
  * @param surface  of dimension 2 or 3
  * @param[out] out  the first fold found

@@ -78,20 +78,22 @@ static batten_status compare(const batten_surface *surface, int direction, const
     return status;
 }
 
-/* The places in one direction, off the knots. */
+/* The places in one direction, off the knots, and both ends: a fold at a rim or a corner is seen however narrow it is. */
 static batten_status list_places(const batten_surface *surface, batten_direction direction,
                                  double **out, int *count)
 {
     const int spans = batten_surface_spans(surface, direction, NULL) - 1;
     const int each = spans * IN_SPAN >= AT_LEAST ? IN_SPAN : (AT_LEAST + spans - 1) / spans;
     double *knots = bat_array((size_t)spans + 1, sizeof *knots);
-    *out = bat_array3((size_t)spans, (size_t)each, sizeof **out);
+    *out = bat_array((size_t)spans * (size_t)each + 2, sizeof **out);
     *count = 0;
     if (knots && *out) {
         batten_surface_spans(surface, direction, knots);
+        (*out)[(*count)++] = knots[0];
         for (int k = 0; k < spans; k++)
             for (int j = 0; j < each; j++)
                 (*out)[(*count)++] = knots[k] + (j + 0.5) / each * (knots[k + 1] - knots[k]);
+        (*out)[(*count)++] = knots[spans];
     }
     const bool good = knots && *out;
     bat_release(knots);

@@ -54,3 +54,39 @@ TEST(an_edge_as_sharp_as_a_knife_is_no_fold)
     CHECK(!fold.found);
     batten_surface_unref(surface);
 }
+
+/* x runs back near u = 0, as far as `end` along v. */
+static batten_surface *corner_wave(double back, double end)
+{
+    static const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1}, straight[] = {0, 0, 1, 1};
+    double points[4][2][3];
+    for (int j = 0; j < 2; j++) {
+        const double x[4] = {0, j ? end : -back, 0.6, 1};
+        for (int i = 0; i < 4; i++) {
+            points[i][j][0] = x[i];
+            points[i][j][1] = j;
+            points[i][j][2] = 0;
+        }
+    }
+    const batten_axis u = {3, 4, knots, false}, v = {1, 2, straight, false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &u, &v, points[0][0], NULL, &surface));
+    return surface;
+}
+
+TEST(a_fold_at_a_corner_is_seen_however_narrow)
+{
+    static const double backs[] = {1e-2, 1e-4, 1e-6};
+    for (int i = 0; i < COUNT(backs); i++) {
+        batten_surface *surface = corner_wave(backs[i], 0.3);
+        batten_surface_fold fold = {.found = false};
+        CHECK_OK(batten_surface_find_fold(surface, &fold));
+        CHECK(fold.found);
+        CHECK(fold.u < 0.01 && fold.v < 0.05);
+        batten_surface_unref(surface);
+        surface = corner_wave(-backs[i], 0.3);
+        CHECK_OK(batten_surface_find_fold(surface, &fold));
+        CHECK(!fold.found);
+        batten_surface_unref(surface);
+    }
+}

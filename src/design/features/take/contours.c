@@ -31,6 +31,7 @@ typedef struct {
     double within;
     bool smooth;
     double error;
+    int open; /* contours that do not close */
 } wanted;
 
 /* Chords, or cubics. */
@@ -57,12 +58,18 @@ static batten_status copy_levels(const bat_argument *given, wanted *w)
     return w->levels ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
+/* But for rounding: curvatures keep nine digits. */
+static bool is_constant(double least, double greatest)
+{
+    return !(greatest - least > 1e-9 * bat_max(fabs(least), fabs(greatest)));
+}
+
 /* Multiples of the spacing from the least value to the greatest; without one of the smallest
  * of 1, 2, 5, 10 ... that gives twelve at most. */
 static batten_status choose_levels(double least, double greatest, double spacing, wanted *w)
 {
     double step = spacing;
-    if (!(greatest - least > 1e-9 * bat_max(fabs(least), fabs(greatest))))
+    if (is_constant(least, greatest))
         return bat_fail(BATTEN_NOT_FOUND, "the field is %g everywhere: it has no levels",
                         least);
     if (!(step > 0)) {
@@ -113,6 +120,25 @@ static batten_status find_levels(const bat_run *run, const bat_objects *surfaces
         status = widen_range(run, surfaces->at[i], w, &least, &greatest);
     return status == BATTEN_OK ? choose_levels(least, greatest, bat_number(run, "spacing"), w)
                                : status;
+}
+
+/* No curve was made: why, by the values that the field has. */
+static batten_status refuse_levels(const bat_run *run, const bat_objects *surfaces, wanted *w)
+{
+    double least = HUGE_VAL, greatest = -HUGE_VAL;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < surfaces->count && status == BATTEN_OK; i++)
+        status = widen_range(run, surfaces->at[i], w, &least, &greatest);
+    if (status != BATTEN_OK)
+        return status;
+    if (is_constant(least, greatest))
+        return bat_fail(BATTEN_NOT_FOUND,
+                        "the field is %g everywhere: no lines lie at its levels, for where it "
+                        "has one it has it on the whole surface",
+                        least);
+    return bat_fail(BATTEN_NOT_FOUND,
+                    "no level from %g to %g is met by the field, which runs from %g to %g",
+                    w->levels[0], w->levels[w->level_count - 1], least, greatest);
 }
 
 /* ---- curves ---- */
@@ -246,12 +272,19 @@ static batten_status put_contours(bat_run *run, const batten_object *object, wan
     const bool cubics = w->smooth && w->within < 1e-6 * size_of(object);
     const double within = w->smooth && !cubics ? 0.25 * w->within : w->within;
     batten_status status = find(run, object, w, within, cubics, &found);
-    for (int i = 0; i < found.count && status == BATTEN_OK; i++)
+    for (int i = 0; i < found.count && status == BATTEN_OK; i++) {
+        w->open += !found.lines[i].line.closed;
         status = put_contour(run, object, w, &found.lines[i], found.error);
+    }
     if (status == BATTEN_OK)
         tell_criticals(run, object, &found);
     batten_contours_release(&found);
     return status;
+}
+
+static bool is_of_light_line(const wanted *w)
+{
+    return w->field.kind == BATTEN_FIELD_HIGHLIGHT || w->field.kind == BATTEN_FIELD_REFLECTION;
 }
 
 static batten_status run_contours(bat_run *run)
@@ -273,8 +306,12 @@ static batten_status run_contours(bat_run *run)
             bat_remark(run, "'%s' meets none of the levels", surfaces.at[i]->name);
     }
     if (status == BATTEN_OK && batten_model_count(run->model) == 0)
-        status = bat_fail(BATTEN_NOT_FOUND, "no level from %g to %g is met by the field",
-                          w.levels[0], w.levels[w.level_count - 1]);
+        status = refuse_levels(run, &surfaces, &w);
+    if (status == BATTEN_OK && w.open > 0 && is_of_light_line(&w))
+        bat_remark(run,
+                   "%d line%s; one that does not end on a rim ends where the normal or the "
+                   "reflected ray is within 5.7 degrees of the line of light",
+                   w.open, w.open == 1 ? " is open" : "s are open");
     if (status == BATTEN_OK && w.error > w.within)
         bat_note(run,
                  "the contours are off by up to %g, more than %g: somewhere the field jumps or "
@@ -293,8 +330,9 @@ const bat_feature bat_feature_contours = {
          "They lie on the true surface, are closed or end on its rim, and run straight through\n"
          "saddles. Silhouettes, parting lines and isophotes are contours of 'isophote' and\n"
          "'draft'; 'highlight' and 'reflection' lines belong to a line of light 'through' a point\n"
-         "along 'direction'. Stationary points of the field, where lines appear, vanish or cross,\n"
-         "are noted.",
+         "along 'direction'. These have no value, and lines end, where the normal or the reflected\n"
+         "ray is within 5.7 degrees of that direction: a tube of light is of finite length.\n"
+         "Stationary points of the field, where lines appear, vanish or cross, are noted.",
          "features:\n"
          "  ring: {torus: 3 m, minor: 1 m}\n"
          "  waterlines: {contours: ring, levels: [0, 0.5 m]}\n"

@@ -115,9 +115,12 @@ TEST(contours_that_cannot_be_are_refused)
 {
     batten_design *design = NULL;
     CHECK_STATUS(evaluate("{contours: ring, levels: [5]}", &design), BATTEN_NOT_FOUND);
-    CHECK_MESSAGE("no level from 5 to 5");
+    CHECK_MESSAGE("no level from 5 to 5 is met by the field, which runs from -");
     CHECK_STATUS(evaluate("{contours: ball, of: gaussian}", &design), BATTEN_NOT_FOUND);
     CHECK_MESSAGE("0.25 everywhere");
+    CHECK_STATUS(evaluate("{contours: ball, of: gaussian, levels: [0.25]}", &design),
+                 BATTEN_NOT_FOUND);
+    CHECK_MESSAGE("the field is 0.25 everywhere: no lines lie at its levels");
     CHECK_STATUS(evaluate("{contours: ring, levels: [1, 0]}", &design), BATTEN_NOT_INCREASING);
     CHECK_STATUS(evaluate("{contours: ring, of: isophote, direction: [0, 0, 0]}", &design),
                  BATTEN_BAD_ARGUMENT);
@@ -149,4 +152,21 @@ TEST(pictures_of_contours_have_isolines_only_when_asked_for)
     const size_t plain = picture_size("");
     CHECK(plain == picture_size(", isolines: 1"));
     CHECK(plain < picture_size(", isolines: 10"));
+}
+
+TEST(highlight_lines_that_end_within_the_surface_say_why)
+{
+    static const char text[] =
+        "batten: 1\nunits: m\ntolerance: 1 mm\nfeatures:\n  egg: {ellipsoid: [1, 2, 3]}\n"
+        "  a: {contours: egg, of: highlight, through: [0, 0, 5], direction: x, levels: [0]}\n";
+    batten_design *design = NULL;
+    batten_notes *notes = NULL;
+    bool is_said = false;
+    CHECK_OK(batten_notes_create(20, &notes));
+    CHECK_OK(evaluate_design(text, "a", notes, &design));
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        is_said |= strstr(batten_notes_at(notes, i)->text, "within 5.7 degrees") != NULL;
+    CHECK(is_said || batten_notes_dropped(notes));
+    batten_design_free(design);
+    batten_notes_free(notes);
 }
