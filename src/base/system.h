@@ -38,6 +38,9 @@ typedef void *(*bat_thread_body)(void *user);
 extern bool (*bat_thread_start)(bat_thread *thread, bat_thread_body body, void *user);
 void bat_thread_wait(bat_thread thread);
 
+/* Let others work for about a millisecond. */
+void bat_pause(void);
+
 /* How many processors there are; at least 1. */
 int bat_processor_count(void);
 

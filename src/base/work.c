@@ -24,6 +24,13 @@ typedef struct {
     size_t failed; /* the first piece that failed, and its failure */
     batten_status status;
     char message[1024];
+    /* Of long items: what each thread obeys, the caller's and the others. */
+    bat_long_chunk long_chunk;
+    const char *what;
+    batten_job asking, listening;
+    atomic_bool cancelled; /* the caller has said so */
+    atomic_size_t ended;   /* items */
+    atomic_int helpers_at_work;
 } crew;
 
 /* Held for the few instructions in which a failure is noted. */
@@ -45,6 +52,52 @@ static void keep_failure(crew *all, size_t piece, batten_status status)
     atomic_store(&all->stopped, true);
 }
 
+/* ---- long items ---- */
+
+static bool ask_caller(void *user)
+{
+    crew *all = user;
+    if (all->job->is_cancelled && all->job->is_cancelled(all->job->user))
+        atomic_store(&all->cancelled, true);
+    return atomic_load(&all->cancelled);
+}
+
+static bool hear_caller(void *user)
+{
+    crew *all = user;
+    return atomic_load(&all->cancelled);
+}
+
+static void tell_progress(const crew *all)
+{
+    if (all->what && all->job->progress)
+        all->job->progress(all->job->user,
+                           (double)atomic_load(&all->ended) / (double)all->piece_count,
+                           all->what);
+}
+
+static batten_status work_piece(crew *all, size_t begin, size_t end, bool may_ask)
+{
+    if (!all->long_chunk)
+        return all->chunk(all->context, begin, end);
+    const batten_status status =
+        all->long_chunk(all->context, may_ask ? &all->asking : &all->listening, begin);
+    atomic_fetch_add(&all->ended, 1);
+    return status;
+}
+
+/* The calling thread has nothing more to do, and goes on asking for the others. */
+static void wait_for_items(crew *all)
+{
+    while (atomic_load(&all->helpers_at_work) > 0) {
+        ask_caller(all);
+        bat_pause();
+    }
+    tell_progress(all);
+}
+
+/* ---- pieces ---- */
+
 /* Pieces are taken in order, and whoever has one finishes it: so the first that fails is always
  * found. */
 static void take_pieces(crew *all, bool may_ask)
@@ -55,9 +108,10 @@ static void take_pieces(crew *all, bool may_ask)
             return;
         const size_t begin = piece * all->size;
         const size_t end = all->count - begin < all->size ? all->count : begin + all->size;
-        batten_status status = all->chunk(all->context, begin, end);
-        if (status == BATTEN_OK && may_ask && all->job->is_cancelled &&
-            all->job->is_cancelled(all->job->user))
+        batten_status status = work_piece(all, begin, end, may_ask);
+        if (may_ask)
+            tell_progress(all);
+        if (status == BATTEN_OK && may_ask && ask_caller(all))
             status = bat_fail(BATTEN_CANCELLED, "cancelled after %zu of %zu pieces", piece + 1,
                               all->piece_count);
         if (status != BATTEN_OK)
@@ -67,7 +121,9 @@ static void take_pieces(crew *all, bool may_ask)
 
 static void *run_thread(void *user)
 {
-    take_pieces(user, false);
+    crew *all = user;
+    take_pieces(all, false);
+    atomic_fetch_sub(&all->helpers_at_work, 1);
     return NULL;
 }
 
@@ -81,6 +137,24 @@ static int wanted_threads(const batten_job *job, size_t piece_count)
     if (wanted > 1 && (size_t)wanted > piece_count)
         wanted = (long)piece_count;
     return wanted < 1 ? 1 : (int)wanted;
+}
+
+static batten_status work_together(crew *all)
+{
+    bat_thread threads[MOST_THREADS];
+    const int wanted = wanted_threads(all->job, all->piece_count) - 1;
+    int helpers = 0;
+    atomic_store(&all->helpers_at_work, wanted);
+    /* Where the system gives no more threads, those there are do the work. */
+    while (helpers < wanted && bat_thread_start(&threads[helpers], run_thread, all))
+        helpers++;
+    atomic_fetch_sub(&all->helpers_at_work, wanted - helpers);
+    take_pieces(all, true);
+    if (all->long_chunk)
+        wait_for_items(all);
+    for (int i = 0; i < helpers; i++)
+        bat_thread_wait(threads[i]);
+    return all->status == BATTEN_OK ? BATTEN_OK : bat_fail(all->status, "%s", all->message);
 }
 
 batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat_chunk chunk,
@@ -98,16 +172,32 @@ batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat
                 .chunk = chunk,
                 .context = context,
                 .lock = ATOMIC_FLAG_INIT};
-    bat_thread threads[MOST_THREADS];
-    const int wanted = wanted_threads(all.job, all.piece_count) - 1;
-    int helpers = 0;
-    /* Where the system gives no more threads, those there are do the work. */
-    while (helpers < wanted && bat_thread_start(&threads[helpers], run_thread, &all))
-        helpers++;
-    take_pieces(&all, true);
-    for (int i = 0; i < helpers; i++)
-        bat_thread_wait(threads[i]);
-    return all.status == BATTEN_OK ? BATTEN_OK : bat_fail(all.status, "%s", all.message);
+    return work_together(&all);
+}
+
+batten_status bat_parallel_long(const batten_job *job, size_t count, const char *what,
+                                bat_long_chunk chunk, void *context)
+{
+    batten_job chosen = BATTEN_JOB;
+    const batten_status taken = BAT_TAKE_OPTIONS(batten_job, job, &chosen);
+    if (taken != BATTEN_OK)
+        return taken;
+    if (count == 1)
+        return chunk(context, &chosen, 0);
+    crew all = {.job = &chosen,
+                .count = count,
+                .size = 1,
+                .piece_count = count,
+                .context = context,
+                .lock = ATOMIC_FLAG_INIT,
+                .long_chunk = chunk,
+                .what = what};
+    all.asking = all.listening = BATTEN_JOB;
+    all.asking.work_limit = all.listening.work_limit = chosen.work_limit;
+    all.asking.is_cancelled = ask_caller;
+    all.listening.is_cancelled = hear_caller;
+    all.asking.user = all.listening.user = &all;
+    return work_together(&all);
 }
 
 /* ---- questions to the caller ---- */

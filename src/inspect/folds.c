@@ -8,6 +8,9 @@
  * is seen as bent, what bends by more is looked at closely. */
 enum { IN_SPAN = 3, AT_LEAST = 12, HALVINGS = 16 };
 
+/* Lines of places evaluated by one call, which shares the basis along them. */
+enum { LINES = 16 };
+
 /* Below this sine of the angle between both derivatives the normal is noise: a corner where two sides meet
  * smoothly may turn there but for rounding. */
 static const double least_sine = 1e-3;
@@ -18,9 +21,24 @@ static const double slow = 0.01;
 
 typedef struct {
     double u, v;
-    batten_vec3 point, along[2], normal; /* the derivatives in u and v */
+    batten_vec3 point, along[2], normal; /* the derivatives in u and v, and their product */
     bool regular;
 } place;
+
+/* Is the sine of the angle between the derivatives larger? By squares, where these are numbers. */
+static bool is_wider(const place *p, double sine)
+{
+    const double squares = sine * sine * bat_vec3_dot(p->along[0], p->along[0]) *
+                           bat_vec3_dot(p->along[1], p->along[1]);
+    return isnormal(squares) ? bat_vec3_dot(p->normal, p->normal) > squares
+                             : bat_vec3_norm(p->normal) > sine * bat_vec3_norm(p->along[0]) *
+                                                              bat_vec3_norm(p->along[1]);
+}
+
+static batten_vec3 unit_normal(const place *p)
+{
+    return bat_vec3_scale(p->normal, 1 / bat_vec3_norm(p->normal));
+}
 
 static void see_place(int d, const double *values, double sine, place *p)
 {
@@ -28,9 +46,7 @@ static void see_place(int d, const double *values, double sine, place *p)
     p->along[0] = bat_vec3_of(d, values + d);
     p->along[1] = bat_vec3_of(d, values + 2 * d);
     p->normal = bat_vec3_cross(p->along[0], p->along[1]);
-    const double size = bat_vec3_norm(p->normal);
-    p->regular = size > sine * bat_vec3_norm(p->along[0]) * bat_vec3_norm(p->along[1]);
-    p->normal = bat_vec3_scale(p->normal, p->regular ? 1 / size : 0);
+    p->regular = is_wider(p, sine);
 }
 
 /* Is there a fold between two places that differ in one parameter? Where they near each other without that their
@@ -63,7 +79,8 @@ static batten_status look_closely(const batten_surface *surface, int direction, 
     const bool keeps = bat_vec3_dot(a.along[1 - direction], b.along[1 - direction]) > 0;
     const bool runs = bat_vec3_norm(a.along[direction]) > slow * bat_vec3_norm(first[0]) &&
                       bat_vec3_norm(b.along[direction]) > slow * bat_vec3_norm(first[1]);
-    *found = bat_vec3_dot(a.normal, b.normal) < opposed && !(turns && keeps && runs);
+    *found =
+        bat_vec3_dot(unit_normal(&a), unit_normal(&b)) < opposed && !(turns && keeps && runs);
     return BATTEN_OK;
 }
 
@@ -100,28 +117,48 @@ static batten_status list_places(const batten_surface *surface, batten_direction
     return good ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-/* One line of places after another, each compared with the one before. */
+/* Lines of places, each compared with the one before; both lines stand in turn in `pair`. */
+typedef struct {
+    const batten_surface *surface;
+    int count_v;
+    const double *v;
+    place *pair; /* [2][count_v] */
+} scanner;
+
+static batten_status scan_line(const scanner *s, int line, double u, const double *values,
+                               batten_surface_fold *fold)
+{
+    const int n = s->count_v, d = batten_surface_dimension(s->surface);
+    place *now = s->pair + (size_t)(line % 2) * (size_t)n,
+          *before = s->pair + (size_t)(1 - line % 2) * (size_t)n;
+    batten_status status = BATTEN_OK;
+    for (int j = 0; j < n && status == BATTEN_OK; j++) {
+        now[j].u = u;
+        now[j].v = s->v[j];
+        see_place(d, values + 3 * (size_t)d * (size_t)j, least_sine, &now[j]);
+        if (j > 0)
+            status = compare(s->surface, 1, &now[j - 1], &now[j], fold);
+        if (line > 0 && status == BATTEN_OK)
+            status = compare(s->surface, 0, &before[j], &now[j], fold);
+    }
+    return status;
+}
+
 static batten_status scan(const batten_surface *surface, int count_u, const double *u,
                           int count_v, const double *v, batten_surface_fold *fold)
 {
-    const size_t n = (size_t)count_v, d = (size_t)batten_surface_dimension(surface);
-    double *values = bat_array3(n, 3 * d, sizeof *values);
-    place *lines = bat_array3(2, n, sizeof *lines);
-    batten_status status = values && lines ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < count_u && status == BATTEN_OK && !fold->found; i++) {
-        place *line = lines + (size_t)(i % 2) * n, *before = lines + (size_t)(1 - i % 2) * n;
-        const batten_uv_grid grid = {1, n, u + i, v};
+    const size_t n = (size_t)count_v, line = n * 3 * (size_t)batten_surface_dimension(surface);
+    double *values = bat_array3(LINES, line, sizeof *values);
+    const scanner s = {surface, count_v, v, bat_array3(2, n, sizeof *s.pair)};
+    batten_status status = values && s.pair ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < count_u && status == BATTEN_OK && !fold->found; i += LINES) {
+        const int lines = bat_min_int(LINES, count_u - i);
+        const batten_uv_grid grid = {(size_t)lines, n, u + i, v};
         status = batten_surface_evaluate_grid(surface, grid, 1, NULL, values);
-        for (size_t j = 0; j < n && status == BATTEN_OK; j++) {
-            line[j] = (place){.u = u[i], .v = v[j]};
-            see_place((int)d, values + 3 * d * j, least_sine, &line[j]);
-            if (j > 0)
-                status = compare(surface, 1, &line[j - 1], &line[j], fold);
-            if (i > 0 && status == BATTEN_OK)
-                status = compare(surface, 0, &before[j], &line[j], fold);
-        }
+        for (int k = 0; k < lines && status == BATTEN_OK && !fold->found; k++)
+            status = scan_line(&s, i + k, u[i + k], values + (size_t)k * line, fold);
     }
-    bat_release(lines);
+    bat_release(s.pair);
     bat_release(values);
     return status;
 }

@@ -2,6 +2,7 @@
 #include "model/as_meshes.h"
 #include "base/list.h"
 #include "base/plural.h"
+#include "base/work.h"
 #include "model/addresses.h"
 #include "model/object_notes.h"
 #include "model/rebuild.h"
@@ -19,6 +20,16 @@ typedef struct {
     batten_mesh *mesh;      /* NULL: it cannot be meshed */
 } meshed_shape;
 
+/* The triangles of a shape, made before anything is said about them. */
+typedef struct {
+    const batten_object *object; /* the first that has it */
+    batten_status status;
+    char message[512]; /* of a failure */
+    batten_mesh *mesh;
+    batten_mesh_report report;
+    batten_notes *said; /* about faces of a body */
+} made_triangles;
+
 typedef struct {
     unsigned kinds; /* that become meshes */
     double unit_metres;
@@ -27,6 +38,9 @@ typedef struct {
     char too_large[512]; /* what is said of the first that alone is; "" */
     const batten_job *job;
     batten_notes *notes;
+    bat_addresses places; /* the number in `made` of a surface, triangles or a body */
+    made_triangles *made;
+    size_t made_count, made_room;
     bat_addresses addresses; /* the number in `done` of a surface, triangles or a body */
     meshed_shape *done;
     size_t count, capacity;
@@ -67,45 +81,102 @@ static void say_chord(const batten_object *object, const batten_mesh_report *rep
                          report->asked, report->beyond, count, report->chord);
 }
 
-/* Notes about faces become notes about the object. */
-static batten_status mesh_body(const batten_object *object, meshing *m,
-                               batten_mesh_report *report, batten_mesh **out)
+static const void *shape_of(const batten_object *object)
 {
-    batten_notes *said = NULL;
-    batten_status status = batten_notes_create(INT_MAX, &said);
+    return object->surface     ? (const void *)object->surface
+           : object->triangles ? (const void *)object->triangles
+                               : (const void *)object->body;
+}
+
+/* What ends all work, and not that on one object alone. */
+static bool is_final(batten_status status)
+{
+    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ||
+           status == BATTEN_INCOMPLETE;
+}
+
+/* ---- triangles of all shapes, on the threads of the job ---- */
+
+static batten_status list_shape(void *context, const batten_model *from, int index,
+                                batten_model *made, const batten_object *object)
+{
+    meshing *m = context;
+    if (!(m->kinds & 1u << object->kind) ||
+        bat_addresses_find(&m->places, shape_of(object)) >= 0)
+        return batten_model_add(made, object);
+    batten_status status = BAT_LIST_GROW(m->made, m->made_count, m->made_room, 1);
     if (status == BATTEN_OK)
-        status = batten_mesh_from_body(object->body, &m->options, m->job, said, report, out);
-    if (said)
-        bat_object_notes(said, object->name, m->unit_metres, m->notes);
-    batten_notes_free(said);
+        status = bat_addresses_add(&m->places, shape_of(object), (int)m->made_count);
+    if (status == BATTEN_OK)
+        m->made[m->made_count++] = (made_triangles){.object = batten_model_object(from, index)};
+    return status == BATTEN_OK ? batten_model_add(made, object) : status;
+}
+
+static batten_status make_triangles(void *context, const batten_job *job, size_t index)
+{
+    const meshing *m = context;
+    made_triangles *t = &m->made[index];
+    const batten_object *object = t->object;
+    if (object->kind == BATTEN_OBJECT_SURFACE)
+        t->status =
+            batten_mesh_from_surface(object->surface, &m->options, job, &t->report, &t->mesh);
+    else if (object->kind == BATTEN_OBJECT_TRIANGLES)
+        t->status = batten_mesh_from_triangles(object->triangles, &m->options, job, &t->report,
+                                               &t->mesh);
+    else {
+        t->status = batten_notes_create(INT_MAX, &t->said);
+        if (t->status == BATTEN_OK)
+            t->status = batten_mesh_from_body(object->body, &m->options, job, t->said,
+                                              &t->report, &t->mesh);
+    }
+    if (t->status != BATTEN_OK)
+        snprintf(t->message, sizeof t->message, "%s", batten_message());
+    return is_final(t->status) ? t->status : BATTEN_OK;
+}
+
+/* Each shape once, whatever stands for it in how many copies. */
+static batten_status make_all_triangles(const batten_model *model, meshing *m)
+{
+    batten_model *listed = NULL;
+    batten_status status =
+        bat_model_change(model, batten_model_unit_metres(model), 1, list_shape, m, &listed);
+    if (status == BATTEN_OK)
+        status =
+            bat_parallel_long(m->job, m->made_count, "triangles of shapes", make_triangles, m);
+    batten_model_unref(listed);
     return status;
 }
 
-/* The shape of one object as a mesh. */
+static void release_triangles(meshing *m)
+{
+    for (size_t i = 0; i < m->made_count; i++) {
+        batten_mesh_unref(m->made[i].mesh);
+        batten_notes_free(m->made[i].said);
+    }
+    bat_release(m->made);
+    bat_addresses_end(&m->places);
+}
+
+/* ---- one object ---- */
+
+/* The shape of one object as a mesh. Notes about faces become notes about the object. */
 static batten_status mesh_shape(const batten_object *object, meshing *m, batten_mesh **out)
 {
-    batten_mesh_report report = {.failed = 0};
-    batten_status status;
-    if (object->kind == BATTEN_OBJECT_SURFACE)
-        status = batten_mesh_from_surface(object->surface, &m->options, m->job, &report, out);
-    else if (object->kind == BATTEN_OBJECT_TRIANGLES)
-        status =
-            batten_mesh_from_triangles(object->triangles, &m->options, m->job, &report, out);
-    else
-        status = mesh_body(object, m, &report, out);
-    if (status == BATTEN_OK)
-        say_chord(object, &report, *out, m->notes);
-    if (status == BATTEN_OK && report.failed > 0)
+    const made_triangles *t = &m->made[bat_addresses_find(&m->places, shape_of(object))];
+    const batten_mesh_report report = t->report;
+    if (t->said)
+        bat_object_notes(t->said, object->name, m->unit_metres, m->notes);
+    if (t->status != BATTEN_OK)
+        return bat_fail(t->status, "%s", t->message);
+    say_chord(object, &report, t->mesh, m->notes);
+    if (report.failed > 0)
         batten_notes_add(m->notes, "", 0, object->name, "faces left out of the mesh: %d",
                          report.failed);
-    if (status == BATTEN_OK && report.failed > 0 &&
-        batten_mesh_view(*out)->triangle_count == 0) {
-        batten_mesh_unref(*out);
-        *out = NULL;
+    if (report.failed > 0 && batten_mesh_view(t->mesh)->triangle_count == 0)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "its %d face%s cannot be", report.failed,
                         bat_plural(report.failed));
-    }
-    return status;
+    *out = batten_mesh_ref(t->mesh);
+    return BATTEN_OK;
 }
 
 static batten_status keep_shape(meshing *m, const void *address, const meshed_shape *shape)
@@ -180,13 +251,6 @@ static batten_status take_colours(const batten_object *object, batten_object *me
     return BATTEN_OK;
 }
 
-/* What ends all work, and not that on one object alone. */
-static bool is_final(batten_status status)
-{
-    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ||
-           status == BATTEN_INCOMPLETE;
-}
-
 /* Note that the shape is left out. One that needs more triangles than are allowed for all may
  * be damaged, and the others are not. */
 static void leave_out(meshing *m, const batten_object *object, batten_status status)
@@ -217,9 +281,7 @@ static batten_status count_triangles(meshing *m, const batten_object *object,
 static batten_status find_mesh(meshing *m, const batten_model *of, const batten_object *object,
                                batten_mesh **mesh)
 {
-    const void *address = object->surface     ? (const void *)object->surface
-                          : object->triangles ? (const void *)object->triangles
-                                              : (const void *)object->body;
+    const void *address = shape_of(object);
     const int found = bat_addresses_find(&m->addresses, address);
     const meshed_shape *before = found < 0 ? NULL : &m->done[found];
     if (before && before->of != of && strcmp(before->name, object->name) == 0) {
@@ -279,8 +341,10 @@ batten_status bat_model_meshed(const batten_model *model, unsigned kinds,
                  .job = job,
                  .notes = notes};
     batten_model *made = NULL;
-    batten_status status =
-        bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, &made);
+    batten_status status = make_all_triangles(model, &m);
+    if (status == BATTEN_OK)
+        status =
+            bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, &made);
     bool any = false;
     for (size_t i = 0; i < m.count; i++) {
         any = any || m.done[i].mesh;
@@ -292,6 +356,7 @@ batten_status bat_model_meshed(const batten_model *model, unsigned kinds,
         *out = made;
     else
         batten_model_unref(made);
+    release_triangles(&m);
     bat_release(m.done);
     bat_addresses_end(&m.addresses);
     return status;

@@ -117,6 +117,52 @@ TEST(I8_cancelling_stops_the_pieces)
     CHECK_MESSAGE("cancelled after");
 }
 
+/* Ends when the job says so, which each item asks for itself. */
+static batten_status wait_for_cancelling(void *context, const batten_job *job, size_t index)
+{
+    (void)context;
+    CHECK_INT(job->thread_count, 1);
+    while (!job->is_cancelled(job->user))
+        bat_pause();
+    return bat_fail(BATTEN_CANCELLED, "item %d stopped", (int)index);
+}
+
+static batten_status square(void *context, const batten_job *job, size_t index)
+{
+    (void)job;
+    ((double *)context)[index] = (double)(index * index);
+    return BATTEN_OK;
+}
+
+TEST(I8_long_items_hear_at_once_that_the_caller_cancelled)
+{
+    for (int threads = 1; threads <= 3; threads++) {
+        caller c = {.yes_at = 5};
+        batten_job job = BATTEN_JOB;
+        job.thread_count = threads;
+        job.is_cancelled = is_cancelled;
+        job.user = &c;
+        CHECK_STATUS(bat_parallel_long(&job, 4, "fairing", wait_for_cancelling, NULL),
+                     BATTEN_CANCELLED);
+    }
+}
+
+TEST(long_items_are_all_done_and_their_progress_is_told)
+{
+    for (int threads = 0; threads <= 4; threads++) {
+        double squares[100] = {0};
+        caller c = {.yes_at = -1};
+        batten_job job = BATTEN_JOB;
+        job.thread_count = threads;
+        job.progress = progress;
+        job.user = &c;
+        CHECK_OK(bat_parallel_long(&job, 100, "fairing", square, squares));
+        for (int i = 0; i < 100; i++)
+            CHECK_BITS(squares[i], i * i);
+        CHECK_BITS(c.fraction, 1);
+    }
+}
+
 TEST(I8_steps_are_counted_reported_and_cancelled)
 {
     caller c = {.yes_at = 3};

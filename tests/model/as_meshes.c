@@ -233,3 +233,68 @@ TEST(S5_a_shape_that_needs_too_many_triangles_is_left_out_alone)
     batten_surface_unref(sphere);
     batten_body_unref(box);
 }
+
+/* Spheres, of which each is another piece of work. */
+static batten_model *make_spheres(int count)
+{
+    const batten_frame world = batten_frame_world();
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(1, &model));
+    for (int i = 0; i < count; i++) {
+        batten_surface *sphere = NULL;
+        CHECK_OK(batten_surface_sphere(&world, 1 + i, &sphere));
+        add(model, &(batten_object){.name = i % 2 ? "odd" : "even",
+                                    .kind = BATTEN_OBJECT_SURFACE,
+                                    .surface = sphere});
+        batten_surface_unref(sphere);
+    }
+    return model;
+}
+
+static void check_same_mesh(const batten_mesh *first, const batten_mesh *second)
+{
+    const batten_mesh_parts *a = batten_mesh_view(first), *b = batten_mesh_view(second);
+    CHECK_INT(a->vertex_count, b->vertex_count);
+    CHECK_INT(a->triangle_count, b->triangle_count);
+    CHECK(memcmp(a->points, b->points, 3 * sizeof(double) * (size_t)a->vertex_count) == 0);
+    CHECK(memcmp(a->corners, b->corners, 3 * sizeof(int) * (size_t)a->triangle_count) == 0);
+    CHECK(memcmp(a->normals, b->normals, 9 * sizeof(double) * (size_t)a->triangle_count) == 0);
+}
+
+/* The last `count` of each: a try that ran out of memory noted some before. */
+static void check_same_notes(int count, const batten_notes *first, const batten_notes *second)
+{
+    if (batten_notes_dropped(first) || batten_notes_dropped(second))
+        return;
+    const int ends[2] = {batten_notes_count(first), batten_notes_count(second)};
+    CHECK(ends[0] >= count && ends[1] >= count);
+    for (int i = 1; i <= count; i++)
+        CHECK_TEXT(batten_notes_at(second, ends[1] - i)->text,
+                   batten_notes_at(first, ends[0] - i)->text);
+}
+
+TEST(T1_any_number_of_threads_gives_the_same_triangles_and_notes)
+{
+    enum { SPHERES = 7 };
+    batten_model *model = make_spheres(SPHERES), *alone = NULL;
+    batten_notes *said = NULL;
+    CHECK_OK(batten_notes_create(100, &said));
+    CHECK_OK(batten_model_meshed(model, NULL, NULL, said, &alone));
+    for (int threads = 0; threads <= 4; threads++) {
+        batten_job job = BATTEN_JOB;
+        batten_model *meshed = NULL;
+        batten_notes *notes = NULL;
+        job.thread_count = threads;
+        CHECK_OK(batten_notes_create(100, &notes));
+        CHECK_OK(batten_model_meshed(model, NULL, &job, notes, &meshed));
+        for (int i = 0; i < SPHERES; i++)
+            check_same_mesh(batten_model_object(alone, i)->mesh,
+                            batten_model_object(meshed, i)->mesh);
+        check_same_notes(SPHERES, said, notes);
+        batten_notes_free(notes);
+        batten_model_unref(meshed);
+    }
+    batten_notes_free(said);
+    batten_model_unref(alone);
+    batten_model_unref(model);
+}

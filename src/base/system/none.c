@@ -20,6 +20,10 @@ void bat_thread_wait(bat_thread thread)
     (void)thread;
 }
 
+void bat_pause(void)
+{
+}
+
 int bat_processor_count(void)
 {
     return 1;

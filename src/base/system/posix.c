@@ -32,6 +32,11 @@ void bat_thread_wait(bat_thread thread)
     pthread_join(started, NULL);
 }
 
+void bat_pause(void)
+{
+    nanosleep(&(struct timespec){0, 1000000}, NULL); /* nanoseconds */
+}
+
 int bat_processor_count(void)
 {
     const long count = sysconf(_SC_NPROCESSORS_ONLN);

@@ -46,6 +46,11 @@ void bat_thread_wait(bat_thread thread)
     CloseHandle((HANDLE)thread.handle);
 }
 
+void bat_pause(void)
+{
+    Sleep(1); /* milliseconds */
+}
+
 int bat_processor_count(void)
 {
     SYSTEM_INFO info;
