@@ -14,6 +14,10 @@ enum { MOST_DRAUGHTS = 12 };
 static const double PRECISION = 1e-9;
 /* A draught at the edge of the deck is one that is given but for rounding. */
 static const double ROUNDING = 1e-9;
+/* The cosine of a heel at which the water stands upright in the hull. */
+static const double PLUMB = 1e-9;
+/* Angles that are 0 but for the precision of the rest. */
+static const double LEVEL = 1e-9;
 /* The water may lack this share of the wetted surface to be kept out. */
 static const double OPEN = 1e-6;
 
@@ -222,10 +226,12 @@ static batten_status add_arm(hydro *h, double heel, const batten_loading *loadin
     }
     if (status != BATTEN_OK)
         return status;
-    arm->arm = b.heeling;
+    arm->arm = without_dust(h, b.heeling);
     arm->kn =
-        b.heeling + loading->gravity.z * bat_sin(heel) - loading->gravity.y * bat_cos(heel);
-    arm->draught = b.flotation.draught;
+        arm->arm + loading->gravity.z * bat_sin(heel) - loading->gravity.y * bat_cos(heel);
+    /* On its side a hull has no draught: the water is plumb in its coordinates. */
+    if (fabs(bat_cos(heel)) > PLUMB)
+        arm->draught = b.flotation.draught;
     arm->trim = b.flotation.trim * 180 / BAT_PI;
     return BATTEN_OK;
 }
@@ -267,6 +273,10 @@ static batten_status float_hull(hydro *h)
     const batten_flotation start = {0.5 * (box.low.z + box.high.z), 0, 0};
     batten_status status =
         batten_hull_balance(h->hull, &loading, &start, PRECISION, h->run->job, &r->rest);
+    if (fabs(r->rest.flotation.heel) < LEVEL)
+        r->rest.flotation.heel = 0;
+    if (fabs(r->rest.flotation.trim) < LEVEL)
+        r->rest.flotation.trim = 0;
     return status == BATTEN_OK ? fill_arms(h, &loading) : status;
 }
 
