@@ -262,5 +262,5 @@ const bench_entry bench_batten[] = {
     {"batten_surface_interpolate", SURFACE_THROUGH, contest_open, run_surface_through,
      gather_surface_through, contest_close, NULL},
     {"batten_surface_skin", SKIN, open_sections, run_skin, gather_skin, contest_close, NULL},
-    {NULL},
+    {.way = NULL},
 };

@@ -199,5 +199,5 @@ const bench_entry bench_batten_fits[] = {
           gather_triangulation),
     ENTRY("batten_triangles_scattered", TRIANGLES_THROUGH, contest_open, run_triangles,
           gather_triangles),
-    {NULL},
+    {.way = NULL},
 };

@@ -141,5 +141,5 @@ const bench_entry bench_batten_exchange[] = {
     {"batten_write_file", WRITE_PATCHES, open_write, run_write, gather_write, close_contest,
      NULL},
     {"batten_read_file", READ_PATCHES, open_read, run_read, gather_read, close_contest, NULL},
-    {NULL},
+    {.way = NULL},
 };

@@ -65,5 +65,5 @@ static void *open_function(const bench_work *work)
 const bench_entry bench_batten_functions[] = {
     {"batten", ELEMENTARY, open_function, bench_run_function, bench_gather_function,
      bench_close_function, NULL},
-    {NULL},
+    {.way = NULL},
 };

@@ -170,5 +170,5 @@ const bench_entry bench_gsl[] = {
      close_contest, NULL},
     {"gsl_spline", FUNCTION_THROUGH, open_function, run_function, gather_function,
      close_function, NULL},
-    {NULL},
+    {.way = NULL},
 };

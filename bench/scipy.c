@@ -188,4 +188,4 @@ WAYS(WAY)
 
 #define ENTRIES(number, name, kind, condition) ENTRY(number, name, kind),
 
-const bench_entry bench_scipy[] = {WAYS(ENTRIES){NULL}};
+const bench_entry bench_scipy[] = {WAYS(ENTRIES){.way = NULL}};

@@ -313,5 +313,5 @@ const bench_entry bench_sisl[] = {
           gather_surface_through),
     ENTRY("s1538", SKIN, open_sections, run_skin, gather_skin),
     ENTRY("s1240", CURVE_LENGTH, open_curve, run_length, gather_length),
-    {NULL},
+    {.way = NULL},
 };

@@ -84,18 +84,18 @@ static double a_fifth(void *object)
         name, CURVE_LENGTH, open_any, run, show, close_any, seconds \
     }
 
-static const bench_entry ours[] = {WAY("ours", count_to_three, a_fifth), {NULL}};
+static const bench_entry ours[] = {WAY("ours", count_to_three, a_fifth), {.way = NULL}};
 static const bench_entry right[] = {
-    WAY("slower", count_to_three, a_fifth), WAY("faster", count_to_three, a_tenth), {NULL}};
-static const bench_entry wrong[] = {WAY("too far", count_too_far, a_tenth), {NULL}};
-static const bench_entry void_of_sense[] = {WAY("nan", count_to_nothing, a_tenth), {NULL}};
-static const bench_entry hanging[] = {WAY("hangs", hang, a_tenth), {NULL}};
+    WAY("slower", count_to_three, a_fifth), WAY("faster", count_to_three, a_tenth), {.way = NULL}};
+static const bench_entry wrong[] = {WAY("too far", count_too_far, a_tenth), {.way = NULL}};
+static const bench_entry void_of_sense[] = {WAY("nan", count_to_nothing, a_tenth), {.way = NULL}};
+static const bench_entry hanging[] = {WAY("hangs", hang, a_tenth), {.way = NULL}};
 static const bench_entry falling[] = {
-    WAY("falls", fall, a_tenth), WAY("leaves", leave, a_tenth), {NULL}};
+    WAY("falls", fall, a_tenth), WAY("leaves", leave, a_tenth), {.way = NULL}};
 static const bench_entry without[] = {
     {"has none", CURVE_LENGTH, open_nothing, count_to_three, show, close_any, NULL},
     {"is for others", SKIN, open_any, hang, show, close_any, NULL},
-    {NULL}};
+    {.way = NULL}};
 
 enum { MOST = 8 };
 

@@ -5,6 +5,11 @@
 
 #include <string.h>
 
+/* Stripes and colours follow the normals. Along an edge of a triangle these turn by no more than
+ * this, in radians, and it is no longer than this, as a part of the picture: more, and the stripes have
+ * corners. */
+static const double STRIPE_TURN = 0.04, STRIPE_EDGE = 0.01;
+
 typedef struct {
     batten_mesh_options mesh;
     const batten_job *job;
@@ -153,6 +158,11 @@ batten_status bat_picture_model(const batten_model *model, const batten_draw_opt
                                       box.high.z - box.low.z);
         /* A fifth of a pixel, if the shape filled the picture. */
         f.mesh.chord = 0.2 * size / bat_max_int(options->width, options->height);
+        if (options->shading != BATTEN_SHADING_PLAIN &&
+            options->shading != BATTEN_SHADING_ISOLINES) {
+            f.mesh.angle = STRIPE_TURN;
+            f.mesh.longest = STRIPE_EDGE * size;
+        }
     }
     const bool all = status == BATTEN_OK && !shows_any(flat);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(flat); i++)

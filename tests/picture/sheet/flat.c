@@ -3,15 +3,22 @@
 #include "picture/scenes.h"
 #include "support/bodies.h"
 
-static batten_model *flatten_model(batten_model *model, int width, int height)
+static batten_model *flatten_shaded(batten_model *model, int width, int height,
+                                    batten_shading shading)
 {
     batten_draw_options options = batten_draw_defaults();
     batten_model *flat = NULL;
     options.width = width;
     options.height = height;
+    options.shading = shading;
     CHECK_OK(bat_picture_model(model, &options, NULL, &flat));
     batten_model_unref(model);
     return flat;
+}
+
+static batten_model *flatten_model(batten_model *model, int width, int height)
+{
+    return flatten_shaded(model, width, height, BATTEN_SHADING_PLAIN);
 }
 
 static void add_body(batten_model *model, const batten_body *body)
@@ -141,4 +148,23 @@ TEST(a_larger_picture_has_a_finer_mesh_of_a_body)
         batten_model_unref(flat);
     }
     CHECK(counts[1] > 4 * counts[0]);
+}
+
+/* Of a flat face a plain picture needs few triangles; stripes follow normals that may turn on it. */
+TEST(stripes_have_small_triangles_where_plain_shades_have_large_ones)
+{
+    int counts[2];
+    for (int k = 0; k < 2; k++) {
+        static const double plain[6] = {-1, -1, -1, -1, -1, -1};
+        batten_model *model = scene_empty();
+        batten_body *box = coloured_box(plain);
+        add_body(model, box);
+        batten_body_unref(box);
+        batten_model *flat = flatten_shaded(model, 1200, 800,
+                                            k ? BATTEN_SHADING_ZEBRA : BATTEN_SHADING_ISOLINES);
+        counts[k] = batten_mesh_view(batten_model_object(flat, 0)->mesh)->triangle_count;
+        batten_model_unref(flat);
+    }
+    CHECK_INT(counts[0], 12);
+    CHECK(counts[1] > 10000); /* edges of a hundredth of the picture */
 }
