@@ -10,6 +10,7 @@ static const option options[] = {
     FROM_FORMAT_OPTION,
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
+    THREADS_OPTION,
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no remarks"},
 };
 

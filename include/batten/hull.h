@@ -139,7 +139,7 @@ BATTEN_API batten_status batten_offset_table_select(
     const batten_offset_table *offsets, const batten_offset_table_selection *selection,
     batten_offset_table **out);
 
-/* ---- how a hull floats: water is what lies below a plane, and no formula is one for small angles ---- */
+/* ---- how a hull floats: water is what lies below a plane, and no formula assumes small angles ---- */
 
 /** A hull that is closed and ready to float; immutable. */
 typedef struct batten_hull batten_hull;
@@ -150,8 +150,9 @@ typedef struct batten_hull_options {
     /** The surfaces are the whole hull and closed by themselves; else each is mirrored in y = 0,
      * and its edges off that plane are closed by straight lines across to their images. */
     bool whole;
-    double tolerance; /**< of the NURBS surfaces of what is none, model units; 0: a millionth of
-                           the size */
+    double
+        tolerance; /**< of the NURBS surfaces that stand for others, model units; 0: a millionth
+                           of the size */
 } batten_hull_options;
 
 /** One half of a hull, tolerance 0. */
@@ -239,7 +240,7 @@ typedef struct batten_hydrostatics {
  * exactly, others are halved until `precision` is met.
  *
  * @param hull  any hull
- * @param flotation  heel and trim below a right angle
+ * @param flotation  trim below a right angle, heel below two
  * @param precision  relative, 1e-14 to 0.1
  * @param job  cancelling and the limit of work; NULL for none
  * @param[out] out  the result; all 0 for a hull above the water

@@ -193,7 +193,7 @@ BATTEN_API batten_status batten_lattice_home(const batten_lattice *lattice, doub
  * and N the B-splines of the degrees over evenly spaced clamped knots. With all points at home D is the identity.
  *
  * Whether it folds is judged here, by the Bezier coefficients of the determinant of its Jacobian, span by span, which are
- * halved until their sign is one or a value of 0 or less is met. Only local folds are: distant parts may still come to
+ * halved until their sign is one or a value of 0 or less is met. Only local folds are found: distant parts may still come to
  * lie upon each other.
  *
  * @param lattice  the box, counts and degrees

@@ -15,11 +15,11 @@ typedef batten_status (*bat_chunk)(void *context, size_t begin, size_t end);
 batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat_chunk chunk,
                            void *context);
 
-/* Work on item `index`, which may take long: obey `job`, which has one thread. */
+/* Work on item `index`, which may take long: obey `job`, which has one thread where there are several items. */
 typedef batten_status (*bat_long_chunk)(void *context, const batten_job *job, size_t index);
 
 /* As bat_parallel over 0 .. count - 1 one by one, for items that take long: each gets a job by which it learns at once that the caller
- * cancelled, with the caller's limit of steps, and progress is told of `what` as items end. One item alone gets the caller's own job. */
+ * cancelled, with the caller's limit of steps, and the progress of `what` is reported as items end. One item alone gets the caller's own job. */
 batten_status bat_parallel_long(const batten_job *job, size_t count, const char *what,
                                 bat_long_chunk chunk, void *context);
 

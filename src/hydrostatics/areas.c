@@ -1,9 +1,8 @@
 /* Areas of plane sections below the water. */
-#include "base/elementary.h"
+#include "base/sort.h"
 #include "hydrostatics/wet.h"
 #include "numeric/quadrature.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* A section is taken so far inside of the place asked for, as a part of the size: the end of a
@@ -71,12 +70,6 @@ static batten_status flux_of_row(void *context, double t, double *value)
     return status;
 }
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Where the section enters and leaves the patch at the ends of its rows. */
 static batten_status find_breaks(const cut *c, double breaks[MOST_BREAKS], int *count)
 {
@@ -91,7 +84,7 @@ static batten_status find_breaks(const cut *c, double breaks[MOST_BREAKS], int *
         *count += found;
     }
     breaks[(*count)++] = 1;
-    qsort(breaks, (size_t)*count, sizeof *breaks, compare);
+    bat_sort_doubles((size_t)*count, breaks);
     return status;
 }
 

@@ -3,7 +3,7 @@
 
 #include <float.h>
 
-/* Below the first, sums are rounding; above the second, they are no sums. */
+/* Below the first, differences of sums are rounding; above the second, results mean little. */
 static const double LEAST_PRECISION = 1e-14, MOST_PRECISION = 0.1;
 
 batten_status bat_water_of(const batten_hull *hull, const batten_flotation *flotation,

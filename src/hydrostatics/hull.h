@@ -31,7 +31,7 @@ typedef struct {
     double n[3], along[3], across[3], d;
 } bat_water;
 
-/* BAD_ARGUMENT for angles of a right angle and above, and what is not finite. */
+/* BAD_ARGUMENT for a trim of a right angle and above, a heel of two, and what is not finite. */
 batten_status bat_water_of(const batten_hull *hull, const batten_flotation *flotation,
                            bat_water *out);
 

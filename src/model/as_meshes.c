@@ -10,6 +10,7 @@
 #include <float.h>
 #include <limits.h>
 #include <math.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -41,6 +42,7 @@ typedef struct {
     bat_addresses places; /* the number in `made` of a surface, triangles or a body */
     made_triangles *made;
     size_t made_count, made_room;
+    atomic_llong finished;   /* triangles of them so far */
     bat_addresses addresses; /* the number in `done` of a surface, triangles or a body */
     meshed_shape *done;
     size_t count, capacity;
@@ -114,9 +116,14 @@ static batten_status list_shape(void *context, const batten_model *from, int ind
 
 static batten_status make_triangles(void *context, const batten_job *job, size_t index)
 {
-    const meshing *m = context;
+    meshing *m = context;
     made_triangles *t = &m->made[index];
     const batten_object *object = t->object;
+    /* Shapes are begun in their order: those that are finished are refused before this one is asked for. */
+    if (atomic_load(&m->finished) > m->options.most) {
+        t->status = BATTEN_TOO_LARGE;
+        return BATTEN_OK;
+    }
     if (object->kind == BATTEN_OBJECT_SURFACE)
         t->status =
             batten_mesh_from_surface(object->surface, &m->options, job, &t->report, &t->mesh);
@@ -131,6 +138,8 @@ static batten_status make_triangles(void *context, const batten_job *job, size_t
     }
     if (t->status != BATTEN_OK)
         snprintf(t->message, sizeof t->message, "%s", batten_message());
+    else
+        atomic_fetch_add(&m->finished, batten_mesh_view(t->mesh)->triangle_count);
     return is_final(t->status) ? t->status : BATTEN_OK;
 }
 

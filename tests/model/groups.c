@@ -39,7 +39,7 @@ static batten_status leave(void *context, int depth)
     return tell(context, text);
 }
 
-/* What is told of these paths, whose items are numbered in their order. */
+/* What a visit of these paths reports; their items are numbered in their order. */
 static batten_status visit(int count, const char *const *paths, story *s)
 {
     bat_members list = {0};

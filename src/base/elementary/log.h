@@ -20,7 +20,7 @@ static inline bat_parts_of_log bat_reduce_logarithm(double lifted, int lift)
     const int part = (int)(from >> 45 & 127);
     const double *entry = bat_logarithms[part];
     const uint64_t m = bits - (from & (uint64_t)0xfff << 52);
-    /* From the begin of the part m has 45 bits, 1/c has nine at most, and all ends at 2^-60: each step is exact. */
+    /* From the start of the part m has 45 bits, 1/c has nine at most, and all ends at 2^-60: each step is exact. */
     const double begin = bat_of_bits(m & ~(((uint64_t)1 << 45) - 1));
     return (bat_parts_of_log){(double)((int)((int64_t)from >> 52) - lift),
                               (bat_of_bits(m) - begin) * entry[0] + entry[1], part};

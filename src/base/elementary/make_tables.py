@@ -162,7 +162,7 @@ def small_exponentials():
 
 def logarithms():
     """For m in [11/16, 11/8), in 128 parts by its bits: r, near 1/m, of eight bits after the point and of seven where
-    m < 1, so that m r - 1 is a double; r a - 1 for the begin a of the part; and -log r in a part that ends at 2^-42 and
+    m < 1, so that m r - 1 is a double; r a - 1 for the start a of the part; and -log r in a part that ends at 2^-42 and
     the rest, to the base e and to the base 2. In the parts that touch 1, r is 1 and the logarithm 0."""
     two, rows, binary = logarithm(2, 1), [], []
     for j in range(128):
@@ -308,7 +308,7 @@ TABLES = (
     ("expm1", "const double bat_small_exponentials[177][2]", small_exponentials,
      "e^(j / 128) for j = -88 ... 88: 26 bits and the rest."),
     ("log", "const double bat_logarithms[128][4]", lambda: logarithms()[0],
-     "1/c to some bits, a/c - 1 for the begin a of the part, log(c): as far as 2^-42, and the rest."),
+     "1/c to some bits, a/c - 1 for the start a of the part, log(c): as far as 2^-42, and the rest."),
     ("log2", "const double bat_binary_logarithms[128][2]", lambda: logarithms()[1],
      "log2(c) for the same c: as far as 2^-42, and the rest."),
     ("sine", "const double bat_sines[320][2]", sines, "sin(j pi / 128), a pair."),

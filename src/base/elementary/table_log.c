@@ -1,4 +1,4 @@
-/* 1/c to some bits, a/c - 1 for the begin a of the part, log(c): as far as 2^-42, and the rest. Made by make_tables.py, which says how; change that. */
+/* 1/c to some bits, a/c - 1 for the start a of the part, log(c): as far as 2^-42, and the rest. Made by make_tables.py, which says how; change that. */
 #include "base/elementary/tables.h"
 
 /* clang-format off */

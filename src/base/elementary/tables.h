@@ -7,7 +7,7 @@
 extern const double bat_exponentials[128][2];
 /* e^(j / 128) for j = -88 ... 88: 26 bits and the rest. */
 extern const double bat_small_exponentials[177][2];
-/* 1/c to some bits, a/c - 1 for the begin a of the part, log(c): as far as 2^-42, and the rest. */
+/* 1/c to some bits, a/c - 1 for the start a of the part, log(c): as far as 2^-42, and the rest. */
 extern const double bat_logarithms[128][4];
 /* log2(c) for the same c: as far as 2^-42, and the rest. */
 extern const double bat_binary_logarithms[128][2];

@@ -380,8 +380,9 @@ const bat_feature bat_feature_hydrostatics = {
          "The surfaces are one half of the hull, or both when they are images of each other in the\n"
          "centre plane. Edges off the centre plane that no other surface shares are closed by\n"
          "straight lines across, as transoms, decks and flat bottoms are, and a remark names each.\n"
-         "x runs along the ship, z up from the baseline. A table (CSV) when the file ends in .csv,\n"
-         "as JSON when it ends in .json, else text with conventions and names.",
+         "x runs along the ship, z up from the baseline. As JSON when the file ends in .json;\n"
+         "tables by draughts and of arms (CSV) when it ends in .csv; else text with conventions\n"
+         "and names.",
          "features:\n"
          "  table: {read: offsets.csv}\n"
          "  hull: {loft: table, within: 3 mm}\n"

@@ -1,4 +1,5 @@
-/* The report of hydrostatics as text, as a table (CSV) and as JSON: the same numbers in all. */
+/* The report of hydrostatics: all of it as text, the table by draughts as CSV, and the table and the righting arms as JSON; CSV and
+ * JSON have all digits. */
 #include "design/outputs/hydrostatics.h"
 
 #include <string.h>
@@ -140,6 +141,24 @@ static void add_value(double value, const char *none, batten_text *out)
         batten_text_number(out, value);
 }
 
+/* A second table below the first: how it rests, as a heel of its own, and the arms. */
+static void add_csv_arms(const bat_hydro_report *r, batten_text *out)
+{
+    const batten_flotation *rest = &r->rest.flotation;
+    const double degrees = 180 / BAT_PI;
+    batten_text_add(out, "\nheel,GZ,KN,T,trim\ndeg,%s,%s,%s,deg\n", r->unit, r->unit, r->unit);
+    for (int i = -1; i < r->arm_count; i++) {
+        const bat_hydro_arm at_rest = {rest->heel * degrees, 0, NAN, rest->draught,
+                                       rest->trim * degrees};
+        const bat_hydro_arm *a = i < 0 ? &at_rest : r->arms + i;
+        const double values[] = {a->heel, a->arm, a->kn, a->draught, a->trim};
+        for (int k = 0; k < 5; k++) {
+            add_value(values[k], "", out);
+            batten_text_add(out, k < 4 ? "," : "\n");
+        }
+    }
+}
+
 void bat_hydro_as_csv(const bat_hydro_report *r, batten_text *out)
 {
     for (int c = 0; c < BAT_HYDRO_COLUMNS; c++)
@@ -155,6 +174,8 @@ void bat_hydro_as_csv(const bat_hydro_report *r, batten_text *out)
             add_value(r->rows[i].values[c], "", out);
             batten_text_add(out, c + 1 < BAT_HYDRO_COLUMNS ? "," : "\n");
         }
+    if (r->mass > 0)
+        add_csv_arms(r, out);
 }
 
 /* ---- JSON ---- */
@@ -170,6 +191,9 @@ static void add_json_rest(const bat_hydro_report *r, batten_text *out)
     const batten_balance *b = &r->rest;
     batten_text_add(out, ",\n  \"afloat\": {");
     add_member("mass", r->mass, true, out);
+    add_member("x", r->gravity.x, false, out);
+    add_member("y", r->gravity.y, false, out);
+    add_member("z", r->gravity.z, false, out);
     add_member("draught", b->flotation.draught, false, out);
     add_member("trim", b->flotation.trim * 180 / BAT_PI, false, out);
     add_member("heel", b->flotation.heel * 180 / BAT_PI, false, out);
@@ -184,6 +208,26 @@ static void add_json_rest(const bat_hydro_report *r, batten_text *out)
         add_member("KN", a->kn, false, out);
         add_member("T", a->draught, false, out);
         add_member("trim", a->trim, false, out);
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "\n  ]");
+}
+
+static void add_json_lids(const bat_hydro_report *r, batten_text *out)
+{
+    batten_text_add(out, ",\n  \"lids\": [");
+    for (int i = 0; i < r->lid_count; i++) {
+        const batten_box *box = &r->lids[i].edge;
+        batten_text_add(out, "%s\n    {\"x\": [", i ? "," : "");
+        batten_text_number(out, box->low.x);
+        batten_text_add(out, ", ");
+        batten_text_number(out, box->high.x);
+        batten_text_add(out, "], \"z\": [");
+        batten_text_number(out, box->low.z);
+        batten_text_add(out, ", ");
+        batten_text_number(out, box->high.z);
+        batten_text_add(out, "], \"area\": ");
+        batten_text_number(out, r->lids[i].area);
         batten_text_add(out, "}");
     }
     batten_text_add(out, "\n  ]");
@@ -204,6 +248,7 @@ void bat_hydro_as_json(const bat_hydro_report *r, batten_text *out)
         batten_text_add(out, "}");
     }
     batten_text_add(out, "\n  ]");
+    add_json_lids(r, out);
     if (r->mass > 0)
         add_json_rest(r, out);
     batten_text_add(out, "\n}\n");

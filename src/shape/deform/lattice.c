@@ -247,7 +247,7 @@ static batten_status check_layers(const batten_deformation *d, int axis, bool la
         if (!layer_stays(d, axis, layer))
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "%s leaves the box where %c is %s, and layer %d of the lattice "
-                            "there is moved: %d layer%s must stay, or the box be larger",
+                            "there is moved: %d layer%s must stay, or make the box larger",
                             what, 'x' + axis, last ? "largest" : "least", layer + 1,
                             (int)d->join, bat_plural((int)d->join));
     }

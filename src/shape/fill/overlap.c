@@ -59,7 +59,7 @@ static bool flatten(rim_view *rim)
     return true;
 }
 
-/* Positive where c is to the left of the way from a to b. */
+/* Positive where c is to the left of the line from a to b. */
 static double side_of(const double a[2], const double b[2], const double c[2])
 {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

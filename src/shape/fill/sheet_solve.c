@@ -193,7 +193,8 @@ static batten_status meet_conditions(sheet_system *s, double weight)
         bat_symmetric_solve(s->count, s->band, s->matrix, 1, s->z);
         double over;
         const double missed = carry_misses(s, &over);
-        /* To ask for more than is needed would bend the sheet for nothing. What no longer falls by a twentieth a round is what the spline cannot do. */
+        /* To ask for more than is needed would bend the sheet for nothing. What falls by less than
+         * a twentieth a round is what the spline cannot do. */
         if (over <= 1 || (round > 4 && !(missed < 0.95 * last)))
             break;
         last = missed;

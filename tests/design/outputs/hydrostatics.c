@@ -115,6 +115,25 @@ TEST(a_mass_floats_and_rights_itself)
     batten_release(data);
 }
 
+/* What is asked for is in every form. */
+TEST(arms_and_lids_are_in_tables_and_json_too)
+{
+    char *csv = NULL, *json = NULL;
+    CHECK_OK(report("a.csv: {hydrostatics: half, draughts: 2, mass: 205, "
+                    "gravity: [10, 0, 1.5], heels: 10 deg}",
+                    NULL, &csv));
+    const char *arms = strstr(csv, "\nheel,GZ,KN,T,trim\ndeg,m,m,m,deg\n0,0,,");
+    CHECK(arms != NULL);
+    CHECK(number(arms, "\n10,") > 0.5);
+    CHECK_OK(report("a.json: {hydrostatics: half, draughts: 2, mass: 205, "
+                    "gravity: [10, 0, 1.5], heels: 10 deg}",
+                    NULL, &json));
+    CHECK_CONTAINS(json, "\"lids\": [\n    {\"x\": [0, 0], \"z\": [0, 4], \"area\": 20");
+    CHECK_CONTAINS(json, "\"mass\": 205, \"x\": 10, \"y\": 0, \"z\": 1.5");
+    batten_release(csv);
+    batten_release(json);
+}
+
 TEST(what_closes_the_hull_and_a_deck_under_water_are_remarked_upon)
 {
     batten_notes *notes = NULL;

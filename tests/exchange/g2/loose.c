@@ -86,7 +86,7 @@ TEST(a_face_whose_edges_are_off_it_says_so_and_can_be_measured)
     }
 }
 
-/* Of several bodies each is told by its own edges. */
+/* The note on each of several bodies is about its own edges. */
 TEST(each_body_says_its_own_largest_tolerance)
 {
     static const double heights[] = {0.02, 0.01, 0};

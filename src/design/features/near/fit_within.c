@@ -65,18 +65,18 @@ const bat_feature bat_feature_fit_within = {
     .shown =
         {"fit-within", "Few control points, and no point farther than a bound",
          "For digitised lines, aerofoils and contours: the tolerance is the accuracy of the\n"
-         "points, and the curve has no more control points than that takes. 'insert' starts with\n"
+         "points, and the curve has hardly more control points than that takes. 'insert' starts with\n"
          "one span and adds knots where points are too far off, 'remove' starts with one knot for\n"
          "each point; both then take away the knots that the tolerance can spare, fitting anew\n"
-         "each time. 'fewest' tries both. 'bezier' is fast and local: cubics with common tangents,\n"
-         "divided where they are too far off, with about twice as many control points and with\n"
-         "steps in curvature. Give 'corner: 40 deg', or the points in 'corners', where the line\n"
-         "has corners; they are kept exactly, as the ends are. The curve may not swing between\n"
-         "points by more than their polygon turns there, unless no other curve is close enough;\n"
-         "how far it leaves that polygon is noted. A tolerance below the noise of the points costs\n"
-         "a knot for each of them: it is met if a curve through all points meets it, and otherwise\n"
-         "refused with the distance that was reached. For a function distances are measured along\n"
-         "its second axis.",
+         "each time. 'fewest' tries both; above 5000 points 'insert' alone where that suffices.\n"
+         "'bezier' is fast and local: cubics with common tangents, divided where they are too far\n"
+         "off, with about twice as many control points and with steps in curvature. Give\n"
+         "'corner: 40 deg', or the points in 'corners', where the line has corners; they are kept\n"
+         "exactly, as the ends are. The curve may not swing between points by more than their\n"
+         "polygon turns there, unless no other curve is close enough; how far it leaves that polygon\n"
+         "is noted. A tolerance below the noise of the points costs a knot for each of them: it is\n"
+         "met if a curve through all points meets it, and otherwise refused with the distance that\n"
+         "was reached. For a function distances are measured along its second axis.",
          "features:\n"
          "  scan: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 40 cm], [4 m, 39 cm], [5 m, 30 cm], [6 m, 19 cm]]}\n"
          "  edge: {fit-within: scan, within: 1 cm}\n",

@@ -1,4 +1,4 @@
-/* The feature 'fill': surfaces in a hole of 2 to 8 sides. */
+/* The feature 'fill': surfaces in a hole, several around its middle or one trimmed. */
 #include "design/features/surfaces/fill.h"
 #include "base/plural.h"
 
@@ -225,7 +225,7 @@ static batten_status fill_by_surfaces(bat_run *run, const bat_objects *curves, c
 
 /* ---- which form ---- */
 
-/* The word behind those of batten_fill_form. */
+/* The word after those of batten_fill_form. */
 static const int sheet_form = BATTEN_FILL_CHARROT_GREGORY + 1;
 
 static batten_status one_sheet(bat_run *run, const bat_objects *curves, const sides *all)
@@ -301,14 +301,14 @@ static batten_status run_fill(bat_run *run)
 
 const bat_feature bat_feature_fill = {
     .shown =
-        {"fill", "Surfaces in a hole of 2 to 8 sides",
-         "Form 'split': as many surfaces as sides, named feature.1 ..., that meet in the middle of the\n"
-         "hole. They have the same tangent plane where they meet, and that of the surfaces 'along'\n"
-         "the sides; what is left free bends as little as possible. Sides with corners are divided\n"
-         "there. A note says where gaps, angles and differences of curvature are largest. A fill\n"
-         "that folds over is refused; so is one with G2 when the curvatures around it contradict\n"
-         "each other so much that curvature would jump between its own surfaces by more than the\n"
-         "largest curvature around it, or than 'curvature' says.\n"
+        {"fill", "Surfaces in a hole of 2 to 64 sides",
+         "Form 'split': as many surfaces as sides, 2 to 8, named feature.1 ..., that meet in the\n"
+         "middle of the hole. They have the same tangent plane where they meet, and that of the\n"
+         "surfaces 'along' the sides; what is left free bends as little as possible. Sides with\n"
+         "corners are divided there. A note says where gaps, angles and differences of curvature are\n"
+         "largest. A fill that folds over is refused; so is one with G2 when the curvatures around it\n"
+         "contradict each other so much that curvature would jump between its own surfaces by more\n"
+         "than the largest curvature around it, or than 'curvature' says.\n"
          "Form 'sheet': one surface over the mean plane of the hole, trimmed by the sides, a body with\n"
          "one face. The outline may be re-entrant, of up to 64 sides, and the sheet goes 'through'\n"
          "points and curves inside. Its curvature is continuous inside, four derivatives are; sides,\n"

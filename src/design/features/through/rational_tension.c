@@ -50,7 +50,8 @@ const bat_feature bat_feature_rational_tension = {
          "degree 4 that every program reads. Tangent and second derivative are continuous at all\n"
          "points. Between two points the second derivative keeps its sign where both ends agree,\n"
          "so a function has no more inflections than its values at the points say. The amount is\n"
-         "p of Spaeth, has no unit, and can be given span by span, up to 1e6; 'tension' finds it.",
+         "p of Spaeth, has no unit, and can be given span by span, up to 1e6. There is no rule that\n"
+         "finds it, as 'convex' and 'monotone' do for 'tension'.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 0], [2.3 m, 80 cm], [4 m, 1 m]]}\n"
          "  sheer: {rational-tension: ducks, amount: [0, 5, 2, 0]}\n",

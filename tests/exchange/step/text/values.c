@@ -121,7 +121,7 @@ TEST(a_wrong_item_of_a_list_is_named_with_the_argument_of_the_list)
     step_end(&t);
 }
 
-/* An entity that is left out is told by its number, its keyword and its line; a message that
+/* An entity that is left out is reported by its number, its keyword and its line; a message that
  * begins with them says them once. */
 TEST(what_is_left_out_is_noted_with_its_line_and_its_reason_once)
 {
