@@ -326,7 +326,8 @@ typedef struct batten_balance {
  * @param job  as batten_hull_hydrostatics
  * @param[out] out  the result; as it was when the function fails
  * @return BATTEN_OK; BAD_ARGUMENT (the volume is not between 0 and that of the hull: it sinks); NOT_FOUND when
- * no equilibrium was found below 80 degrees: it capsizes; as batten_hull_hydrostatics
+ * no equilibrium was found below 80 degrees: it capsizes; TOLERANCE_NOT_MET; as
+ * batten_hull_hydrostatics
  *
  * Cost: some 5 to 50 calls of batten_hull_hydrostatics.
  * Source: [RT01] ch. 3 and 4.

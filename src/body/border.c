@@ -13,6 +13,7 @@
 #include "body/border.h"
 #include "base/plural.h"
 #include "numeric/vector.h"
+#include "spline/surface/surface.h"
 
 #include <stdint.h>
 
@@ -35,14 +36,6 @@ typedef struct {
     int corner[4]; /* the first corner at this point */
 } border;
 
-static bool is_clamped(const batten_surface *surface, batten_direction direction)
-{
-    const int p = batten_surface_degree(surface, direction),
-              n = batten_surface_point_count(surface, direction);
-    const double *knots = batten_surface_knots(surface, direction);
-    return knots[0] == knots[p] && knots[n] == knots[n + p];
-}
-
 batten_status bat_border_surface(const batten_surface *surface, double tolerance,
                                  batten_surface **out)
 {
@@ -54,16 +47,8 @@ batten_status bat_border_surface(const batten_surface *surface, double tolerance
                         batten_surface_dimension(surface),
                         bat_plural(batten_surface_dimension(surface)));
     batten_status status = batten_surface_to_nurbs(surface, tolerance, NULL, &made);
-    for (int k = 0; status == BATTEN_OK && k < 2; k++) {
-        batten_surface *clamped = NULL;
-        if (is_clamped(made, k ? BATTEN_V : BATTEN_U))
-            continue;
-        status = batten_surface_clamp(made, k ? BATTEN_V : BATTEN_U, &clamped);
-        if (status == BATTEN_OK) {
-            batten_surface_unref(made);
-            made = clamped;
-        }
-    }
+    if (status == BATTEN_OK)
+        status = bat_surface_clamp_both(&made);
     if (status == BATTEN_OK)
         *out = made;
     else

@@ -29,11 +29,11 @@ typedef struct {
 static double highest(const balance *b)
 {
     const batten_box box = b->hull->box;
-    const double half[3] = {box.high.x - box.low.x, box.high.y - box.low.y,
-                            box.high.z - box.low.z};
+    const double extent[3] = {box.high.x - box.low.x, box.high.y - box.low.y,
+                              box.high.z - box.low.z};
     double sum = 0;
     for (int c = 0; c < 3; c++)
-        sum += fabs(b->water.n[c]) * half[c] / (2 * b->hull->size);
+        sum += fabs(b->water.n[c]) * extent[c] / (2 * b->hull->size);
     return sum;
 }
 
@@ -71,7 +71,10 @@ static batten_status find_draught(balance *b)
         if (!(middle > low && middle < high))
             return BATTEN_OK;
     }
-    return status;
+    return status == BATTEN_OK
+               ? bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                          "no draught for the volume was found in %d steps", MOST_DRAUGHTS)
+               : status;
 }
 
 /* ---- the turn ---- */

@@ -18,24 +18,6 @@ batten_status bat_prepare_curve(const batten_object *object, batten_curve **out)
     return status;
 }
 
-static bool is_clamped(const batten_surface *surface, batten_direction direction)
-{
-    const double *knots = batten_surface_knots(surface, direction);
-    const int p = batten_surface_degree(surface, direction);
-    const int n = batten_surface_point_count(surface, direction);
-    return knots[0] == knots[p] && knots[n] == knots[n + p];
-}
-
-/* Clamp one direction; what is clamped keeps its bits. */
-static batten_status clamp(batten_direction direction, batten_surface **surface)
-{
-    batten_surface *clamped = NULL;
-    if (is_clamped(*surface, direction))
-        return BATTEN_OK;
-    return bat_surface_replace(batten_surface_clamp(*surface, direction, &clamped), surface,
-                               &clamped);
-}
-
 batten_status bat_prepare_surface(const batten_object *object, double tolerance,
                                   batten_notes *notes, batten_surface **out)
 {
@@ -50,9 +32,7 @@ batten_status bat_prepare_surface(const batten_object *object, double tolerance,
     if (status == BATTEN_OK && error > 0)
         batten_notes_add(notes, "", 0, object->name, "approximated within %g", error);
     if (status == BATTEN_OK)
-        status = clamp(BATTEN_U, &nurbs);
-    if (status == BATTEN_OK)
-        status = clamp(BATTEN_V, &nurbs);
+        status = bat_surface_clamp_both(&nurbs);
     if (status == BATTEN_OK)
         *out = batten_surface_ref(nurbs);
     batten_surface_unref(nurbs);

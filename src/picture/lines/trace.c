@@ -1,5 +1,6 @@
 /* Adaptive polylines: spans are halved until their chords are near. */
 #include "picture/lines/trace.h"
+#include "numeric/vector.h"
 
 #include <string.h>
 
@@ -41,22 +42,6 @@ static batten_status add_point(polyline *line, const double point[3])
     return BATTEN_OK;
 }
 
-/* The distance of p from the segment from a to b. */
-static double off_chord(const double *a, const double *b, const double *p)
-{
-    double length2 = 0, dot = 0, sum = 0;
-    for (int k = 0; k < 3; k++) {
-        length2 += (b[k] - a[k]) * (b[k] - a[k]);
-        dot += (b[k] - a[k]) * (p[k] - a[k]);
-    }
-    const double s = length2 > 0 ? bat_max(0, bat_min(1, dot / length2)) : 0;
-    for (int k = 0; k < 3; k++) {
-        const double d = p[k] - a[k] - s * (b[k] - a[k]);
-        sum += d * d;
-    }
-    return sqrt(sum);
-}
-
 /* From `here`, which is there already, to `end`. A chord is kept when the points in its middle
  * and at its first quarter are near: two, for an inflection may lie in the middle. */
 static batten_status subdivide(polyline *line, spot here, spot end)
@@ -68,10 +53,10 @@ static batten_status subdivide(polyline *line, spot here, spot end)
     while (depth >= 0 && status == BATTEN_OK) {
         const spot next = stack[depth];
         status = evaluate(line, 0.5 * (here.at + next.at), false, &middle);
-        double off = off_chord(here.point, next.point, middle.point);
+        double off = bat_segment_distance(3, here.point, next.point, middle.point);
         if (status == BATTEN_OK && off <= tolerance) {
             status = evaluate(line, 0.75 * here.at + 0.25 * next.at, false, &quarter);
-            off = bat_max(off, off_chord(here.point, next.point, quarter.point));
+            off = bat_max(off, bat_segment_distance(3, here.point, next.point, quarter.point));
         }
         if (off > tolerance && depth < DEPTH) {
             stack[++depth] = middle;

@@ -225,6 +225,30 @@ batten_status batten_surface_clamp(const batten_surface *surface, batten_directi
     return batten_surface_subrange(surface, direction, domain.a, domain.b, out);
 }
 
+static bool is_clamped(const batten_surface *surface, batten_direction direction)
+{
+    const int p = batten_surface_degree(surface, direction),
+              n = batten_surface_point_count(surface, direction);
+    const double *knots = batten_surface_knots(surface, direction);
+    return knots[0] == knots[p] && knots[n] == knots[n + p];
+}
+
+batten_status bat_surface_clamp_both(batten_surface **surface)
+{
+    for (int k = 0; k < 2; k++) {
+        const batten_direction direction = k ? BATTEN_V : BATTEN_U;
+        batten_surface *clamped = NULL;
+        if (is_clamped(*surface, direction))
+            continue;
+        const batten_status status =
+            bat_surface_replace(batten_surface_clamp(*surface, direction, &clamped), surface,
+                                &clamped);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    return BATTEN_OK;
+}
+
 batten_status batten_surface_split(const batten_surface *surface, batten_direction direction,
                                    double at, batten_surface **low, batten_surface **high)
 {

@@ -139,6 +139,9 @@ static inline batten_status bat_surface_replace(batten_status status, batten_sur
     return status;
 }
 
+/* Clamp a NURBS surface in both directions, in its place; what is clamped keeps its bits. */
+batten_status bat_surface_clamp_both(batten_surface **surface);
+
 static inline batten_direction bat_other(batten_direction direction)
 {
     return direction == BATTEN_U ? BATTEN_V : BATTEN_U;
