@@ -147,7 +147,7 @@ typedef struct batten_hull batten_hull;
 /** Options of batten_hull_create. */
 typedef struct batten_hull_options {
     size_t size; /**< set by batten_hull_defaults */
-    /** The surfaces are the whole hull and closed by themselves; else each is mirrored in y = 0,
+    /** Each surface is closed by itself, and none is mirrored; else each is mirrored in y = 0,
      * and its edges off that plane are closed by straight lines across to their images. */
     bool whole;
     double
@@ -181,7 +181,9 @@ typedef struct batten_hull_lid {
  * @param surfaces  [count] of 3 dimensions
  * @param options  NULL for the defaults
  * @param[out] out  release with batten_hull_free
- * @return BATTEN_OK; BAD_ARGUMENT (count, options, no extent, a surface across the centre plane or without its image); UNSUPPORTED (other
+ * @return BATTEN_OK; BAD_ARGUMENT (count, options, no extent, a surface across the
+ * centre plane or without its image); NOT_COMPATIBLE (surfaces that meet in an edge and face to different
+ * sides of it, a whole hull that is not closed); UNSUPPORTED (other
  * dimensions); what batten_surface_to_nurbs returns; OUT_OF_MEMORY
  *
  * Cost: linear in the control points; the edges are compared pairwise.
@@ -244,7 +246,8 @@ typedef struct batten_hydrostatics {
  * @param precision  relative, 1e-14 to 0.1
  * @param job  cancelling and the limit of work; NULL for none
  * @param[out] out  the result; all 0 for a hull above the water
- * @return BATTEN_OK; BAD_ARGUMENT; CANCELLED, INCOMPLETE, OUT_OF_MEMORY
+ * @return BATTEN_OK; BAD_ARGUMENT; TOLERANCE_NOT_MET; CANCELLED,
+ * INCOMPLETE, OUT_OF_MEMORY
  *
  * Cost: some 5 m^2 points for each Bezier patch that is wet, m twice its degree; 10 to 30 times that
  * where the waterline turns in one.
@@ -254,25 +257,6 @@ BATTEN_API batten_status batten_hull_hydrostatics(const batten_hull *hull,
                                                   const batten_flotation *flotation,
                                                   double precision, const batten_job *job,
                                                   batten_hydrostatics *out);
-
-/**
- * Areas of plane sections below the water: A(x) at `count` places along the ship, whose integral
- * is the volume (of a hull without trim).
- *
- * @param hull  any hull
- * @param flotation  as batten_hull_hydrostatics
- * @param count  how many
- * @param x  [count]
- * @param precision  relative to the largest area that the box allows
- * @param[out] areas  [count]; 0 beyond the ends
- * @return BATTEN_OK; BAD_ARGUMENT; TOLERANCE_NOT_MET; OUT_OF_MEMORY
- *
- * Cost: some 30 to 300 rows for each place and Bezier patch that reaches it.
- */
-BATTEN_API batten_status batten_hull_section_areas(const batten_hull *hull,
-                                                   const batten_flotation *flotation, int count,
-                                                   const double *x, double precision,
-                                                   double *areas);
 
 /**
  * How far the waterline reaches: along the ship and across it, in the coordinates of the hull

@@ -4,11 +4,15 @@
 #include "base/list.h"
 #include "hydrostatics/wet.h"
 #include "numeric/box.h"
+#include "numeric/vector.h"
 
 #include <string.h>
 
 /* What is nearer to the centre plane than this, as a part of the size, needs no lid. */
 static const double ON_PLANE = 1e-12;
+/* Volumes that count as some, areas that count as open, and those that joints may leave, all as
+ * parts of the size or of the area. */
+static const double ENCLOSED = 1e-6, OPEN = 1e-6, JOINT = 1e-4;
 /* The default tolerance of surfaces that are no NURBS, as a part of the size. */
 static const double NEAR = 1e-6;
 
@@ -135,15 +139,64 @@ static batten_status add_lids(batten_hull *hull, int surface, const batten_surfa
 
 /* ---- one surface ---- */
 
-/* Seen from the middle of the hull most of each surface faces away from it. The image of a
- * surface looks the other way, as a mirror turns left to right; a lid as the surface. */
+/* What a surface, its image and their lids enclose tells which side is out; where that is nothing,
+ * as of a flat bottom, the side that looks away from the middle of the hull. The image of a surface
+ * looks the other way, as a mirror turns left to right; a lid as the surface. */
 static void face_outwards(batten_hull *hull, int first, int images, int lids)
 {
-    double flux = 0;
-    for (int i = first; i < images; i++)
-        flux += bat_patch_flux(&hull->patches[i]);
-    for (int i = first; i < hull->patch_count; i++)
-        hull->patches[i].sign = (flux < 0 ? -1 : 1) * (i >= images && i < lids ? -1 : 1);
+    double own = 0, all = 0, normal[3] = {0};
+    for (int i = first; i < hull->patch_count; i++) {
+        double flux = 0;
+        hull->patches[i].sign = i >= images && i < lids ? -1 : 1;
+        bat_patch_flux(&hull->patches[i], &flux, normal);
+        own += i < images ? flux : 0;
+        all += flux;
+    }
+    if ((fabs(all) > ENCLOSED ? all : own) < 0)
+        for (int i = first; i < hull->patch_count; i++)
+            hull->patches[i].sign = -hull->patches[i].sign;
+}
+
+/* A surface that is closed by itself has as much area to one side as to the other. */
+static batten_status check_closed(const batten_hull *hull, int surface, int first)
+{
+    double flux = 0, normal[3] = {0}, area = 0;
+    for (int i = first; i < hull->patch_count; i++) {
+        double part = 0;
+        const batten_status status = bat_patch_area(&hull->patches[i], &part);
+        if (status != BATTEN_OK)
+            return status;
+        area += part;
+        bat_patch_flux(&hull->patches[i], &flux, normal);
+    }
+    for (int c = 0; c < 3; c++)
+        if (fabs(normal[c]) > OPEN * area)
+            return bat_fail(BATTEN_NOT_COMPATIBLE,
+                            "surface %d of a whole hull is not closed: %.3g of its area is "
+                            "missing along %c",
+                            surface + 1, fabs(normal[c]) * hull->size * hull->size, "xyz"[c]);
+    return BATTEN_OK;
+}
+
+/* Along a joint the lids of both surfaces take each other away, unless these face to different
+ * sides. */
+static batten_status check_joints(const batten_hull *hull)
+{
+    double flux = 0, normal[3] = {0}, area = 0;
+    for (int i = 0; i < hull->patch_count; i++) {
+        double part[3] = {0};
+        if (hull->patches[i].lid != BAT_JOINT)
+            continue;
+        bat_patch_flux(&hull->patches[i], &flux, part);
+        area += bat_norm(3, part);
+        for (int c = 0; c < 3; c++)
+            normal[c] += part[c];
+    }
+    if (bat_norm(3, normal) <= JOINT * area && fabs(flux) <= JOINT * area)
+        return BATTEN_OK;
+    return bat_fail(BATTEN_NOT_COMPATIBLE,
+                    "surfaces that share an edge seem to face to different sides of it: a hull "
+                    "whose inner sides or tops are surfaces of their own is not understood");
 }
 
 static batten_status add_bezier(batten_hull *hull, int surface, const batten_surface *bezier,
@@ -159,7 +212,7 @@ static batten_status add_bezier(batten_hull *hull, int surface, const batten_sur
         status = add_lids(hull, surface, bezier);
     if (status == BATTEN_OK)
         face_outwards(hull, first, images, lids);
-    return status;
+    return status == BATTEN_OK && whole ? check_closed(hull, surface, first) : status;
 }
 
 static batten_status add_surface(batten_hull *hull, int index, const batten_surface *surface,
@@ -236,6 +289,8 @@ static batten_status fill_hull(batten_hull *hull, int count,
     bat_release(images);
     if (status == BATTEN_OK && count > 1)
         status = bat_hull_find_joints(hull, count, surfaces);
+    if (status == BATTEN_OK)
+        status = check_joints(hull);
     for (int i = 0; i < hull->patch_count && status == BATTEN_OK; i++) {
         double area = 0;
         const int lid = hull->patches[i].lid;

@@ -34,18 +34,42 @@ static double place_of(const search *s, const double *p)
     return s->direction[0] * p[0] + s->direction[1] * p[1] + s->direction[2] * p[2];
 }
 
+/* Of the heights, so that place - multiplier * height changes least over a piece, in least squares:
+ * on the waterline that is the place, and where the waterline turns it hardly changes. */
+static double find_multiplier(const search *s, const piece *p)
+{
+    const int columns = s->patch->degree[1] + 1, count = point_count(s);
+    const double *w = p->values[2];
+    double ab = 0, bb = 0;
+    for (int i = 1; i < count; i++)
+        for (int k = 0; k < 2; k++) {
+            const int last = i - (k == 0 ? columns : 1);
+            if (k == 0 ? i < columns : i % columns == 0)
+                continue;
+            const double a = p->values[1][i] / w[i] - p->values[1][last] / w[last];
+            const double b = p->values[0][i] / w[i] - p->values[0][last] / w[last];
+            ab += a * b;
+            bb += b * b;
+        }
+    return bb > 0 ? ab / bb : 0;
+}
+
 /* Does the waterline, when it passes the piece, perhaps reach beyond the best by more than the
  * tolerance? */
 static bool may_gain(const search *s, const piece *p)
 {
     const int count = point_count(s);
-    bool below = false, above = false, beyond = false;
+    const double multiplier = find_multiplier(s, p);
+    bool below = false, above = false, beyond = false, beyond_there = false;
     for (int i = 0; i < count; i++) {
-        below |= p->values[0][i] <= 0;
-        above |= p->values[0][i] >= 0;
-        beyond |= p->values[1][i] > (s->best + s->tolerance) * p->values[2][i];
+        const double height = p->values[0][i], place = p->values[1][i];
+        const double wanted = (s->best + s->tolerance) * p->values[2][i];
+        below |= height <= 0;
+        above |= height >= 0;
+        beyond |= place > wanted;
+        beyond_there |= place - multiplier * height > wanted;
     }
-    return below && above && beyond;
+    return below && above && beyond && beyond_there;
 }
 
 /* Points of the waterline on one side of a piece. */
@@ -93,15 +117,13 @@ static double change_of(const search *s, const piece *p, int value, int directio
     return change * s->patch->degree[direction];
 }
 
-/* The direction in which the place changes more; where it hardly does, the height. */
+/* The direction in which heights and places together change more. */
 static int direction_to_halve(const search *s, const piece *p)
 {
-    double u = change_of(s, p, 1, 0), v = change_of(s, p, 1, 1);
-    if (bat_max(u, v) <= s->tolerance / 2) {
-        u = change_of(s, p, 0, 0);
-        v = change_of(s, p, 0, 1);
-    }
-    return u >= v ? 0 : 1;
+    return change_of(s, p, 0, 0) + change_of(s, p, 1, 0) >=
+                   change_of(s, p, 0, 1) + change_of(s, p, 1, 1)
+               ? 0
+               : 1;
 }
 
 /* Halve a piece in one direction, the first half in its own place and the second in the next. */
@@ -183,7 +205,7 @@ static batten_status find_reach(const batten_hull *hull, search *s, double *reac
     s->halvings = 0;
     for (int i = 0; i < hull->patch_count && status == BATTEN_OK; i++) {
         s->patch = &hull->patches[i];
-        if (s->patch->lid == BAT_SKIN)
+        if (s->patch->lid != BAT_JOINT)
             status = search_patch(s);
     }
     *reach = s->best;

@@ -4,6 +4,7 @@
  */
 #include "hydrostatics/wet.h"
 #include "base/work.h"
+#include "hydrostatics/kinks.h"
 #include "numeric/bernstein.h"
 #include "numeric/quadrature.h"
 
@@ -15,6 +16,10 @@ enum { MOST_NODES = BAT_MAX_GAUSS, MOST_DEPTH = 44, MOST_PARTS = 16 };
 
 /* Beyond so many halvings of a patch the errors are what they are. */
 enum { MOST_HALVINGS = 2000 };
+/* Heights that are 0 but for rounding, as a part of the size. */
+static const double IN_WATER = 1e-14;
+/* Errors of all bands together, in those that are allowed for one. */
+static const double MOST_ALLOWED = 100;
 /* No sum is better than this, as a share of the area. */
 static const double ROUNDING = 100 * DBL_EPSILON;
 
@@ -96,6 +101,21 @@ static void add_piece(const region *r, const bat_row *row, const double ends[2],
         }
 }
 
+/* What lies in the water's surface is wet from below: a flat bottom is, a flat deck is not. */
+static bool is_wet(const region *r, const bat_row *row, const double *heights, double t)
+{
+    const double height = bat_bernstein_value(row->degree, heights, t);
+    bat_row_point p;
+    double normal[3];
+    if (fabs(height) > IN_WATER)
+        return height < 0;
+    if (r->patch->lid == BAT_JOINT) /* its like on the other side takes away what it adds */
+        return false;
+    bat_row_at(row, t, &p);
+    normal_of(&p, r->sign, normal);
+    return dot(r->water->n, normal) < 0;
+}
+
 static batten_status add_row(const region *r, double t, double weight, band *b)
 {
     bat_row row;
@@ -106,11 +126,9 @@ static batten_status add_row(const region *r, double t, double weight, band *b)
     const batten_status status = cut_row(&row, heights, at, &count);
     if (status != BATTEN_OK)
         return status;
-    for (int k = 0; k < count; k++) {
-        const double middle = 0.5 * (at[k] + at[k + 1]);
-        if (at[k + 1] > at[k] && bat_bernstein_value(row.degree, heights, middle) <= 0)
+    for (int k = 0; k < count; k++)
+        if (at[k + 1] > at[k] && is_wet(r, &row, heights, 0.5 * (at[k] + at[k + 1])))
             add_piece(r, &row, at + k, weight, b->parts, b->sums);
-    }
     return BATTEN_OK;
 }
 
@@ -208,11 +226,11 @@ static batten_status halve_band(const region *r, const band *b, band halves[2])
 
 /* `waiting` has room for MOST_DEPTH + 2: of each depth one half waits. Bands whose halves tell
  * nothing new are kept. */
-static batten_status integrate_patch(const region *r, const double allowed[BAT_SUMS],
-                                     band *waiting, bat_wet *out)
+static batten_status integrate_band(const region *r, const double allowed[BAT_SUMS], band whole,
+                                    band *waiting, bat_wet *out)
 {
     int count = 1, halvings = 0;
-    waiting[0] = (band){.from = 0, .to = 1, .parts = 1};
+    waiting[0] = whole;
     batten_status status = sum_band(r, &waiting[0]);
     while (count > 0 && status == BATTEN_OK) {
         band b = waiting[--count], halves[2];
@@ -221,13 +239,43 @@ static batten_status integrate_patch(const region *r, const double allowed[BAT_S
             status = halve_band(r, &b, halves);
         if (status != BATTEN_OK)
             break;
-        if (worst_share(b.sums, halves[0].sums, halves[1].sums, allowed) <= 1 ||
-            halves[0].depth >= MOST_DEPTH || ++halvings > MOST_HALVINGS) {
+        const bool settled = worst_share(b.sums, halves[0].sums, halves[1].sums, allowed) <= 1;
+        if (settled || halves[0].depth >= MOST_DEPTH || ++halvings > MOST_HALVINGS) {
+            out->limited |= !settled;
             keep_sums(out, b.sums, halves);
         } else {
             waiting[count++] = halves[1];
             waiting[count++] = halves[0];
         }
+    }
+    return status;
+}
+
+/* Band by band between kinks, which no rule would see that none of its nodes meets. */
+static batten_status integrate_patch(const region *r, const double allowed[BAT_SUMS],
+                                     band *waiting, bat_wet *out)
+{
+    double kinks[BAT_MOST_KINKS];
+    int count = 0;
+    batten_status status = bat_find_kinks(r->patch, r->constant, r->water, kinks, &count);
+    for (int i = 0; i + 1 < count && status == BATTEN_OK; i++)
+        if (kinks[i + 1] > kinks[i])
+            status = integrate_band(r, allowed,
+                                    (band){.from = kinks[i], .to = kinks[i + 1], .parts = 1},
+                                    waiting, out);
+    return status;
+}
+
+static batten_status add_sizes(const region *r, double sizes[BAT_SUMS])
+{
+    double kinks[BAT_MOST_KINKS];
+    int count = 0;
+    batten_status status = bat_find_kinks(r->patch, r->constant, r->water, kinks, &count);
+    for (int i = 0; i + 1 < count && status == BATTEN_OK; i++) {
+        band b = {.from = kinks[i], .to = kinks[i + 1], .parts = 1};
+        status = sum_band(r, &b);
+        for (int k = 0; k < BAT_SUMS; k++)
+            sizes[k] += b.sums[k];
     }
     return status;
 }
@@ -243,12 +291,9 @@ static batten_status find_allowed(const batten_hull *hull, const bat_water *wate
         if (!may_be_wet(&hull->patches[i], water))
             continue;
         const region r = region_of(&hull->patches[i], water);
-        band b = {.from = 0, .to = 1, .parts = 1};
-        const batten_status status = sum_band(&r, &b);
+        const batten_status status = add_sizes(&r, sizes);
         if (status != BATTEN_OK)
             return status;
-        for (int k = 0; k < BAT_SUMS; k++)
-            sizes[k] += b.sums[k];
     }
     const double area = fabs(sizes[BAT_WETTED]) + fabs(sizes[BAT_WET_LIDS]);
     for (int k = 0; k < BAT_SUMS; k++) {
@@ -279,6 +324,18 @@ static batten_status add_patches(const batten_hull *hull, const bat_water *water
     return BATTEN_OK;
 }
 
+/* Narrow bands that met the limits matter only where their errors add up to something. */
+static batten_status check_errors(const bat_wet *wet, const double allowed[BAT_SUMS])
+{
+    for (int k = 0; k < BAT_SUMS && wet->limited; k++)
+        if (wet->errors[k] > MOST_ALLOWED * allowed[k])
+            return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                            "hydrostatics are not found within the precision after %d halvings "
+                            "of a patch",
+                            MOST_HALVINGS);
+    return BATTEN_OK;
+}
+
 batten_status bat_hull_wet(const batten_hull *hull, const bat_water *water, double precision,
                            const batten_job *job, bat_wet *out)
 {
@@ -286,33 +343,33 @@ batten_status bat_hull_wet(const batten_hull *hull, const bat_water *water, doub
     band *waiting = bat_array(MOST_DEPTH + 2, sizeof *waiting);
     if (!waiting)
         return BATTEN_OUT_OF_MEMORY;
-    *out = (bat_wet){{0}, {0}};
+    *out = (bat_wet){{0}, {0}, false};
     batten_status status = find_allowed(hull, water, precision, allowed);
     if (status == BATTEN_OK)
         status = add_patches(hull, water, allowed, waiting, job, out);
     bat_release(waiting);
-    return status;
+    return status == BATTEN_OK ? check_errors(out, allowed) : status;
 }
 
 /* ---- whole patches ---- */
 
-double bat_patch_flux(const bat_patch *patch)
+void bat_patch_flux(const bat_patch *patch, double *flux, double normal[3])
 {
-    /* Below a plane far above, with P in the place of h n. */
     const bat_water none = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, 2};
     const region r = region_of(patch, &none);
-    double flux = 0;
     for (int i = 0; i < r.count; i++)
         for (int j = 0; j < r.count; j++) {
+            const double weight = r.weights[i] * r.weights[j] / 4;
             bat_row row;
             bat_row_point p;
-            double normal[3];
+            double n[3];
             bat_patch_row(patch, r.constant, 0.5 + 0.5 * r.nodes[i], &row);
             bat_row_at(&row, 0.5 + 0.5 * r.nodes[j], &p);
-            normal_of(&p, r.sign, normal);
-            flux += r.weights[i] * r.weights[j] / 4 * dot(p.at, normal);
+            normal_of(&p, r.sign, n);
+            *flux += weight * dot(p.at, n);
+            for (int c = 0; c < 3; c++)
+                normal[c] += weight * n[c];
         }
-    return flux;
 }
 
 batten_status bat_patch_area(const bat_patch *patch, double *area)

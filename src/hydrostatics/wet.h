@@ -21,13 +21,14 @@ typedef enum {
 typedef struct {
     double sums[BAT_SUMS];
     double errors[BAT_SUMS]; /* estimated */
+    bool limited;            /* somewhere the limits of halving were met first */
 } bat_wet;
 
 /* BAD_ARGUMENT outside of 1e-14 to 0.1. */
 batten_status bat_check_precision(double precision);
 
-/* All patches, each sum within `precision` of the largest that its kind has. CANCELLED,
- * INCOMPLETE. */
+/* All patches, each sum within `precision` of the largest that its kind has. TOLERANCE_NOT_MET,
+ * CANCELLED, INCOMPLETE, OUT_OF_MEMORY. */
 batten_status bat_hull_wet(const batten_hull *hull, const bat_water *water, double precision,
                            const batten_job *job, bat_wet *out);
 
@@ -35,8 +36,9 @@ batten_status bat_hull_wet(const batten_hull *hull, const bat_water *water, doub
 void bat_take_values(const batten_hull *hull, const bat_water *water, const bat_wet *wet,
                      batten_hydrostatics *out);
 
-/* The flux of the field P out of a patch: above 0 where it faces away from the centre. */
-double bat_patch_flux(const bat_patch *patch);
+/* Add the flux of the field P out of a patch, above 0 where it faces away from the centre, and
+ * the integral of its normal. */
+void bat_patch_flux(const bat_patch *patch, double *flux, double normal[3]);
 /* In parts of the square of the size. */
 batten_status bat_patch_area(const bat_patch *patch, double *area);
 

@@ -120,3 +120,25 @@ TEST(what_is_no_hull_is_refused_with_its_number)
     CHECK(!hull);
     batten_surface_unref(half);
 }
+
+/* A demihull of two sides: the inner one faces the centre plane. */
+TEST(inner_sides_of_their_own_and_open_hulls_that_are_said_to_be_whole_are_refused)
+{
+    static const double outer[][2] = {{3, 0}, {4, 2}}, inner[][2] = {{3, 0}, {2, 2}};
+    static const double tray[][2] = {{-2, 1}, {-2, 0}, {2, 0}, {2, 1}};
+    batten_surface *sides[2] = {half_prism(0, 10, 2, outer), half_prism(0, 10, 2, inner)};
+    batten_surface *open = half_prism(0, 10, 4, tray);
+    batten_hull *hull = NULL;
+    batten_hull_options whole = batten_hull_defaults();
+    whole.whole = true;
+    CHECK_STATUS(batten_hull_create(2, (const batten_surface *const *)sides, NULL, &hull),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("face to different sides");
+    CHECK_STATUS(batten_hull_create(1, (const batten_surface *const[]){open}, &whole, &hull),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("surface 1 of a whole hull is not closed: 40 of its area");
+    CHECK(!hull);
+    batten_surface_unref(sides[0]);
+    batten_surface_unref(sides[1]);
+    batten_surface_unref(open);
+}

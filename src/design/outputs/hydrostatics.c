@@ -38,7 +38,7 @@ static const batten_parameter parameters[] = {
     {"length", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "between perpendiculars, for the coefficients; else that of each waterline"},
     {"whole", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
-     "the surfaces are both halves, and closed by themselves"},
+     "each surface is a hull that is closed by itself"},
     {"mass", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
      "of the ship and what it carries, tonnes: how it floats then, and its righting arms"},
     {"gravity", BATTEN_VALUE_POINT, false, false, NULL, NULL, "the centre of this mass"},
@@ -87,7 +87,6 @@ static void fill_row(const hydro *h, const batten_hydrostatics *v, double length
 {
     const double cubic = h->metres * h->metres * h->metres, density = h->report.density;
     const double draught = values[BAT_HYDRO_T], breadth = values[BAT_HYDRO_BREADTH];
-    const double area = values[BAT_HYDRO_MIDSHIP];
     const bool wet = v->volume > 0;
     values[BAT_HYDRO_VOLUME] = v->volume;
     values[BAT_HYDRO_DISPLACEMENT] = density * v->volume * cubic;
@@ -107,8 +106,6 @@ static void fill_row(const hydro *h, const batten_hydrostatics *v, double length
     values[BAT_HYDRO_MCT] =
         share(density * v->along * cubic * h->metres, 100 * length * h->metres);
     values[BAT_HYDRO_CB] = share(v->volume, length * breadth * draught);
-    values[BAT_HYDRO_CM] = share(area, breadth * draught);
-    values[BAT_HYDRO_CP] = share(v->volume, length * area);
     values[BAT_HYDRO_CWP] = share(v->waterplane, length * breadth);
     values[BAT_HYDRO_CVP] = share(v->volume, v->waterplane * draught);
 }
@@ -144,14 +141,9 @@ static batten_status add_row(hydro *h, double draught, bat_hydro_row *row)
         bat_note(h->run,
                  "at the draught %.6g the edge of the deck, lowest at z = %.6g, is under water",
                  draught, deck_height(h));
-    const double middle = 0.5 * (along.a + along.b);
-    double area = 0;
-    if (v.volume > 0)
-        status = batten_hull_section_areas(h->hull, &at, 1, &middle, PRECISION, &area);
     row->values[BAT_HYDRO_T] = draught;
     row->values[BAT_HYDRO_LENGTH] = along.b - along.a;
     row->values[BAT_HYDRO_BREADTH] = across.b - across.a;
-    row->values[BAT_HYDRO_MIDSHIP] = area;
     fill_row(h, &v, h->report.length > 0 ? h->report.length : along.b - along.a, row->values);
     return status;
 }
@@ -319,9 +311,15 @@ static batten_status make_hull(hydro *h)
     return status;
 }
 
-static void note_lids(const hydro *h)
+static void note_hull(const hydro *h)
 {
     int count;
+    const batten_box box = batten_hull_box(h->hull);
+    if (box.low.z < -bat_tolerance(h->run))
+        bat_remark(h->run,
+                   "the hull reaches to z = %.6g, below the baseline z = 0 from which draughts "
+                   "count, also in the coefficients",
+                   box.low.z);
     const batten_hull_lid *lids = batten_hull_lids(h->hull, &count);
     for (int i = 0; i < count; i++)
         bat_remark(
@@ -345,7 +343,7 @@ static batten_status run_hydrostatics(bat_run *run)
 {
     hydro h = {.run = run, .metres = bat_unit_metres(run)};
     h.report = (bat_hydro_report){
-        .unit = bat_unit_name(run),
+        .unit = *bat_unit_name(run) ? bat_unit_name(run) : "units",
         .density = bat_number(run, "density"),
         .trim = bat_number(run, "trim") * 180 / BAT_PI,
         .heel = bat_number(run, "heel") * 180 / BAT_PI,
@@ -355,7 +353,7 @@ static batten_status run_hydrostatics(bat_run *run)
     if (status == BATTEN_OK)
         status = make_hull(&h);
     if (status == BATTEN_OK) {
-        note_lids(&h);
+        note_hull(&h);
         h.report.lids = batten_hull_lids(h.hull, &h.report.lid_count);
         status = fill_table(&h);
     }
@@ -380,9 +378,10 @@ const bat_feature bat_feature_hydrostatics = {
          "The surfaces are one half of the hull, or both when they are images of each other in the\n"
          "centre plane. Edges off the centre plane that no other surface shares are closed by\n"
          "straight lines across, as transoms, decks and flat bottoms are, and a remark names each.\n"
-         "x runs along the ship, z up from the baseline. As JSON when the file ends in .json;\n"
-         "tables by draughts and of arms (CSV) when it ends in .csv; else text with conventions\n"
-         "and names.",
+         "A hull whose inner sides or upper faces are surfaces of their own, as of a catamaran, is\n"
+         "refused. x runs along the ship, z up from the baseline. As JSON when the file ends in\n"
+         ".json; tables by draughts and of arms (CSV) when it ends in .csv; else text with\n"
+         "conventions and names.",
          "features:\n"
          "  table: {read: offsets.csv}\n"
          "  hull: {loft: table, within: 3 mm}\n"

@@ -27,10 +27,7 @@ static const struct {
     [BAT_HYDRO_KML] = {"KML", "%", "longitudinal metacentre above the baseline, KB + BML"},
     [BAT_HYDRO_TPC] = {"TPC", "t/cm", "tonnes per centimetre of immersion"},
     [BAT_HYDRO_MCT] = {"MCT", "t m/cm", "moment to trim one centimetre, by BML"},
-    [BAT_HYDRO_MIDSHIP] = {"AM", "%2", "section area at the middle of the waterline"},
     [BAT_HYDRO_CB] = {"CB", "1", "block coefficient, VOL / (L BWL T)"},
-    [BAT_HYDRO_CM] = {"CM", "1", "midship coefficient, AM / (BWL T)"},
-    [BAT_HYDRO_CP] = {"CP", "1", "prismatic coefficient, VOL / (L AM)"},
     [BAT_HYDRO_CWP] = {"CWP", "1", "waterplane coefficient, AW / (L BWL)"},
     [BAT_HYDRO_CVP] = {"CVP", "1", "vertical prismatic coefficient, VOL / (AW T)"},
 };

@@ -30,6 +30,17 @@ static double largest_turn(const bat_shape *s)
     return turn / pixel;
 }
 
+/* What a failure has prepared is given back, so that it may be tried again. */
+static batten_status prepare(const batten_model *model, const batten_draw_options *options,
+                             bat_drawing *out)
+{
+    *out = (bat_drawing){.model = model, .options = options};
+    const batten_status status = bat_drawing_prepare(out);
+    if (status != BATTEN_OK)
+        bat_drawing_free(out);
+    return status;
+}
+
 TEST(the_outline_of_a_comb_leaves_its_curve_by_no_pixel)
 {
     batten_draw_options options = batten_draw_defaults();
@@ -37,8 +48,8 @@ TEST(the_outline_of_a_comb_leaves_its_curve_by_no_pixel)
     for (int i = 0; i < test_cases(COUNT(bows)); i++) {
         batten_model *model = scene_empty();
         scene_add_curve(model, "bow", scene_curve(2, 3, 4, bows[i]));
-        bat_drawing drawing = {.model = model, .options = &options};
-        CHECK_OK(bat_drawing_prepare(&drawing));
+        bat_drawing drawing;
+        CHECK_OK(prepare(model, &options, &drawing));
         CHECK(drawing.shapes[0].tooth_count > 160);
         CHECK(largest_turn(&drawing.shapes[0]) < 1);
         bat_drawing_free(&drawing);
@@ -55,8 +66,8 @@ TEST(a_sharper_bend_has_more_teeth)
     for (int i = 0; i < 2; i++) {
         batten_model *model = scene_empty();
         scene_add_curve(model, "bow", scene_curve(2, 3, 4, bows[2 * i]));
-        bat_drawing drawing = {.model = model, .options = &options};
-        CHECK_OK(bat_drawing_prepare(&drawing));
+        bat_drawing drawing;
+        CHECK_OK(prepare(model, &options, &drawing));
         counts[i] = drawing.shapes[0].tooth_count;
         bat_drawing_free(&drawing);
         batten_model_unref(model);

