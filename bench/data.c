@@ -302,7 +302,8 @@ static size_t surface_numbers(const bench_work *work)
     return work->order == 0 ? 3 : work->normals_only ? 6 : 12;
 }
 
-void bench_fill(bench_work *work)
+/* Curves and surfaces at parameters; false for another kind of work. */
+static bool fill_evaluation(bench_work *work)
 {
     const size_t n = work->count;
     switch (work->kind) {
@@ -325,6 +326,17 @@ void bench_fill(bench_work *work)
         work->v = make_parameters(n, true, 32);
         work->result_count = n * surface_numbers(work);
         break;
+    default:
+        return false;
+    }
+    return true;
+}
+
+/* Rows of points that curves go through; false for another kind of work. */
+static bool fill_rows(bench_work *work)
+{
+    const size_t n = work->count;
+    switch (work->kind) {
     case CURVE_THROUGH:
         work->data = make_cloud(n);
         work->truth = work->data;
@@ -343,6 +355,16 @@ void bench_fill(bench_work *work)
         work->truth = work->data;
         work->result_count = 2 * n;
         break;
+    default:
+        return false;
+    }
+    return true;
+}
+
+static void fill_others(bench_work *work)
+{
+    const size_t n = work->count;
+    switch (work->kind) {
     case TRIANGULATION:
         work->u = make_parameters(2 * n, true, 61);
         work->result_count = 2;
@@ -380,6 +402,12 @@ void bench_fill(bench_work *work)
         work->result_count = 3 * n * n;
         break;
     }
+}
+
+void bench_fill(bench_work *work)
+{
+    if (!fill_evaluation(work) && !fill_rows(work))
+        fill_others(work);
     /* Coordinates reach 20: this is some hundred roundings of the spans' widths. */
     if (work->within == 0)
         work->within = 1e-11;

@@ -3,7 +3,7 @@
 #define BAT_HYDROSTATICS_KINKS_H
 #include "hydrostatics/hull.h"
 
-/* So many turns of the waterline in one patch are told apart. */
+/* At most this many turns of the waterline are kept for one patch. */
 enum { BAT_MOST_TURNS = 40, BAT_MOST_KINKS = 2 * BATTEN_MAX_DEGREE + BAT_MOST_TURNS + 2 };
 
 /* Parameters of rows, rising, with 0 and 1: where the waterline meets an end of the rows, and

@@ -7,6 +7,7 @@
 #include "hydrostatics/kinks.h"
 #include "numeric/bernstein.h"
 #include "numeric/quadrature.h"
+#include "numeric/vector.h"
 
 #include <float.h>
 #include <string.h>
@@ -41,11 +42,6 @@ typedef struct {
 
 /* ---- one point ---- */
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static void normal_of(const bat_row_point *p, double sign, double out[3])
 {
     const double *a = p->derivative[0], *b = p->derivative[1];
@@ -60,8 +56,8 @@ static void add_point(const region *r, const bat_row_point *p, double weight,
     const bat_water *w = r->water;
     double normal[3];
     normal_of(p, r->sign, normal);
-    const double up = weight * dot(w->n, normal), h = dot(w->n, p->at) - w->d;
-    const double along = dot(w->along, p->at), across = dot(w->across, p->at);
+    const double up = weight * bat_dot(3, w->n, normal), h = bat_dot(3, w->n, p->at) - w->d;
+    const double along = bat_dot(3, w->along, p->at), across = bat_dot(3, w->across, p->at);
     sums[BAT_VOLUME] += h * up;
     for (int c = 0; c < 3; c++)
         sums[BAT_MOMENT + c] += (p->at[c] - w->n[c] * h / 2) * h * up;
@@ -71,11 +67,11 @@ static void add_point(const region *r, const bat_row_point *p, double weight,
     sums[BAT_PLANE_SQUARES] -= along * along * up;
     sums[BAT_PLANE_SQUARES + 1] -= along * across * up;
     sums[BAT_PLANE_SQUARES + 2] -= across * across * up;
-    sums[BAT_OPENING] += weight * dot(w->along, normal);
-    sums[BAT_OPENING + 1] += weight * dot(w->across, normal);
+    sums[BAT_OPENING] += weight * bat_dot(3, w->along, normal);
+    sums[BAT_OPENING + 1] += weight * bat_dot(3, w->across, normal);
     if (r->patch->lid != BAT_JOINT)
         sums[r->patch->lid == BAT_SKIN ? BAT_WETTED : BAT_WET_LIDS] +=
-            weight * sqrt(dot(normal, normal));
+            weight * sqrt(bat_dot(3, normal, normal));
 }
 
 /* ---- one row ---- */
@@ -113,7 +109,7 @@ static bool is_wet(const region *r, const bat_row *row, const double *heights, d
         return false;
     bat_row_at(row, t, &p);
     normal_of(&p, r->sign, normal);
-    return dot(r->water->n, normal) < 0;
+    return bat_dot(3, r->water->n, normal) < 0;
 }
 
 static batten_status add_row(const region *r, double t, double weight, band *b)
@@ -155,7 +151,8 @@ static batten_direction steep_direction(const bat_patch *patch, const double n[3
             const double *p = patch->points + 4 * (i * columns + j);
             const double *last[2] = {i > 0 ? p - (ptrdiff_t)4 * columns : p, j > 0 ? p - 4 : p};
             for (int k = 0; k < 2; k++)
-                change[k] += fabs(dot(n, p) / p[3] - dot(n, last[k]) / last[k][3]);
+                change[k] +=
+                    fabs(bat_dot(3, n, p) / p[3] - bat_dot(3, n, last[k]) / last[k][3]);
         }
     return change[1] / rows >= change[0] / columns ? BATTEN_V : BATTEN_U;
 }
@@ -176,7 +173,7 @@ static bool may_be_wet(const bat_patch *patch, const bat_water *water)
 {
     const int count = (patch->degree[0] + 1) * (patch->degree[1] + 1);
     for (int i = 0; i < count; i++)
-        if (dot(water->n, patch->points + 4 * i) <= water->d * patch->points[4 * i + 3])
+        if (bat_dot(3, water->n, patch->points + 4 * i) <= water->d * patch->points[4 * i + 3])
             return true;
     return false;
 }
@@ -366,7 +363,7 @@ void bat_patch_flux(const bat_patch *patch, double *flux, double normal[3])
             bat_patch_row(patch, r.constant, 0.5 + 0.5 * r.nodes[i], &row);
             bat_row_at(&row, 0.5 + 0.5 * r.nodes[j], &p);
             normal_of(&p, r.sign, n);
-            *flux += weight * dot(p.at, n);
+            *flux += weight * bat_dot(3, p.at, n);
             for (int c = 0; c < 3; c++)
                 normal[c] += weight * n[c];
         }

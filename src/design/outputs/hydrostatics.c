@@ -10,7 +10,7 @@
 
 /* Draughts where none are given: in round steps, no more than so many. */
 enum { MOST_DRAUGHTS = 12 };
-/* All numbers are right to this, relatively; shown are six digits. */
+/* Of the sums in each patch, relatively; text shows six digits. */
 static const double PRECISION = 1e-9;
 /* A draught at the edge of the deck is one that is given but for rounding. */
 static const double ROUNDING = 1e-9;
@@ -394,5 +394,5 @@ const bat_feature bat_feature_hydrostatics = {
              "    V = ∫ h n·N,  M = ∫ (P h − n h²/2) n·N,  A = −∫ n·N,  over the wet surface; h the height above the water,\n"
              "    n up, N outwards. GZ = (B − G)·e, e across towards the side that is down",
          .promise =
-             "Volume, centres and moments are right to 1e-9 of their size, at any heel and trim, of the surfaces that are given."},
+             "Volume, centres and moments are integrated to 1e-9 of their size in each patch, at any heel and trim, on the surfaces that are given."},
     .run = run_hydrostatics};

@@ -265,11 +265,11 @@ static batten_status add_given(bat_fill_loop *loop, const batten_ribbon *ribbon,
     return status;
 }
 
-static batten_status check_sides(int count, const batten_ribbon *sides)
+batten_status bat_fill_check_sides(int count, int most, const batten_ribbon *sides)
 {
-    if (count < 2 || count > BATTEN_FILL_SIDES)
+    if (count < 2 || count > most)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a hole of %d sides cannot be filled: 2 to %d",
-                        count, BATTEN_FILL_SIDES);
+                        count, most);
     for (int i = 0; i < count; i++) {
         const batten_curve *all[3] = {sides[i].curve, sides[i].slope, sides[i].curvature};
         for (int k = 0; k < 3; k++)
@@ -340,7 +340,7 @@ batten_status bat_fill_loop_make(int count, const batten_ribbon *sides, double t
     bat_fill_loop loop = {0};
     const batten_curve *curves[BATTEN_FILL_SIDES];
     batten_loop_place places[BATTEN_FILL_SIDES];
-    batten_status status = check_sides(count, sides);
+    batten_status status = bat_fill_check_sides(count, BATTEN_FILL_SIDES, sides);
     if (status != BATTEN_OK)
         return status;
     find_frame(count, sides, &loop);

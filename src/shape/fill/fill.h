@@ -169,4 +169,7 @@ batten_status bat_fill_find_overlap(const bat_fill_loop *loop, batten_surface *c
 batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const *patches,
                                batten_surface_fill_report *report);
 
+/* BAD_ARGUMENT for fewer sides than 2 and more than `most`, and curves that are not in space. */
+batten_status bat_fill_check_sides(int count, int most, const batten_ribbon *sides);
+
 #endif

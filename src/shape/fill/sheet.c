@@ -37,22 +37,6 @@ static batten_status check_options(const batten_fill_sheet_options *o)
     return BATTEN_OK;
 }
 
-static batten_status check_sides(int count, const batten_ribbon *sides)
-{
-    if (count < 2 || count > BATTEN_SHEET_SIDES)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "a hole of %d sides cannot be filled: 2 to %d",
-                        count, BATTEN_SHEET_SIDES);
-    for (int i = 0; i < count; i++) {
-        const batten_curve *all[3] = {sides[i].curve, sides[i].slope, sides[i].curvature};
-        for (int k = 0; k < 3; k++)
-            if (all[k] && batten_curve_dimension(all[k]) != 3)
-                return bat_fail(BATTEN_BAD_ARGUMENT,
-                                "curve %d has dimension %d: sides of a hole lie in space",
-                                i + 1, batten_curve_dimension(all[k]));
-    }
-    return BATTEN_OK;
-}
-
 /* ---- is it good? ---- */
 
 typedef struct {
@@ -225,7 +209,7 @@ batten_status batten_surface_fill_sheet(int count, const batten_ribbon *sides,
     if (status == BATTEN_OK)
         status = check_options(&chosen);
     if (status == BATTEN_OK)
-        status = check_sides(count, sides);
+        status = bat_fill_check_sides(count, BATTEN_SHEET_SIDES, sides);
     if (status != BATTEN_OK)
         return status;
     bat_sheet_outline *outline = bat_array(1, sizeof *outline);
