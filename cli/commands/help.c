@@ -50,7 +50,7 @@ static void add_commands(batten_text *text, const command_table *table)
         "usage: batten COMMAND ...\n\n",
         batten_version());
     for (int i = 0; i < table->count; i++)
-        batten_text_add(text, "  %-9s %s\n", table->at[i]->name, table->at[i]->summary);
+        batten_text_add(text, "  %-12s  %s\n", table->at[i]->name, table->at[i]->summary);
     batten_text_add(
         text,
         "\n"

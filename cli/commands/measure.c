@@ -25,7 +25,7 @@ const command command_measure = {
     .name = "measure",
     .usage = "IN [--from-format FORMAT] [--within TOL] [--all] [--json]",
     .summary =
-        "lengths, areas, moments and special places of curves; areas and volumes of shapes",
+        "lengths, areas, moments, special places of curves; areas and volumes of shapes",
     .manual =
         "IN is a file of curves, surfaces, bodies or meshes, as for batten info; for points and\n"
         "tables of offsets their number and box are reported. The first line states the unit of\n"

@@ -6,7 +6,7 @@ TEST(help_has_a_topic_for_every_command_and_feature)
 {
     static const line_row rows[] = {
         {"$BATTEN help", 0,
-         "usage: batten COMMAND ...|  build     make everything that a design file describes|Exit status: 0 done, 1 failed",
+         "usage: batten COMMAND ...|  build         make everything that a design file describes|Exit status: 0 done, 1 failed",
          ""},
         {"$BATTEN help build", 0,
          "usage: batten build DESIGN|\nOptions:\n  --output DIR, -o          where the outputs go (beside the design)|\n  --set NAME=VALUE          set a parameter of the design, or a value by its path (may be repeated)\n|\n  --json                    print the report as JSON\n|\n  --quiet, -q               no progress",
