@@ -3,6 +3,7 @@
 #include "base/plural.h"
 #include "base/work.h"
 #include "fair/fairness.h"
+#include "numeric/vector.h"
 #include <batten/interpolate.h>
 
 #include <float.h>
@@ -67,14 +68,12 @@ static void complete_frame(int width, double *frame)
             least = k;
     double axis[3] = {0};
     axis[least] = 1;
-    const double cross[3] = {t[1] * axis[2] - t[2] * axis[1], t[2] * axis[0] - t[0] * axis[2],
-                             t[0] * axis[1] - t[1] * axis[0]};
+    double cross[3];
+    bat_cross(t, axis, cross);
     const double size = bat_hypot(bat_hypot(cross[0], cross[1]), cross[2]);
     for (int k = 0; k < 3; k++)
         frame[k] = cross[k] / size;
-    frame[3] = t[1] * frame[2] - t[2] * frame[1];
-    frame[4] = t[2] * frame[0] - t[0] * frame[2];
-    frame[5] = t[0] * frame[1] - t[1] * frame[0];
+    bat_cross(t, frame, frame + 3);
 }
 
 /* At right angles to the chord from the last to the next duck; where these coincide, and for a

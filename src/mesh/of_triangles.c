@@ -5,6 +5,7 @@
  */
 #include "base/plural.h"
 #include "base/work.h"
+#include "numeric/vector.h"
 
 #include <batten/mesh.h>
 #include <batten/triangles.h>
@@ -149,14 +150,6 @@ static double second_difference(const batten_triangles *triangles)
     return largest;
 }
 
-/* The angle between normals; 0 where one is missing. */
-static double angle_between(const double *a, const double *b)
-{
-    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
-    const double z = a[0] * b[1] - a[1] * b[0];
-    return bat_atan2(bat_hypot(bat_hypot(x, y), z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
-
 /* The largest distance of the patches from the parts, at the middles of these, and the largest
  * angle between normals. */
 static batten_status measure_division(const dividing *d, batten_mesh_report *report)
@@ -186,8 +179,8 @@ static batten_status measure_division(const dividing *d, batten_mesh_report *rep
                 report->beyond += off > d->chord;
                 const double *at_a = &d->normals[3 * a], *at_b = &d->normals[3 * b];
                 const double turn =
-                    bat_max(angle_between(at_a, at_b), bat_max(angle_between(at_a, at_b + 3),
-                                                               angle_between(at_b, at_b + 3)));
+                    bat_max(bat_angle(at_a, at_b),
+                            bat_max(bat_angle(at_a, at_b + 3), bat_angle(at_b, at_b + 3)));
                 report->angle = bat_max(report->angle, turn);
             }
     return BATTEN_OK;

@@ -45,6 +45,24 @@ static inline double bat_dot(int d, const double *a, const double *b)
     return sum;
 }
 
+/* The cross product of rows of three; `out` may be one of them. */
+static inline void bat_cross(const double *a, const double *b, double *out)
+{
+    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+    out[0] = x;
+    out[1] = y;
+}
+
+/* The angle between rows of three, in radians; 0 where one of them vanishes. */
+static inline double bat_angle(const double *a, const double *b)
+{
+    double n[3];
+    bat_cross(a, b, n);
+    return bat_atan2(bat_hypot(bat_hypot(n[0], n[1]), n[2]),
+                     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
 /* The largest |a[k]|. */
 static inline double bat_largest(int d, const double *a)
 {

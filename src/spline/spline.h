@@ -32,6 +32,8 @@ batten_status bat_knots_check(int degree, int count, const double *knots, const 
  * from the left: U[k] < u <= U[k + 1]. u must lie in the domain. */
 int bat_knots_span(int degree, int count, const double *knots, double u, batten_side side);
 int bat_knots_multiplicity(int degree, int count, const double *knots, double u);
+/* How many derivatives do not jump at any inner knot, from 0 to `most`. */
+int bat_knots_smoothness(int degree, int count, const double *knots, int most);
 /* Move a parameter at most 4 ulps outside onto the end; OUT_OF_DOMAIN or NOT_FINITE otherwise.
  */
 batten_status bat_knots_clip(double a, double b, double *u);

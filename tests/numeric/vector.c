@@ -32,6 +32,34 @@ TEST(vectors_obey_their_identities)
     CHECK_BITS(bat_vec3_of(3, (const double[3]){4, 5, 6}).z, 6);
 }
 
+TEST(the_cross_product_of_rows_may_replace_one_of_them)
+{
+    double a[3] = {1, 2, 3}, b[3] = {-4, 5, 7}, out[3];
+    bat_cross(a, b, out);
+    CHECK(out[0] == -1 && out[1] == -19 && out[2] == 13);
+    bat_cross(a, b, a);
+    CHECK(a[0] == -1 && a[1] == -19 && a[2] == 13);
+    bat_cross((const double[3]){1, 2, 3}, b, b);
+    CHECK(b[0] == -1 && b[1] == -19 && b[2] == 13);
+}
+
+TEST(the_angle_of_rows_does_not_depend_on_their_lengths_and_vanishes_with_one)
+{
+    const double a[3] = {3, 0, 4}, nothing[3] = {0, 0, 0};
+    const double with[][4] = {/* and the angle */
+                              {30, 0, 40, 0},
+                              {-3, 0, -4, 3.14159265358979324},
+                              {0, 2, 0, 1.57079632679489662},
+                              {-4, 0, 3, 1.57079632679489662},
+                              {4, -5, -3, 1.57079632679489662},
+                              {3, 5, 4, 0.785398163397448310}};
+    for (int i = 0; i < COUNT(with); i++) {
+        CHECK_NEAR(bat_angle(a, with[i]), with[i][3], 4 * DBL_EPSILON);
+        CHECK_NEAR(bat_angle(with[i], a), with[i][3], 4 * DBL_EPSILON);
+    }
+    CHECK(bat_angle(a, nothing) == 0 && bat_angle(nothing, a) == 0);
+}
+
 TEST(the_distance_of_a_segment_is_that_of_its_nearest_point)
 {
     const double a[3] = {0, 0, 0}, b[3] = {4, 0, 3};

@@ -1,5 +1,6 @@
 /* Normals, triangulated polygons and the remarks that all formats of meshes share. */
 #include "exchange/meshes/facets.h"
+#include "numeric/vector.h"
 
 #include <string.h>
 
@@ -18,8 +19,8 @@ void bat_facet_normal(const double a[3], const double b[3], const double c[3], d
         u[k] /= size;
         v[k] /= size;
     }
-    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                         u[0] * v[1] - u[1] * v[0]};
+    double n[3];
+    bat_cross(u, v, n);
     const double length = bat_hypot(bat_hypot(n[0], n[1]), n[2]);
     for (int k = 0; k < 3 && length > 0; k++)
         normal[k] = n[k] / length;

@@ -32,8 +32,8 @@ static batten_status affine_speed(const batten_curve *curve, bool is_flat, doubl
         *speed = bat_cbrt(fabs(cross(a, b)));
         return BATTEN_OK;
     }
-    const double n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                         a[0] * b[1] - a[1] * b[0]};
+    double n[3];
+    bat_cross(a, b, n);
     *speed = is_flat ? bat_cbrt(bat_norm(3, n)) : sqrt(bat_cbrt(fabs(bat_dot(3, n, c))));
     return BATTEN_OK;
 }

@@ -41,8 +41,8 @@ static double density(const ruler *r, const double *values, const double h[2])
         a[k] = values[r->dimension + k] / r->size * h[0];
         b[k] = values[2 * r->dimension + k] / r->size * h[1];
     }
-    return bat_hypot(bat_hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2]),
-                     a[0] * b[1] - a[1] * b[0]);
+    bat_cross(a, b, a);
+    return bat_hypot(bat_hypot(a[0], a[1]), a[2]);
 }
 
 static void sum_cell(const ruler *r, cell *c)

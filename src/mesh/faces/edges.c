@@ -1,5 +1,6 @@
 /* Edges as polylines: sampled once, near to the curve and to all faces that share it. */
 #include "mesh/faces/lattice.h"
+#include "numeric/vector.h"
 
 #include <float.h>
 #include <limits.h>
@@ -44,14 +45,6 @@ static double distance(const double *a, const double *b)
     return bat_hypot(bat_hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-/* The angle between directions; 0 when one of them vanishes. */
-static double angle_between(const double *a, const double *b)
-{
-    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
-    const double z = a[0] * b[1] - a[1] * b[0];
-    return bat_atan2(bat_hypot(bat_hypot(x, y), z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
-
 /* Near enough counts as 1. The curve leaves its chord by the square of a piece's length, and
  * turns with the length. */
 static batten_status judge_curve(const bat_meshing *m, const batten_curve *curve,
@@ -70,7 +63,7 @@ static batten_status judge_curve(const bat_meshing *m, const batten_curve *curve
     for (int i = 1; i < 4; i++)
         miss = bat_max(miss, bat_distance_to_segment(d[i], p->ends[0], p->ends[1]));
     for (int i = 0; i < 4; i++)
-        turn += angle_between(d[i] + 3, d[i + 1] + 3);
+        turn += bat_angle(d[i] + 3, d[i + 1] + 3);
     *excess = bat_max(sqrt(miss / (0.8 * m->chord)), turn / m->angle);
     *excess = bat_max(*excess, distance(p->ends[0], p->ends[1]) / m->longest);
     return BATTEN_OK;
@@ -117,7 +110,7 @@ static batten_status judge_use(const bat_meshing *m, int use, const piece *p, do
         return BATTEN_OK;
     /* Along a straight edge the surface may twist: a triangle as wide as long is off by an
      * eighth of length times angle. */
-    const double turn = angle_between(n[0], n[1]);
+    const double turn = bat_angle(n[0], n[1]);
     const double twist = turn * distance(p->ends[0], p->ends[1]) / 8;
     *excess = bat_max(*excess, bat_max(turn / m->angle, sqrt(twist / (0.8 * m->chord))));
     return BATTEN_OK;

@@ -1,5 +1,6 @@
 /* Surfaces as meshes see them: normals, creases, and how large a cell may be. */
 #include "mesh/faces/lattice.h"
+#include "numeric/vector.h"
 
 #include <string.h>
 
@@ -67,12 +68,6 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void cross(const double *a, const double *b, double *out)
-{
-    for (int k = 0; k < 3; k++)
-        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
 static double norm(const double *a)
 {
     return bat_hypot(bat_hypot(a[0], a[1]), a[2]);
@@ -91,7 +86,7 @@ bool bat_sheet_normal(const double *d, double normal[3])
         su[k] = d[3 + k] / lu;
         sv[k] = d[6 + k] / lv;
     }
-    cross(su, sv, normal);
+    bat_cross(su, sv, normal);
     const double length = norm(normal);
     for (int k = 0; k < 3; k++)
         normal[k] /= length > 0 ? length : 1;
@@ -109,11 +104,11 @@ void bat_lattice_bound(const double *d, bat_lattice_bounds *out)
     out->length[1] = norm(sv);
     for (int k = 0; k < 3; k++)
         out->bend[k] = regular ? fabs(dot(n, d + 9 + 3 * k)) : norm(d + 9 + 3 * k);
-    cross(su, sv, big);
+    bat_cross(su, sv, big);
     const double size = norm(big);
     for (int k = 0; k < 2; k++) { /* N_u = Suu x Sv + Su x Suv, N_v = Suv x Sv + Su x Svv */
-        cross(d + 9 + 3 * k, sv, part);
-        cross(su, d + 12 + 3 * k, other);
+        bat_cross(d + 9 + 3 * k, sv, part);
+        bat_cross(su, d + 12 + 3 * k, other);
         for (int i = 0; i < 3; i++)
             part[i] += other[i];
         const double along = regular ? dot(part, n) : 0;
@@ -146,7 +141,7 @@ batten_status bat_sheet_is_crease(const bat_sheet *sheet, int d, double at, bool
             regular = bat_sheet_normal(sides[k], n[k]) && regular;
         }
         double away[3];
-        cross(n[0], n[1], away);
+        bat_cross(n[0], n[1], away);
         *found = regular && (dot(n[0], n[1]) < 0 || norm(away) > crease);
     }
     return BATTEN_OK;

@@ -1,4 +1,5 @@
 /* The shapes of a drawing: curves, isolines and points as strokes, combs as teeth, and their colours. */
+#include "numeric/vector.h"
 #include "picture/drawings/drawing.h"
 #include "picture/sheet/axes.h"
 #include "picture/sheet/flat.h"
@@ -21,9 +22,7 @@ static double bend_at(const batten_tooth *teeth, double stretch, double size)
         along[k] = (tips[2][k] - tips[0][k]) / size;
         off[k] = (tips[1][k] - tips[0][k]) / size;
     }
-    for (int k = 0; k < 3; k++)
-        cross[k] =
-            along[(k + 1) % 3] * off[(k + 2) % 3] - along[(k + 2) % 3] * off[(k + 1) % 3];
+    bat_cross(along, off, cross);
     const double length = sqrt(bat_dot(3, along, along));
     return length > 0 ? sqrt(bat_dot(3, cross, cross)) / length : sqrt(bat_dot(3, off, off));
 }

@@ -1,4 +1,5 @@
 /* Where surfaces turn away from the eye. */
+#include "numeric/vector.h"
 #include "picture/lines/wires.h"
 
 /* The direction to the eye from a point. */
@@ -27,9 +28,7 @@ static batten_status find_away(const batten_surface *surface, const bat_eye *eye
         return status;
     const double *su = d + 3, *sv = d + 6;
     look_back(eye, d, e);
-    n[0] = su[1] * sv[2] - su[2] * sv[1];
-    n[1] = su[2] * sv[0] - su[0] * sv[2];
-    n[2] = su[0] * sv[1] - su[1] * sv[0];
+    bat_cross(su, sv, n);
     const double E = bat_dot(3, su, su), F = bat_dot(3, su, sv), G = bat_dot(3, sv, sv);
     const double x = bat_dot(3, e, su), y = bat_dot(3, e, sv), det = E * G - F * F;
     const double a = (G * x - F * y) / det, b = (E * y - F * x) / det;

@@ -43,9 +43,7 @@ void bat_triangle_normal(const batten_mesh_parts *mesh, int triangle, double n[3
         s[k] = b[k] - a[k];
         t[k] = d[k] - a[k];
     }
-    n[0] = s[1] * t[2] - s[2] * t[1];
-    n[1] = s[2] * t[0] - s[0] * t[2];
-    n[2] = s[0] * t[1] - s[1] * t[0];
+    bat_cross(s, t, n);
     const double length = sqrt(bat_dot(3, n, n));
     for (int k = 0; k < 3; k++)
         n[k] = length > 0 ? n[k] / length : 0;

@@ -7,6 +7,7 @@
  * exact: by s those of the curve itself, and by k and c from the two ways in which elastica go
  * into each other, being scaled and being shifted along themselves.
  */
+#include "numeric/vector.h"
 #include "shape/bent/two_angle.h"
 #include "spline/chain/chain.h"
 
@@ -74,19 +75,13 @@ static void respond(const unknowns *p, response *r)
 
 /* ---- three equations ---- */
 
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 /* The change of the unknowns that changes x, y and turn by `by`; false when there is none. */
 static bool solve(const response *r, const double by[3], double out[3])
 {
     double xy[3], yt[3], tx[3];
-    cross(r->x, r->y, xy);
-    cross(r->y, r->turn, yt);
-    cross(r->turn, r->x, tx);
+    bat_cross(r->x, r->y, xy);
+    bat_cross(r->y, r->turn, yt);
+    bat_cross(r->turn, r->x, tx);
     const double det = xy[0] * r->turn[0] + xy[1] * r->turn[1] + xy[2] * r->turn[2];
     bool finite = true;
     for (int i = 0; i < 3; i++) {

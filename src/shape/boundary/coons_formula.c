@@ -157,21 +157,6 @@ static void free_coons(void *data)
 static const bat_formula exact_formula = {"coons", evaluate, to_nurbs, free_coons};
 static const bat_formula near_formula = {"coons", evaluate, NULL, free_coons};
 
-/* How often a curve may be derived across its inner knots. */
-static int smoothness(const batten_curve *curve)
-{
-    int least = 2;
-    for (int i = curve->degree + 1; i < curve->count; i++) {
-        const double t = curve->knots[i];
-        const batten_interval domain = batten_curve_domain(curve);
-        if (t > domain.a && t < domain.b)
-            least = bat_min_int(least, curve->degree - bat_knots_multiplicity(curve->degree,
-                                                                              curve->count,
-                                                                              curve->knots, t));
-    }
-    return bat_max_int(0, least);
-}
-
 typedef struct {
     int count, smoothness;
     double *spans;
@@ -195,7 +180,8 @@ static batten_status find_breaks(const bat_coons *coons, int k, breaks *out)
     int all = 0;
     for (int i = 0; i < count; i++) {
         all += batten_curve_spans(curves[i], out->spans + all);
-        out->smoothness = bat_min_int(out->smoothness, smoothness(curves[i]));
+        out->smoothness = bat_knots_smoothness(curves[i]->degree, curves[i]->count,
+                                               curves[i]->knots, out->smoothness);
     }
     bat_sort_doubles((size_t)all, out->spans);
     for (int i = 0; i < all; i++)

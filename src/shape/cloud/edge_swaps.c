@@ -1,6 +1,7 @@
 /* Triangulations that follow the values: edges are swapped while planes bend less across them.
  */
 #include "base/base.h"
+#include "numeric/vector.h"
 
 #include <batten/scattered.h>
 
@@ -27,16 +28,7 @@ static void normal_of(const swapper *s, const int corners[3], double n[3])
                       s->triangles->vertices[2 * (size_t)corners[0] + (size_t)c];
         d[k][2] = s->values[corners[k + 1]] - s->values[corners[0]];
     }
-    n[0] = d[0][1] * d[1][2] - d[0][2] * d[1][1];
-    n[1] = d[0][2] * d[1][0] - d[0][0] * d[1][2];
-    n[2] = d[0][0] * d[1][1] - d[0][1] * d[1][0];
-}
-
-static double angle_between(const double a[3], const double b[3])
-{
-    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
-    const double z = a[0] * b[1] - a[1] * b[0];
-    return bat_atan2(bat_hypot(bat_hypot(x, y), z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+    bat_cross(d[0], d[1], n);
 }
 
 /* Twice the area by the square of the longest side: is the triangle there, and not thin? */
@@ -84,7 +76,7 @@ static double angle_across(const swapper *s, int t, int e, const double normal[3
     if (other < 0)
         return 0;
     normal_of(s, s->triangles->corners + 3 * other, n);
-    return angle_between(normal, n);
+    return bat_angle(normal, n);
 }
 
 /* How much less the planes bend with the other diagonal. */
@@ -100,11 +92,11 @@ static double gain_of_swap(const swapper *s, const triangle_pair *p)
     /* sides a-c and c-b of t, b-d and d-a of the other */
     const int ca = (p->e + 2) % 3, bc = (p->e + 1) % 3, db = (p->f + 2) % 3,
               ad = (p->f + 1) % 3;
-    const double before = angle_between(n[0], n[1]) + angle_across(s, p->t, ca, n[0]) +
+    const double before = bat_angle(n[0], n[1]) + angle_across(s, p->t, ca, n[0]) +
                           angle_across(s, p->t, bc, n[0]) +
                           angle_across(s, p->other, db, n[1]) +
                           angle_across(s, p->other, ad, n[1]);
-    const double after = angle_between(m[0], m[1]) + angle_across(s, p->t, ca, m[0]) +
+    const double after = bat_angle(m[0], m[1]) + angle_across(s, p->t, ca, m[0]) +
                          angle_across(s, p->other, ad, m[0]) + angle_across(s, p->t, bc, m[1]) +
                          angle_across(s, p->other, db, m[1]);
     return before - after;

@@ -46,16 +46,10 @@ static const bat_formula formula = {"deformed", evaluate_image, NULL, free_image
 /* How many derivatives do not jump at the inner knots of a surface; of a formula nothing is known. */
 static int smoothness_of(const batten_surface *surface, batten_direction direction)
 {
-    int smoothness = 2;
     if (surface->kind != &bat_nurbs_kind)
         return 0;
     const bat_axis *axis = &bat_surface_nurbs(surface)->axes[direction];
-    for (int s = 1; s < axis->span_count; s++) {
-        const int times =
-            bat_knots_multiplicity(axis->degree, axis->count, axis->knots, axis->breaks[s]);
-        smoothness = bat_min_int(smoothness, bat_max_int(0, axis->degree - times));
-    }
-    return smoothness;
+    return bat_knots_smoothness(axis->degree, axis->count, axis->knots, 2);
 }
 
 static batten_status make_image(const batten_surface *surface,

@@ -52,9 +52,7 @@ typedef struct {
     bool back;                          /* D points to where T does not */
 } bat_fill_seen;
 
-/* The corners, for all forms (hole_corners.c). */
-void bat_fill_cross(const double a[3], const double b[3], double out[3]);
-/* D in a corner: from the side that starts there (which 0) that of the `other` one, back. */
+/* The corners, for all forms (hole_corners.c). D in a corner: from the side that starts there (which 0) that of the `other` one, back. */
 void bat_fill_across(int which, const bat_fill_place *other, double out[3]);
 /* @param curve  which of the caller's, for messages */
 batten_status bat_fill_look(const bat_fill_place *place, int station, const double across[3],

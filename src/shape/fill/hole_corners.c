@@ -3,14 +3,6 @@
 #include "numeric/vector.h"
 #include "shape/fill/fill.h"
 
-void bat_fill_cross(const double a[3], const double b[3], double out[3])
-{
-    const batten_vec3 c = bat_vec3_cross(bat_vec3_of(3, a), bat_vec3_of(3, b));
-    out[0] = c.x;
-    out[1] = c.y;
-    out[2] = c.z;
-}
-
 batten_status bat_fill_see_place(const bat_fill_side *side, int station, bat_fill_place *out)
 {
     static const double at[FILL_STATIONS] = {0, 1, 1, 2};
@@ -34,15 +26,15 @@ batten_status bat_fill_look(const bat_fill_place *place, int station, const doub
 {
     const double *T = place->slope[0], *C = place->curve[1];
     double n[3];
-    bat_fill_cross(C, T, n);
+    bat_cross(C, T, n);
     const double size = bat_norm(3, n);
     if (!(size > BAT_LEAST_SINE * bat_norm(3, C) * bat_norm(3, T)))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the ribbon of curve %d has no tangent plane at the %s of its side: "
                         "its slope runs along the curve",
                         curve + 1, station == FILL_START ? "start" : "end");
-    bat_fill_cross(C, n, out->to_a);
-    bat_fill_cross(n, T, out->to_b);
+    bat_cross(C, n, out->to_a);
+    bat_cross(n, T, out->to_b);
     const double dual = bat_dot(3, T, out->to_a), other = bat_dot(3, C, out->to_b);
     for (int k = 0; k < 3; k++) {
         out->to_a[k] /= dual;
@@ -61,7 +53,7 @@ batten_status bat_fill_look(const bat_fill_place *place, int station, const doub
 bool bat_fill_is_flat(const bat_fill_place *start, const bat_fill_place *before)
 {
     double normal[3];
-    bat_fill_cross(start->curve[1], before->curve[1], normal);
+    bat_cross(start->curve[1], before->curve[1], normal);
     return bat_norm(3, normal) <
            1e-3 * bat_norm(3, start->curve[1]) * bat_norm(3, before->curve[1]);
 }
@@ -97,7 +89,7 @@ static double planes_differ(const corner *c)
 {
     if (c->side[0]->slope && c->side[1]->slope) {
         double sine[3];
-        bat_fill_cross(c->seen[0].normal, c->seen[1].normal, sine);
+        bat_cross(c->seen[0].normal, c->seen[1].normal, sine);
         return bat_atan2(bat_norm(3, sine), bat_dot(3, c->seen[0].normal, c->seen[1].normal));
     }
     for (int k = 0; k < 2; k++)

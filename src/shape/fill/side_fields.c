@@ -118,8 +118,8 @@ static void set_turn(const bat_fill *fill, const corner_side c[2], double *turn,
     const double size = bat_norm(3, normal);
     for (int m = 0; m < 3; m++)
         normal[m] /= size;
-    bat_fill_cross(normal, C, across);
-    bat_fill_cross(across, normal, along);
+    bat_cross(normal, C, across);
+    bat_cross(across, normal, along);
     const double speed = bat_norm(3, along);
     for (int m = 0; m < 3; m++) {
         along[m] /= speed;

@@ -67,8 +67,8 @@ static void eigenvector(const double m[9], double root, double p[3])
         rows[4 * i] -= root;
     for (int i = 0; i < 3; i++) {
         const double *u = rows + 3 * i, *v = rows + 3 * ((i + 1) % 3);
-        const double cross[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                 u[0] * v[1] - u[1] * v[0]};
+        double cross[3];
+        bat_cross(u, v, cross);
         const double size = bat_norm(3, cross);
         if (size > best) {
             best = size;

@@ -226,18 +226,15 @@ static batten_status make_near(blending *t, const batten_curve *unified, batten_
 {
     static const double ends[] = {0, 1};
     const bat_formula_axis v = {2, ends, 2};
-    bat_formula_axis u = {batten_curve_spans(unified, NULL), NULL, 2};
+    bat_formula_axis u = {
+        batten_curve_spans(unified, NULL), NULL,
+        bat_knots_smoothness(unified->degree, unified->count, unified->knots, 2)};
     batten_surface *truth = NULL;
     double *breaks = bat_array((size_t)u.count, sizeof *breaks), error = 0;
     if (!breaks)
         return BATTEN_OUT_OF_MEMORY;
     u.spans = breaks;
     batten_curve_spans(unified, breaks);
-    for (int s = 1; s + 1 < u.count; s++)
-        u.smoothness = bat_min_int(
-            u.smoothness, bat_max_int(0, unified->degree - bat_knots_multiplicity(
-                                                               unified->degree, unified->count,
-                                                               unified->knots, breaks[s])));
     batten_status status =
         bat_formula_create(&bat_blend_formula, t->b, 3, &u, &v, t->size, &truth);
     if (status == BATTEN_OK) {

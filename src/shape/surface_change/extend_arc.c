@@ -108,12 +108,9 @@ static batten_status make_arcs(const batten_surface *surface, double way, batten
 {
     const bat_nurbs *nurbs = bat_surface_nurbs(surface);
     const bat_axis *along = &nurbs->axes[BATTEN_U];
-    bat_formula_axis u = {along->span_count + 1, along->breaks, 2};
-    for (int s = 1; s < along->span_count; s++)
-        u.smoothness = bat_min_int(
-            u.smoothness, bat_max_int(0, along->degree - bat_knots_multiplicity(
-                                                             along->degree, along->count,
-                                                             along->knots, along->breaks[s])));
+    const bat_formula_axis u = {
+        along->span_count + 1, along->breaks,
+        bat_knots_smoothness(along->degree, along->count, along->knots, 2)};
     const double end = nurbs->axes[BATTEN_V].breaks[nurbs->axes[BATTEN_V].span_count];
     const double ends[2] = {end, end + way};
     const bat_formula_axis v = {2, ends, 2};

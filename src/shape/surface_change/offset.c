@@ -40,15 +40,9 @@ static const bat_formula formula = {"offset", evaluate, NULL, free_offset};
 
 /* The normal has one derivative less than the surface. Across full knots, where it was found
  * not to jump, nothing more is known. */
-static int smoothness_of(const bat_axis *axis)
+static int normal_smoothness(const bat_axis *axis)
 {
-    int smoothness = 2;
-    for (int s = 1; s < axis->span_count; s++) {
-        const int times =
-            bat_knots_multiplicity(axis->degree, axis->count, axis->knots, axis->breaks[s]);
-        smoothness = bat_min_int(smoothness, bat_max_int(0, axis->degree - times - 1));
-    }
-    return smoothness;
+    return bat_max_int(0, bat_knots_smoothness(axis->degree, axis->count, axis->knots, 3) - 1);
 }
 
 static batten_status make_formula(const batten_surface *surface, double distance,
@@ -59,7 +53,7 @@ static batten_status make_formula(const batten_surface *surface, double distance
     for (int k = 0; k < 2; k++)
         axes[k] = (bat_formula_axis){.count = nurbs->axes[k].span_count + 1,
                                      .spans = nurbs->axes[k].breaks,
-                                     .smoothness = smoothness_of(&nurbs->axes[k])};
+                                     .smoothness = normal_smoothness(&nurbs->axes[k])};
     offset *o = bat_array(1, sizeof *o);
     if (!o)
         return BATTEN_OUT_OF_MEMORY;
@@ -101,12 +95,13 @@ static batten_status check_crease(const batten_surface *surface, batten_directio
         /* A crease of a millionth of a radian is below what modellers keep. */
         const double jump = bat_vec3_norm(bat_vec3_subtract(n[0], n[1]));
         if (jump > 1e-6)
-            return bat_fail(BATTEN_NOT_COMPATIBLE,
-                            "the surface has a crease of %.3g degree%s at %c = %.9g, where its "
-                            "offset would fall apart: split it there",
-                            2 * bat_asin(bat_min(1, jump / 2)) * 180 / BAT_PI,
-                            bat_plural_real(2 * bat_asin(bat_min(1, jump / 2)) * 180 / BAT_PI, 3),
-                            across == BATTEN_U ? 'u' : 'v', at);
+            return bat_fail(
+                BATTEN_NOT_COMPATIBLE,
+                "the surface has a crease of %.3g degree%s at %c = %.9g, where its "
+                "offset would fall apart: split it there",
+                2 * bat_asin(bat_min(1, jump / 2)) * 180 / BAT_PI,
+                bat_plural_real(2 * bat_asin(bat_min(1, jump / 2)) * 180 / BAT_PI, 3),
+                across == BATTEN_U ? 'u' : 'v', at);
     }
     return BATTEN_OK;
 }

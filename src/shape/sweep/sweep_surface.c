@@ -44,13 +44,9 @@ static batten_status section_axis(const bat_sweep *s, double **spans, bat_formul
     status = *spans ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         batten_curve_spans(section, *spans);
-    const int p = batten_curve_degree(section);
-    out->smoothness = 2;
-    for (int i = 1; status == BATTEN_OK && i + 1 < out->count; i++) {
-        const int times = bat_knots_multiplicity(p, batten_curve_point_count(section),
-                                                 batten_curve_knots(section), (*spans)[i]);
-        out->smoothness = bat_max_int(0, bat_min_int(out->smoothness, p - times));
-    }
+    out->smoothness =
+        bat_knots_smoothness(batten_curve_degree(section), batten_curve_point_count(section),
+                             batten_curve_knots(section), 2);
     out->spans = *spans;
     batten_curve_unref(section);
     return status;

@@ -73,6 +73,17 @@ int bat_knots_multiplicity(int degree, int count, const double *knots, double u)
     return times;
 }
 
+int bat_knots_smoothness(int degree, int count, const double *knots, int most)
+{
+    int least = most;
+    for (int i = degree + 1, times = 0; i < count; i++)
+        if (knots[i] > knots[degree] && knots[i] < knots[count]) {
+            times = knots[i] > knots[i - 1] ? 1 : times + 1;
+            least = bat_min_int(least, degree - times);
+        }
+    return bat_max_int(0, least);
+}
+
 batten_status bat_knots_clip(double a, double b, double *u)
 {
     if (*u >= a && *u <= b)

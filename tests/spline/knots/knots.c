@@ -291,3 +291,26 @@ TEST(multiplicity_is_counted_at_the_ends_of_loose_domains_too)
     CHECK_STATUS(bat_knots_check(1, 4, far, "knot"), BATTEN_BAD_KNOTS);
     CHECK_MESSAGE("more than 2 times, too often for degree 1");
 }
+
+TEST(the_smoothness_of_knots_is_that_of_their_most_frequent_inner_one)
+{
+    static const struct {
+        int degree, count, most, smoothness;
+        double knots[12];
+    } rows[] = {
+        {3, 4, 2, 2, {0, 0, 0, 0, 1, 1, 1, 1}}, /* no inner knot: what is asked for */
+        {3, 4, 9, 9, {0, 0, 0, 0, 1, 1, 1, 1}},
+        {3, 5, 9, 2, {0, 0, 0, 0, 1, 2, 2, 2, 2}},
+        {3, 5, 1, 1, {0, 0, 0, 0, 1, 2, 2, 2, 2}},
+        {3, 8, 9, 0, {0, 0, 0, 0, 1, 2, 2, 2, 3, 4, 4, 4}},
+        {2, 8, 9, 0, {0, 0, 0, 1, 2, 3, 4, 4, 5, 5, 5}},
+        {2, 5, 9, 1, {0, 0, 0, 1, 2, 3, 3, 3}},
+        {2, 6, 9, 0, {0, 0, 0, 1, 1, 1, 3, 3, 3}},   /* a jump is not smoother than none */
+        {2, 6, 9, 1, {-2, -2, 0, 1, 2, 3, 4, 6, 6}}, /* outside of the domain all is allowed */
+        {1, 3, 9, 0, {0, 0, 1, 2, 2}},
+    };
+    for (int i = 0; i < COUNT(rows); i++)
+        CHECK_INT(
+            bat_knots_smoothness(rows[i].degree, rows[i].count, rows[i].knots, rows[i].most),
+            rows[i].smoothness);
+}
