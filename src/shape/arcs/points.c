@@ -118,7 +118,8 @@ static batten_status longest(point_fit *t, int from, bat_arcs_part *best, double
             BATTEN_TOLERANCE_NOT_MET,
             "between points %d and %d no arcs with radii of %g and more stay within "
             "the tolerance",
-            from + 1, from + 2, t->options.least_radius);
+            from + 1, t->options.closed && from + 2 == t->count ? 1 : from + 2,
+            t->options.least_radius);
     *last = good_share > 0 ? bat_min(1, bat_cbrt(good_share)) : 0;
     return BATTEN_OK;
 }

@@ -156,3 +156,15 @@ TEST(g1_coincident_points_are_named_by_arcs)
         BATTEN_BAD_ARGUMENT);
     CHECK(!chain);
 }
+
+TEST(the_stretch_of_a_closed_row_without_an_arc_ends_at_point_1)
+{
+    static const double row[] = {0, 0, 1, 1, 2, 1.6, 3, 1.9, 5, 1.5, 6, 0.8, 7, -1};
+    batten_arcs_options options = within(0.3, BATTEN_ARCS_PLAIN);
+    batten_chain *chain = NULL;
+    options.closed = true;
+    CHECK_STATUS(
+        batten_arcs_from_points((batten_points){2, 7, row}, &options, NULL, NULL, &chain),
+        BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("between points 7 and 1 no arcs");
+}

@@ -1,4 +1,5 @@
 #include "design/evaluate.h"
+#include "design/expect.h"
 
 #include <batten/curve.h>
 
@@ -85,6 +86,44 @@ TEST(what_was_given_and_made_is_remarked_and_what_is_wrong_is_noted)
           has_text(notes, "'nose': the nose was on the right", true));
     batten_design_free(design);
     batten_notes_free(notes);
+}
+
+static const char orders[] =
+    "  straight: {points: [[1, 0.002], [0.7, 0.055], [0.3, 0.09], [0.05, 0.05], [0, 0], [0.05, -0.03], [0.3, -0.04], [0.7, -0.02], [1, -0.002]]}\n"
+    "  reversed: {points: [[1, -0.002], [0.7, -0.02], [0.3, -0.04], [0.05, -0.03], [0, 0], [0.05, 0.05], [0.3, 0.09], [0.7, 0.055], [1, 0.002]]}\n"
+    "  halves: {points: [[0, 0], [0.05, 0.05], [0.3, 0.09], [0.7, 0.055], [1, 0.002], [0, 0], [0.05, -0.03], [0.3, -0.04], [0.7, -0.02], [1, -0.002]]}\n"
+    "  mirrored: {points: [[-1, 0.002], [-0.7, 0.055], [-0.3, 0.09], [-0.05, 0.05], [0, 0], [-0.05, -0.03], [-0.3, -0.04], [-0.7, -0.02], [-1, -0.002]]}\n"
+    "  once: {points: [[1, 0.002], [0.7, 0.055], [0.7, 0.055], [0.3, 0.09], [0.05, 0.05], [0, 0], [0.05, -0.03], [0.3, -0.04], [0.7, -0.02], [1, -0.002]]}\n"
+    "  twice: {points: [[1, 0.002], [0.7, 0.055], [0.7, 0.055], [0.7, 0.055], [0.3, 0.09], [0.05, 0.05], [0, 0], [0.05, -0.03], [0.3, -0.04], [0.7, -0.02], [1, -0.002]]}\n"
+    "  base: {points: [[1, 0.002], [0.7, 0.055], [0.3, 0.09], [0.05, 0.05], [0, 0], [0.05, -0.03], [0.3, -0.04], [0.7, -0.02], [1, -0.002], [1, 0.002]]}\n"
+    "  bases: {points: [[1, 0], [1, 0.002], [0.7, 0.055], [0.3, 0.09], [0.05, 0.05], [0, 0], [0.05, -0.03], [0.3, -0.04], [0.7, -0.02], [1, -0.002], [1, 0]]}\n"
+    "  sharp: {points: [[1, 0], [0.7, 0.055], [0.3, 0.09], [0.05, 0.05], [0, 0], [0.05, -0.03], [0.3, -0.04], [0.7, -0.02]]}\n"
+    "  below: {points: [[1, -0.004], [0.7, 0.055], [0.3, 0.09], [0.05, 0.05], [0, 0], [0.05, -0.03], [0.3, -0.04], [0.7, -0.02], [1, 0.004]]}\n";
+
+static const expect_row of_orders[] = {
+    {"{aerofoil: halves}", BATTEN_OK,
+     "notes 'halves': both sides run from the nose; notes 'halves': 1 repeated point is left out"},
+    {"{aerofoil: mirrored}", BATTEN_OK,
+     "notes 'mirrored': the nose was on the right; notes the section is mirrored"},
+    {"{aerofoil: reversed}", BATTEN_OK,
+     "notes 'reversed': the lower side came first; notes the order is reversed"},
+    {"{aerofoil: sharp}", BATTEN_OK,
+     "notes 'sharp': one end alone is at the trailing edge; notes its point is repeated"},
+    {"{aerofoil: once}", BATTEN_OK, "notes 'once': 1 repeated point is left out"},
+    {"{aerofoil: twice}", BATTEN_OK, "notes 'twice': 2 repeated points are left out"},
+    {"{aerofoil: base}", BATTEN_OK,
+     "notes 'base': 1 point on the base of the trailing edge is left out"},
+    {"{aerofoil: bases}", BATTEN_OK,
+     "notes 'bases': 2 points on the base of the trailing edge are left out"},
+    {"{aerofoil: below}", BATTEN_OK,
+     "notes 'below': its upper side ends 0.008 of the chord below the lower one; notes 'below': its sides cross at 1 place, first at 0.; notes trailing edge -0.79"},
+    {"{aerofoil: straight, chord: 2, trailing-edge: 0.02, thickness: 0.2}", BATTEN_OK,
+     "notes 'straight', given: chord 1.0000; notes trailing edge 0.4000 %; notes 'straight', made: chord 2, thickness 20.000 %; notes trailing edge 2.0000 %; notes 'straight': moved by up to "},
+};
+
+TEST(what_is_odd_about_the_order_of_the_points_is_remarked)
+{
+    EXPECT(orders, of_orders);
 }
 
 /* ---- the published sections, when they are there ---- */
