@@ -18,10 +18,12 @@ static void compare(const char *feature, const char *what, double actual, double
             expected);
 }
 
-/* A point of the call's curve, where the feature has put it. */
+/* A point of the call's curve, where the feature has put it; of a function it may be that of the graph. */
 static void lift(const agree_made *made, double u, const double *at, double *out)
 {
-    const int d = made->points.dimension, x = made->axis == 0, y = made->axis == 2 ? 1 : 2;
+    const int d = made->chain ? batten_chain_dimension(made->chain)
+                              : batten_curve_dimension(made->curve),
+              x = made->axis == 0, y = made->axis == 2 ? 1 : 2;
     if (d == 3) {
         memcpy(out, at, 3 * sizeof *out);
         return;
@@ -63,7 +65,8 @@ static void compare_made(const char *feature, const batten_feature_result *resul
     CHECK_INT(batten_model_count(result->value), 1);
     const batten_object *object = batten_model_object(result->value, 0);
     CHECK(object->kind == BATTEN_OBJECT_CURVE && !object->chain == !made->chain);
-    if (made->curve) {
+    /* The graph of a rational function has a higher degree than the function. */
+    if (made->curve && (!made->abscissae || !batten_curve_is_rational(made->curve))) {
         compare(feature, "degree", batten_curve_degree(object->curve),
                 batten_curve_degree(made->curve));
         compare(feature, "control points", batten_curve_point_count(object->curve),

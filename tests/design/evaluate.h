@@ -10,7 +10,9 @@ static inline batten_status evaluate_design(const char *text, const char *featur
                                             batten_notes *notes, batten_design **out)
 {
     batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, notes, &design);
+    batten_design_options options = batten_design_defaults();
+    options.allow_outside = true; /* files that the test has written */
+    batten_status status = batten_design_parse(text, strlen(text), &options, notes, &design);
     if (status == BATTEN_OK)
         status = batten_design_evaluate(design, feature, NULL, notes);
     if (status == BATTEN_OK)
