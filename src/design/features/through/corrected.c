@@ -72,7 +72,7 @@ static batten_status correct(const bat_run *run, const batten_curve *curve, batt
                  report.incurable, bat_plural(report.incurable),
                  bat_one_or_many(report.incurable, "turns", "turn"),
                  report.first_incurable + 1);
-    if (report.broken > 0)
+    if (options.joins == BATTEN_CORRECT_CURVATURE && report.broken > 0)
         bat_note(run,
                  "curvatures could not be made equal at %d join%s; mostly because the "
                  "directions there bend the spans to opposite sides",
