@@ -44,3 +44,91 @@ TEST(a_hull_of_wigley_has_its_closed_form)
     CHECK_NEAR(v.lids, 0, 1e-12);
     batten_hull_free(hull);
 }
+
+static void check_place(batten_vec3 place, double x, double y, double z)
+{
+    CHECK_NEAR(place.x, x, 1e-12);
+    CHECK_NEAR(place.y, y, 1e-12);
+    CHECK_NEAR(place.z, z, 1e-12);
+}
+
+static const double turns[][2] = {{0.1, 0.2}, {-0.15, 0.3}, {0.2, -0.1}, {-0.1, -0.25}};
+
+TEST(a_box_that_trims_and_heels_has_its_closed_form)
+{
+    batten_hull *hull = box_hull();
+    for (int k = 0; k < 4; k++) {
+        const oblique_box box = box_at(turns[k][0], turns[k][1]);
+        batten_hydrostatics v;
+        CHECK_OK(batten_hull_hydrostatics(hull, &box.at, 1e-12, NULL, &v));
+        CHECK_NEAR(v.volume, 7.2, 1e-12);
+        check_place(v.buoyancy, box.buoyancy.x, box.buoyancy.y, box.buoyancy.z);
+        CHECK_NEAR(v.waterplane, box.waterplane, 1e-11);
+        check_place(v.flotation, 2, 0, 0.9);
+        CHECK_NEAR(v.along, box.second[0], 1e-10);
+        CHECK_NEAR(v.mixed, box.second[1], 1e-10);
+        CHECK_NEAR(v.across, box.second[2], 1e-10);
+        CHECK_NEAR(v.wetted, 15.2, 1e-11);
+        CHECK_NEAR(v.lids, 3.6, 1e-11); /* both ends */
+        CHECK_NEAR(v.open[0], 0, 1e-12);
+        CHECK_NEAR(v.open[1], 0, 1e-12);
+        CHECK(v.volume_error <= 1e-10 && v.area_error <= 1e-10 && v.wetted_error <= 1e-10);
+    }
+    batten_hull_free(hull);
+}
+
+TEST(all_is_0_above_the_water_and_nothing_is_left_out_below_it)
+{
+    batten_hull *hull = box_hull();
+    batten_hydrostatics v;
+    CHECK_OK(batten_hull_hydrostatics(hull, &(batten_flotation){-1, 0, 0}, 1e-9, NULL, &v));
+    check_place(v.buoyancy, 0, 0, 0);
+    check_place(v.flotation, 0, 0, 0);
+    CHECK_NEAR(v.volume + v.waterplane + v.wetted + v.lids, 0, 0);
+    CHECK_NEAR(v.volume_error + v.area_error + v.wetted_error, 0, 0);
+    CHECK_OK(batten_hull_hydrostatics(hull, &(batten_flotation){9, 0.2, -2}, 1e-9, NULL, &v));
+    CHECK_NEAR(v.volume, 0, 0); /* heeled beyond 90 degrees the hull is above its water */
+    CHECK_OK(batten_hull_hydrostatics(hull, &(batten_flotation){9, 0.2, 0.4}, 1e-9, NULL, &v));
+    CHECK_NEAR(v.volume, 16, 1e-9);
+    check_place(v.buoyancy, 2, 0, 1);
+    CHECK_NEAR(v.waterplane, 0, 1e-12);
+    CHECK_NEAR(v.wetted, 24, 1e-9);
+    CHECK_NEAR(v.lids, 16, 1e-9); /* the ends and the deck */
+    batten_hull_free(hull);
+}
+
+static const struct {
+    batten_flotation at;
+    double precision;
+    const char *message;
+} refused[] = {
+    {{NAN, 0, 0}, 1e-9, "the draught is not finite"},
+    {{INFINITY, 0, 0}, 1e-9, "the draught is not finite"},
+    {{0, 0.5 * 3.14159265358979323846, 0},
+     1e-9,
+     "a trim of 90 and a heel of 0 degrees; they must be below 90 and 180"},
+    {{0, -0.1, -3.14159265358979323846}, 1e-9, "a trim of -5.72958 and a heel of -180 degrees"},
+    {{0, NAN, 0}, 1e-9, "a trim of nan"},
+    {{0, 0, NAN}, 1e-9, "a heel of nan"},
+    {{0, 0, 0}, 0.11, "the precision is 0.11; it must be 1e-14 to 0.1"},
+    {{0, 0, 0}, 0.9e-14, "the precision is 9e-15"},
+    {{0, 0, 0}, NAN, "the precision is nan"},
+};
+
+TEST(flotations_and_precisions_out_of_bounds_are_refused_with_their_numbers)
+{
+    batten_hull *hull = box_hull();
+    batten_hydrostatics v = {.volume = 42};
+    for (size_t k = 0; k < sizeof refused / sizeof *refused; k++) {
+        CHECK_STATUS(
+            batten_hull_hydrostatics(hull, &refused[k].at, refused[k].precision, NULL, &v),
+            BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(refused[k].message);
+    }
+    CHECK_NEAR(v.volume, 42, 0);
+    const batten_flotation far = {0.9, 1.57, -3.14};
+    CHECK_OK(batten_hull_hydrostatics(hull, &far, 0.1, NULL, &v));
+    CHECK_OK(batten_hull_hydrostatics(hull, &(batten_flotation){0.9, 0, 0}, 1e-14, NULL, &v));
+    CHECK_NEAR(v.volume, 7.2, 1e-13);
+    batten_hull_free(hull);
+}

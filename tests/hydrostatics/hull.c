@@ -98,8 +98,12 @@ TEST(edges_along_other_surfaces_need_no_lid)
     batten_hull *hull = NULL;
     int count;
     CHECK_OK(batten_hull_create(3, (const batten_surface *const *)parts, NULL, &hull));
-    batten_hull_lids(hull, &count);
+    const batten_hull_lid *lids = batten_hull_lids(hull, &count);
     CHECK_INT(count, 6); /* the ends of bottom and sides, and two parts of the deck */
+    for (int k = 0; k < count; k++)
+        CHECK_INT(lids[k].surface, k / 2);
+    CHECK(!lids[2].high && lids[4].high); /* fore and aft ends of the sides */
+    CHECK_NEAR(lids[3].area + lids[5].area, 8, 1e-12);
     CHECK_NEAR(volume_of(hull, (batten_flotation){1, 0, 0.3}), 8, 1e-12);
     batten_hull_free(hull);
     for (int k = 0; k < 3; k++)
@@ -116,7 +120,26 @@ TEST(what_is_no_hull_is_refused_with_its_number)
     options.tolerance = -1;
     CHECK_STATUS(batten_hull_create(1, (const batten_surface *const[]){half}, &options, &hull),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("tolerance of a hull is -1");
+    CHECK_MESSAGE("the tolerance of a hull is -1; it must be 0 or above");
+    options.tolerance = INFINITY;
+    CHECK_STATUS(batten_hull_create(1, (const batten_surface *const[]){half}, &options, &hull),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_hull_create(-1, NULL, NULL, &hull), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("a hull of -1 surfaces; at least 1 is needed");
+    const batten_axis axis = {1, 2, (const double[]){0, 0, 1, 1}, false};
+    batten_surface *flat = NULL;
+    batten_surface *point = half_prism(1, 1, 2, (const double[][2]){{0, 0}, {0, 0}});
+    CHECK_OK(batten_surface_create(2, &axis, &axis, (const double[]){0, 0, 0, 1, 1, 0, 1, 1},
+                                   NULL, &flat));
+    CHECK_STATUS(
+        batten_hull_create(2, (const batten_surface *const[]){half, flat}, NULL, &hull),
+        BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("surface 2 of a hull has 2 dimensions; it must have 3");
+    CHECK_STATUS(batten_hull_create(1, (const batten_surface *const[]){point}, NULL, &hull),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the hull reaches 0 at most; it needs a size");
+    batten_surface_unref(flat);
+    batten_surface_unref(point);
     CHECK(!hull);
     batten_surface_unref(half);
 }
@@ -141,4 +164,29 @@ TEST(inner_sides_of_their_own_and_open_hulls_that_are_said_to_be_whole_are_refus
     batten_surface_unref(sides[0]);
     batten_surface_unref(sides[1]);
     batten_surface_unref(open);
+}
+
+static void check_lid(const batten_hull_lid *lid, batten_direction direction, bool high,
+                      batten_box edge, double area)
+{
+    CHECK_INT(lid->surface, 0);
+    CHECK_INT(lid->direction, direction);
+    CHECK_INT(lid->high, high);
+    CHECK_NEAR(lid->area, area, 1e-12);
+    CHECK(memcmp(&lid->edge, &edge, sizeof edge) == 0);
+}
+
+TEST(the_lids_of_a_box_are_its_ends_and_its_deck)
+{
+    batten_hull *hull = box_hull();
+    int count;
+    const batten_hull_lid *lids = batten_hull_lids(hull, &count);
+    CHECK_INT(count, 3);
+    check_lid(&lids[0], BATTEN_U, false, (batten_box){{0, 0, 0}, {0, 1, 2}}, 4);
+    check_lid(&lids[1], BATTEN_U, true, (batten_box){{4, 0, 0}, {4, 1, 2}}, 4);
+    check_lid(&lids[2], BATTEN_V, true, (batten_box){{0, 1, 2}, {4, 1, 2}}, 8);
+    const batten_box box = batten_hull_box(hull), both = {{0, -1, 0}, {4, 1, 2}};
+    CHECK(memcmp(&box, &both, sizeof box) == 0);
+    batten_hull_free(hull);
+    batten_hull_free(NULL);
 }

@@ -63,3 +63,21 @@ batten_hull *wigley_hull(void)
         batten_surface_unref(parts[part]);
     return hull;
 }
+
+oblique_box box_at(double trim, double heel)
+{
+    const double length = 4, breadth = 2, draught = 0.9;
+    const double a = tan(trim) / cos(heel), b = tan(heel);
+    const double st = sin(trim), ct = cos(trim), sp = sin(heel), cp = cos(heel);
+    const double plane = length * breadth / (ct * cp), mixed = tan(trim) * tan(heel);
+    const double xx = length * length / 12, yy = breadth * breadth / 12;
+    return (oblique_box){{draught + 2 * a, trim, heel},
+                         {st, ct * sp, ct * cp},
+                         {ct, -st * sp, -st * cp},
+                         {0, cp, -sp},
+                         {2 - a * xx / draught, -b * yy / draught,
+                          draught / 2 + (a * a * xx + b * b * yy) / (2 * draught)},
+                         plane,
+                         {plane * xx / (ct * ct), plane * mixed / ct * xx,
+                          plane * (yy / (cp * cp) + mixed * mixed * xx)}};
+}

@@ -16,4 +16,15 @@ batten_hull *wigley_hull(void);
 enum { WIGLEY_LENGTH = 10, WIGLEY_BREADTH = 1 };
 #define WIGLEY_DRAUGHT 0.625
 
+/* The box with water at z = draught - (x - 2) tan(trim) / cos(heel) - y tan(heel), which meets
+ * neither its bottom nor its deck: a draught of 0.9 amidships. Directions as of batten_hydrostatics. */
+typedef struct {
+    batten_flotation at;
+    batten_vec3 n, along, across; /* up, ahead and to the side, from the water */
+    batten_vec3 buoyancy;
+    double waterplane, second[3]; /* along, mixed, across */
+} oblique_box;
+
+oblique_box box_at(double trim, double heel);
+
 #endif

@@ -46,3 +46,28 @@ TEST(surfaces_of_the_other_side_that_are_no_images_are_refused_by_number)
     for (int i = 0; i < 3; i++)
         batten_surface_unref(parts[i]);
 }
+
+static batten_status make_box(double across, double beyond)
+{
+    const double own[][2] = {{-across, 0}, {1, 0}, {1, 2}};
+    const double image[][2] = {{-1 - beyond, 2}, {-1 - beyond, 0}, {across, 0}};
+    batten_surface *both[2] = {half_prism(0, 4, 3, own), half_prism(0, 4, 3, image)};
+    batten_hull *hull = NULL;
+    const batten_status status = make(2, both, &hull);
+    batten_hull_free(hull);
+    batten_surface_unref(both[0]);
+    batten_surface_unref(both[1]);
+    return status;
+}
+
+/* Of a size of 4: 1e-4 of it across the plane, 1e-6 off the image. */
+TEST(sides_may_cross_the_plane_and_images_be_off_by_a_part_of_the_size)
+{
+    CHECK_OK(make_box(3.9e-4, 0));
+    CHECK_STATUS(make_box(4.1e-4, 0), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE(
+        "surface 1 of the hull reaches from y = -0.00041 to 1, across the centre plane");
+    CHECK_OK(make_box(0, 3.9e-6));
+    CHECK_STATUS(make_box(0, 4.2e-6), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("surface 2 of the hull, to y = -1, is no image of one on the other side");
+}

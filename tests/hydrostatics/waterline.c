@@ -2,6 +2,8 @@
 #include "hydrostatics/hulls.h"
 #include "support/test.h"
 
+#include <batten/standard.h>
+
 TEST(the_waterline_of_a_box_is_as_long_and_wide_as_the_box)
 {
     batten_hull *hull = box_hull();
@@ -28,5 +30,68 @@ TEST(a_waterline_that_turns_inside_a_patch_is_followed_to_its_farthest_points)
     CHECK_NEAR(along.b - along.a, 0, 0);
     CHECK_STATUS(batten_hull_waterline(hull, &at, 0, &along, &across), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("tolerance");
+    batten_hull_free(hull);
+}
+
+static void check_interval(batten_interval found, double middle, double half)
+{
+    CHECK_NEAR(found.a, middle - half, 2e-9);
+    CHECK_NEAR(found.b, middle + half, 2e-9);
+}
+
+TEST(the_waterline_of_a_box_that_trims_and_heels_ends_at_its_corners)
+{
+    static const double turns[][2] = {{0.1, 0.2}, {-0.15, 0.3}, {0.2, -0.1}};
+    batten_hull *hull = box_hull();
+    for (int k = 0; k < 3; k++) {
+        const double trim = turns[k][0], heel = turns[k][1];
+        const oblique_box box = box_at(trim, heel);
+        batten_interval along, across;
+        CHECK_OK(batten_hull_waterline(hull, &box.at, 1e-9, &along, &across));
+        check_interval(along, 2 * box.along.x + 0.9 * box.along.z, 2 / cos(trim));
+        check_interval(across, 0.9 * box.across.z,
+                       1 / cos(heel) + 2 * fabs(tan(trim) * tan(heel)));
+    }
+    batten_hull_free(hull);
+}
+
+/* A circle whose farthest points lie within patches. */
+TEST(the_waterline_of_a_sphere_is_a_circle_at_any_trim_and_heel)
+{
+    batten_frame frame = batten_frame_world();
+    frame.origin = (batten_vec3){1, 2, 3};
+    const double trim = 0.3, heel = -0.4, size = 2;
+    const double n[3] = {sin(trim), cos(trim) * sin(heel), cos(trim) * cos(heel)};
+    const batten_flotation at = {3.5, trim, heel};
+    const double below = n[2] * 3.5 - (n[0] + 2 * n[1] + 3 * n[2]);
+    const double half = sqrt(size * size - below * below);
+    batten_surface *ball = NULL;
+    batten_hull *hull = NULL;
+    batten_interval along, across;
+    batten_hull_options options = batten_hull_defaults();
+    options.whole = true;
+    CHECK_OK(batten_surface_sphere(&frame, size, &ball));
+    CHECK_OK(batten_hull_create(1, (const batten_surface *const[]){ball}, &options, &hull));
+    CHECK_OK(batten_hull_waterline(hull, &at, 1e-9, &along, &across));
+    check_interval(along, cos(trim) - 2 * sin(trim) * sin(heel) - 3 * sin(trim) * cos(heel),
+                   half);
+    check_interval(across, 2 * cos(heel) - 3 * sin(heel), half);
+    batten_hull_free(hull);
+    batten_surface_unref(ball);
+}
+
+TEST(without_a_tolerance_or_a_flotation_there_is_no_waterline)
+{
+    batten_hull *hull = box_hull();
+    batten_interval along = {7, 8}, across = {9, 10};
+    const batten_flotation at = {0.9, 0, 0}, lost = {0.9, 2, 0};
+    const double tolerances[] = {0, -1, NAN, INFINITY};
+    for (int k = 0; k < 4; k++)
+        CHECK_STATUS(batten_hull_waterline(hull, &at, tolerances[k], &along, &across),
+                     BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the tolerance of a waterline is inf; it must be above 0");
+    CHECK_STATUS(batten_hull_waterline(hull, &lost, 1e-9, &along, &across),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_NEAR(along.a + along.b + across.a + across.b, 34, 0);
     batten_hull_free(hull);
 }
