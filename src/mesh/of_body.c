@@ -1,6 +1,7 @@
 /* Triangles of a body: edges, borders, then faces. */
 #include "body/measure/box.h"
 #include "mesh/faces/face.h"
+#include "mesh/options.h"
 
 #include <float.h>
 #include <limits.h>
@@ -25,20 +26,12 @@ static batten_status check_options(const batten_mesh_options *o, const batten_bo
                                    bat_meshing *m)
 {
     batten_box box;
-    const batten_status status = bat_body_find_box(body, &box);
+    batten_status status = bat_body_find_box(body, &box);
+    if (status == BATTEN_OK)
+        status = bat_mesh_check_options(o);
     if (status != BATTEN_OK)
         return status;
     const double size = size_of(box);
-    if (!(o->chord >= 0 && isfinite(o->chord)))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the chord is %g; it must not be below 0",
-                        o->chord);
-    if (!(o->angle > 0 && isfinite(o->angle)))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the angle is %g; it must be above 0", o->angle);
-    if (!(o->longest >= 0 && isfinite(o->longest)))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the longest edge is %g; it must not be below 0",
-                        o->longest);
-    if (o->most < 1)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d triangles are allowed", o->most);
     m->chord = o->chord > 0 ? o->chord : 1e-3 * size;
     const double least = 8 * DBL_EPSILON * bat_max(size, largest_of(box));
     if (!(m->chord > least))

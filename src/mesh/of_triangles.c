@@ -5,6 +5,7 @@
  */
 #include "base/plural.h"
 #include "base/work.h"
+#include "mesh/options.h"
 #include "numeric/vector.h"
 
 #include <batten/mesh.h>
@@ -14,11 +15,12 @@
 
 typedef struct {
     const batten_triangles *triangles;
-    double chord, angle;
-    int count;                /* of triangles */
-    int parts;                /* of each edge */
-    size_t nodes;             /* of one triangle: (parts + 1)(parts + 2) / 2 */
-    double *points, *normals; /* [count][nodes][3] */
+    double chord, angle, longest, roundoff; /* longest 0: of any length */
+    double side;                            /* the longest that was made */
+    int count;                              /* of triangles */
+    int parts;                              /* of each edge */
+    size_t nodes;                           /* of one triangle: (parts + 1)(parts + 2) / 2 */
+    double *points, *normals;               /* [count][nodes][3] */
     bat_work work;
 } dividing;
 
@@ -150,40 +152,55 @@ static double second_difference(const batten_triangles *triangles)
     return largest;
 }
 
-/* The largest distance of the patches from the parts, at the middles of these, and the largest
- * angle between normals. */
-static batten_status measure_division(const dividing *d, batten_mesh_report *report)
+/* One triangle of a division: where its nodes are, and its middle in parts from corner 0. */
+typedef struct {
+    size_t nodes[3];
+    double j, k;
+} part;
+
+/* Number `number` of a row, which has 2 row + 1: upright ones between turned ones. */
+static part part_of(const dividing *d, int t, int row, int number)
 {
-    const double n = d->parts;
-    double p[3];
+    const int k = number / 2;
+    const size_t first = d->nodes * (size_t)t;
+    const size_t a = first + (size_t)BATTEN_TRIANGLE_POINT(row - k, k);
+    const size_t b = first + (size_t)BATTEN_TRIANGLE_POINT(row - k + 1, k);
+    return number % 2 == 0 ? (part){{a, b, b + 1}, row - k + 1.0 / 3, k + 1.0 / 3}
+                           : (part){{a, b + 1, a + 1}, row - k - 1.0 / 3, k + 2.0 / 3};
+}
+
+static batten_status measure_part(dividing *d, int t, part m, batten_mesh_report *report)
+{
+    const double n = d->parts, at[3] = {1 - m.j / n - m.k / n, m.j / n, m.k / n};
+    double p[3], middle[3] = {0};
+    const batten_status status = batten_triangles_evaluate(d->triangles, t, at, 0, p);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < 3; i++) {
+        const size_t a = 3 * m.nodes[i], b = 3 * m.nodes[(i + 1) % 3];
+        for (size_t c = 0; c < 3; c++)
+            middle[c] += d->points[a + c] / 3;
+        d->side = bat_max(d->side, bat_distance(3, d->points + a, d->points + b));
+        report->angle = bat_max(report->angle, bat_angle(d->normals + a, d->normals + b));
+    }
+    const double off = bat_distance(3, p, middle);
+    report->chord = bat_max(report->chord, off);
+    report->beyond += off > d->chord;
+    return BATTEN_OK;
+}
+
+/* The largest distance of the patches from the parts, at the middles of these, the largest
+ * angle between normals and the longest side. */
+static batten_status measure_division(dividing *d, batten_mesh_report *report)
+{
+    batten_status status = BATTEN_OK;
     *report = (batten_mesh_report){.asked = d->chord};
+    d->side = 0;
     for (int t = 0; t < d->count; t++)
         for (int row = 0; row < d->parts; row++)
-            for (int k = 0; k <= row; k++) {
-                const size_t first = d->nodes * (size_t)t;
-                const size_t a = first + (size_t)BATTEN_TRIANGLE_POINT(row - k, k);
-                const size_t b = first + (size_t)BATTEN_TRIANGLE_POINT(row - k + 1, k);
-                const double j = row - k + 1.0 / 3, z = k + 1.0 / 3;
-                const double at[3] = {1 - j / n - z / n, j / n, z / n};
-                const batten_status status =
-                    batten_triangles_evaluate(d->triangles, t, at, 0, p);
-                if (status != BATTEN_OK)
-                    return status;
-                double off = 0;
-                for (int i = 0; i < 3; i++)
-                    off = bat_hypot(off, p[i] - (d->points[3 * a + (size_t)i] +
-                                                 d->points[3 * b + (size_t)i] +
-                                                 d->points[3 * (b + 1) + (size_t)i]) /
-                                                    3);
-                report->chord = bat_max(report->chord, off);
-                report->beyond += off > d->chord;
-                const double *at_a = &d->normals[3 * a], *at_b = &d->normals[3 * b];
-                const double turn =
-                    bat_max(bat_angle(at_a, at_b),
-                            bat_max(bat_angle(at_a, at_b + 3), bat_angle(at_b, at_b + 3)));
-                report->angle = bat_max(report->angle, turn);
-            }
-    return BATTEN_OK;
+            for (int k = 0; k <= 2 * row && status == BATTEN_OK; k++)
+                status = measure_part(d, t, part_of(d, t, row, k), report);
+    return status;
 }
 
 static batten_status set_parts(dividing *d, double parts, int most)
@@ -204,14 +221,14 @@ static batten_status choose_parts(dividing *d, const batten_mesh_options *o)
     const double size = bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
                                   box.high.z - box.low.z);
     const int degree = batten_triangles_degree(d->triangles);
-    if (!(o->chord >= 0 && isfinite(o->chord)))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the chord is %g; it must not be below 0",
-                        o->chord);
-    if (!(o->angle > 0 && isfinite(o->angle)))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the angle is %g; it must be above 0", o->angle);
+    const batten_status status = bat_mesh_check_options(o);
+    if (status != BATTEN_OK)
+        return status;
     d->chord = o->chord > 0 ? o->chord : 1e-3 * size;
     d->angle = o->angle;
-    if (!(d->chord > 8 * DBL_EPSILON * size))
+    d->longest = o->longest;
+    d->roundoff = 8 * DBL_EPSILON * size;
+    if (!(d->chord > d->roundoff))
         return bat_fail(BATTEN_BAD_ARGUMENT, "a chord of %g is in the roundoff of size %g",
                         d->chord, size);
     const double bend = degree * (degree - 1) / 6.0 * second_difference(d->triangles);
@@ -219,6 +236,13 @@ static batten_status choose_parts(dividing *d, const batten_mesh_options *o)
     if (o->longest > 0)
         parts = bat_max(parts, ceil(size / o->longest));
     return set_parts(d, parts, o->most);
+}
+
+/* How many times as many parts are needed, by what was measured. */
+static double excess_of(const dividing *d, const batten_mesh_report *report)
+{
+    const double by_side = d->longest > 0 ? (d->side - d->roundoff) / d->longest : 0;
+    return bat_max(by_side, bat_max(sqrt(report->chord / d->chord), report->angle / d->angle));
 }
 
 /* Points for the parts chosen; more parts when samples say that they are needed. */
@@ -234,7 +258,7 @@ static batten_status divide(dividing *d, int most, batten_mesh_report *report)
         status = d->points && d->normals ? fill_division(d) : BATTEN_OUT_OF_MEMORY;
         if (status == BATTEN_OK)
             status = measure_division(d, report);
-        const double excess = bat_max(sqrt(report->chord / d->chord), report->angle / d->angle);
+        const double excess = excess_of(d, report);
         if (status != BATTEN_OK || excess <= 1 || round == ROUNDS)
             break; /* a crease stays one: the report says it */
         status = set_parts(d, ceil(d->parts * bat_min(1.1 * excess, 4)), most);
@@ -244,10 +268,9 @@ static batten_status divide(dividing *d, int most, batten_mesh_report *report)
 
 /* ---- the mesh ---- */
 
-static void add_triangle(const dividing *d, size_t a, size_t b, size_t c, int *corners,
+static void add_triangle(const dividing *d, const size_t nodes[3], int *corners,
                          double *normals)
 {
-    const size_t nodes[3] = {a, b, c};
     for (int k = 0; k < 3; k++) {
         corners[k] = (int)nodes[k];
         memcpy(normals + 3 * k, d->normals + 3 * nodes[k], 3 * sizeof *normals);
@@ -264,17 +287,9 @@ static batten_status make_mesh(const dividing *d, batten_mesh **out)
     size_t made = 0;
     for (int t = 0; status == BATTEN_OK && t < d->count; t++)
         for (int row = 0; row < d->parts; row++)
-            for (int k = 0; k <= row; k++) {
-                const size_t first = d->nodes * (size_t)t;
-                const size_t a = first + (size_t)BATTEN_TRIANGLE_POINT(row - k, k);
-                const size_t b = first + (size_t)BATTEN_TRIANGLE_POINT(row - k + 1, k);
-                add_triangle(d, a, b, b + 1, corners + 3 * made, normals + 9 * made);
-                made++;
-                if (k == row)
-                    continue;
-                add_triangle(d, a, b + 1, a + 1, corners + 3 * made, normals + 9 * made);
-                made++;
-            }
+            for (int k = 0; k <= 2 * row; k++, made++)
+                add_triangle(d, part_of(d, t, row, k).nodes, corners + 3 * made,
+                             normals + 9 * made);
     if (status == BATTEN_OK) {
         const batten_mesh_parts parts = {.vertex_count = (int)(d->nodes * (size_t)d->count),
                                          .points = d->points,

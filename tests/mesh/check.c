@@ -64,6 +64,7 @@ TEST(an_area_beyond_all_numbers_is_told)
     batten_mesh *mesh = make(8, points[0], 12, cube_corners[0]);
     batten_mesh_facts facts;
     CHECK_STATUS(batten_mesh_check(mesh, &facts), BATTEN_OVERFLOW);
+    CHECK_MESSAGE("the area or volume of a mesh of size 1.");
     batten_mesh_unref(mesh);
 }
 
@@ -167,4 +168,64 @@ TEST(welding_keeps_colours_and_attributes_of_the_first)
     CHECK_TEXT(made->attributes[0].name, "height");
     batten_mesh_unref(mesh);
     batten_mesh_unref(welded);
+}
+
+/* Of a size of 4 at 2^40: sums about the middle of the box are exact, those about the origin are not. */
+TEST(a_box_far_from_the_origin_is_measured_exactly)
+{
+    const double far = 1099511627776.;
+    double points[8][3];
+    for (int k = 0; k < 24; k++)
+        points[k / 3][k % 3] = cube_points[k / 3][k % 3] + (k % 3 + 1) * far;
+    const batten_mesh_facts f = facts_of(make(8, points[0], 12, cube_corners[0]));
+    CHECK_NEAR(f.volume, 24, 0);
+    CHECK_NEAR(f.area, 52, 0);
+    CHECK_NEAR(f.centroid[0] - far, 1, 0);
+    CHECK_NEAR(f.centroid[1] - 2 * far, 1.5, 0);
+    CHECK_NEAR(f.centroid[2] - 3 * far, 2, 0);
+    CHECK_INT(f.flat_triangles, 0);
+}
+
+TEST(an_open_mesh_has_the_centroid_of_its_area)
+{
+    /* 1 by 1 at z = 0 and 2 by 1 upright at its end x = 1 */
+    const double points[6][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},
+                                 {0, 1, 0}, {1, 0, 2}, {1, 1, 2}};
+    const int corners[4][3] = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}};
+    const batten_mesh_facts f = facts_of(make(6, points[0], 4, corners[0]));
+    CHECK_NEAR(f.area, 3, 1e-15);
+    CHECK_NEAR(f.volume, 0, 0);
+    CHECK_NEAR(f.centroid[0], (0.5 + 2 * 1) / 3, 1e-15);
+    CHECK_NEAR(f.centroid[1], 0.5, 1e-15);
+    CHECK_NEAR(f.centroid[2], 2. / 3, 1e-15);
+    CHECK_INT(f.pieces, 1);
+    CHECK_INT(f.edges, 9);
+    CHECK_INT(f.rim_edges, 6);
+    CHECK_INT(f.euler, 1);
+}
+
+TEST(triangles_of_fewer_than_three_vertices_have_no_edges_and_are_no_pieces)
+{
+    const double points[5][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {6, 6, 6}};
+    const int corners[5][3] = {{3, 3, 4}, {4, 3, 3}, {3, 4, 3}, {0, 1, 2}, {4, 4, 4}};
+    const batten_mesh_facts f = facts_of(make(5, points[0], 5, corners[0]));
+    CHECK_INT(f.edges, 3);
+    CHECK_INT(f.rim_edges, 3);
+    CHECK_INT(f.flat_triangles, 4);
+    CHECK_INT(f.loose_vertices, 0);
+    CHECK_INT(f.pieces, 1);
+    CHECK_INT(f.euler, 1);
+    CHECK_NEAR(f.area, 0.5, 1e-15);
+}
+
+TEST(a_mesh_of_one_point_has_its_centroid_there)
+{
+    const double points[3] = {1, 2, 3};
+    const int corners[3] = {0, 0, 0};
+    const batten_mesh_facts f = facts_of(make(1, points, 1, corners));
+    CHECK_NEAR(f.centroid[0], 1, 0);
+    CHECK_NEAR(f.centroid[1], 2, 0);
+    CHECK_NEAR(f.centroid[2], 3, 0);
+    CHECK_NEAR(f.area + f.volume, 0, 0);
+    CHECK_INT(f.flat_triangles, 1);
 }

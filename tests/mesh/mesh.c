@@ -87,3 +87,134 @@ TEST(a_mirror_turns_the_triangles_and_keeps_normals_outside)
     batten_mesh_unref(mirrored);
     batten_mesh_unref(mesh);
 }
+
+/* All that a mesh may have, with other numbers everywhere. */
+typedef struct {
+    double points[9], colours[9], normals[18], triangle_colours[6], first[3], second[3];
+    int corners[6], faces[2];
+    batten_mesh_attribute attributes[2];
+    batten_mesh_parts parts;
+} full_mesh;
+
+static void fill_full(full_mesh *f)
+{
+    static const int two[6] = {0, 1, 2, 2, 1, 0};
+    for (int i = 0; i < 18; i++) {
+        f->normals[i] = 100 + i;
+        f->points[i % 9] = 200 + i;
+        f->colours[i % 9] = 300 + i;
+        f->triangle_colours[i % 6] = 400 + i;
+        f->first[i % 3] = 500 + i;
+        f->second[i % 3] = 600 + i;
+        f->faces[i % 2] = 700 + i;
+    }
+    memcpy(f->corners, two, sizeof two);
+    f->attributes[0] = (batten_mesh_attribute){"first", f->first};
+    f->attributes[1] = (batten_mesh_attribute){"second", f->second};
+    f->parts = (batten_mesh_parts){.vertex_count = 3,
+                                   .points = f->points,
+                                   .colours = f->colours,
+                                   .triangle_count = 2,
+                                   .corners = f->corners,
+                                   .normals = f->normals,
+                                   .faces = f->faces,
+                                   .triangle_colours = f->triangle_colours,
+                                   .attribute_count = 2,
+                                   .attributes = f->attributes};
+}
+
+TEST(everything_is_copied_to_its_last_number)
+{
+    full_mesh given, wanted;
+    batten_mesh *mesh = NULL;
+    fill_full(&given);
+    fill_full(&wanted);
+    CHECK_OK(batten_mesh_create(&given.parts, &mesh));
+    memset(&given, 0x7f, sizeof given);
+    const batten_mesh_parts *kept = batten_mesh_view(mesh);
+    CHECK_INT(kept->vertex_count, 3);
+    CHECK_INT(kept->triangle_count, 2);
+    CHECK_INT(kept->attribute_count, 2);
+    CHECK(memcmp(kept->points, wanted.points, sizeof wanted.points) == 0);
+    CHECK(memcmp(kept->colours, wanted.colours, sizeof wanted.colours) == 0);
+    CHECK(memcmp(kept->corners, wanted.corners, sizeof wanted.corners) == 0);
+    CHECK(memcmp(kept->normals, wanted.normals, sizeof wanted.normals) == 0);
+    CHECK(memcmp(kept->faces, wanted.faces, sizeof wanted.faces) == 0);
+    CHECK(memcmp(kept->triangle_colours, wanted.triangle_colours,
+                 sizeof wanted.triangle_colours) == 0);
+    CHECK(memcmp(kept->attributes[0].values, wanted.first, sizeof wanted.first) == 0);
+    CHECK(memcmp(kept->attributes[1].values, wanted.second, sizeof wanted.second) == 0);
+    CHECK_TEXT(kept->attributes[1].name, "second");
+    batten_mesh_unref(mesh);
+}
+
+TEST(a_number_that_is_not_finite_is_found_in_every_array_and_counted)
+{
+    full_mesh f;
+    fill_full(&f);
+    const struct {
+        double *number;
+        const char *message;
+    } rows[] = {
+        {&f.points[0], "number 1 of the points is not finite"},
+        {&f.points[8], "number 9 of the points is not finite"},
+        {&f.colours[8], "number 9 of the colours is not finite"},
+        {&f.normals[17], "number 18 of the normals is not finite"},
+        {&f.triangle_colours[5], "number 6 of the colours of triangles is not finite"},
+        {&f.first[2], "number 3 of the attributes is not finite"},
+        {&f.second[0], "number 1 of the attributes is not finite"},
+    };
+    batten_mesh *mesh = NULL;
+    for (int i = 0; i < COUNT(rows); i++) {
+        fill_full(&f);
+        *rows[i].number = i % 2 ? NAN : -INFINITY;
+        CHECK_STATUS(batten_mesh_create(&f.parts, &mesh), BATTEN_NOT_FINITE);
+        CHECK_MESSAGE(rows[i].message);
+    }
+    CHECK(!mesh);
+}
+
+TEST(counts_below_0_and_vertices_that_are_not_there_are_refused_with_their_numbers)
+{
+    static const int counts[][3] = {{-1, 2, 2}, {3, -1, 2}, {3, 2, -1}};
+    static const char *const messages[] = {"-1 vertices, 2 triangles, 2 attributes",
+                                           "3 vertices, -1 triangle",
+                                           "2 triangles, -1 attributes"};
+    full_mesh f;
+    batten_mesh *mesh = NULL;
+    for (int i = 0; i < 3; i++) {
+        fill_full(&f);
+        f.parts.vertex_count = counts[i][0];
+        f.parts.triangle_count = counts[i][1];
+        f.parts.attribute_count = counts[i][2];
+        CHECK_STATUS(batten_mesh_create(&f.parts, &mesh), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(messages[i]);
+    }
+    for (int i = 0; i < 6; i++)
+        for (int bad = -1; bad <= 3; bad += 4) {
+            char message[64];
+            fill_full(&f);
+            f.corners[i] = bad;
+            snprintf(message, sizeof message, "triangle %d has vertex %d, of 3", i / 3 + 1,
+                     bad + 1);
+            CHECK_STATUS(batten_mesh_create(&f.parts, &mesh), BATTEN_BAD_ARGUMENT);
+            CHECK_MESSAGE(message);
+        }
+    CHECK(!mesh);
+}
+
+TEST(the_box_of_a_mesh_is_that_of_all_its_vertices)
+{
+    const double spread[] = {2, -3, 4, -1, 5, 6, 1, 1, -7};
+    const batten_mesh_parts parts = {.vertex_count = 3, .points = spread},
+                            nothing = {.vertex_count = 0, .points = spread};
+    const batten_box wanted = {{-1, -3, -7}, {2, 5, 6}}, empty = {{0, 0, 0}, {0, 0, 0}};
+    batten_mesh *mesh = NULL, *none = NULL;
+    CHECK_OK(batten_mesh_create(&parts, &mesh));
+    CHECK_OK(batten_mesh_create(&nothing, &none));
+    const batten_box box = batten_mesh_box(mesh), zero = batten_mesh_box(none);
+    CHECK(memcmp(&box, &wanted, sizeof box) == 0);
+    CHECK(memcmp(&zero, &empty, sizeof box) == 0);
+    batten_mesh_unref(none);
+    batten_mesh_unref(mesh);
+}

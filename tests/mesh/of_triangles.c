@@ -85,9 +85,22 @@ static batten_triangles *saddle_of_triangles(const double *weights)
     return made;
 }
 
+/* The longest side of the triangles. */
+static double longest_side(const batten_mesh *mesh)
+{
+    const batten_mesh_parts *made = batten_mesh_view(mesh);
+    double longest = 0;
+    for (int i = 0; i < 3 * made->triangle_count; i++) {
+        const double *a = made->points + 3 * made->corners[i];
+        const double *b = made->points + 3 * made->corners[i % 3 == 2 ? i - 2 : i + 1];
+        longest = fmax(longest, hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]));
+    }
+    return longest;
+}
+
 /* The largest second difference is 1, that of x: with n parts a triangle is 1 / (3 n^2) off at
- * most, and angles ask for nothing. The diagonal of the box, 1 by 1 by 3/2, counts for the longest
- * edge. */
+ * most, and angles ask for nothing. 11 parts of the diagonal of the box, 1 by 1 by 3/2, are as long
+ * as 0.2, but the side from (1, 10/11) to (10/11, 1) is 0.290 long: so 11 * 1.1 * 1.45 parts are made. */
 TEST(triangles_are_divided_as_often_as_their_second_differences_need)
 {
     batten_triangles *triangles = saddle_of_triangles(NULL);
@@ -95,7 +108,7 @@ TEST(triangles_are_divided_as_often_as_their_second_differences_need)
         double chord, longest;
         int parts;
     } cases[] = {{0.5, 0, 1},    {0.3, 0, 2}, {1.0 / 26, 0, 3}, {1e-2, 0, 6}, {1e-4, 0, 58},
-                 {0.5, 0.2, 11}, {0.5, 2, 2}, {1e-2, 0.2, 11},  {1e-2, 10, 6}};
+                 {0.5, 0.2, 18}, {0.5, 2, 2}, {1e-2, 0.2, 18},  {1e-2, 10, 6}};
     for (int i = 0; i < COUNT(cases); i++) {
         batten_mesh_options options = batten_mesh_defaults();
         batten_mesh_report report;
@@ -108,8 +121,90 @@ TEST(triangles_are_divided_as_often_as_their_second_differences_need)
         CHECK_NEAR(report.asked, cases[i].chord, 0);
         CHECK(report.chord > 0 && report.chord <= 1.0 / 3 / cases[i].parts / cases[i].parts);
         CHECK_INT(report.beyond, 0);
+        CHECK(cases[i].longest == 0 || longest_side(mesh) <= cases[i].longest * (1 + 1e-12));
         batten_mesh_unref(mesh);
     }
+    batten_triangles_unref(triangles);
+}
+
+/* A flat triangle whose sides run slowly at one end and fast at the other. */
+TEST(sides_of_uneven_triangles_are_no_longer_than_the_longest)
+{
+    double points[10][3] = {{0}};
+    batten_triangles *triangles = NULL;
+    for (int j = 0; j <= 3; j++)
+        for (int k = 0; j + k <= 3; k++) {
+            points[BATTEN_TRIANGLE_POINT(j, k)][0] = j * j * j / 27.0;
+            points[BATTEN_TRIANGLE_POINT(j, k)][1] = k * k * k / 27.0;
+        }
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 3, 1, points[0], NULL, NULL},
+                                     &triangles));
+    static const double lengths[] = {1, 0.3, 0.1};
+    for (int i = 0; i < COUNT(lengths); i++) {
+        batten_mesh_options options = batten_mesh_defaults();
+        batten_mesh *mesh = NULL;
+        options.chord = 1;
+        options.longest = lengths[i];
+        CHECK_OK(batten_mesh_from_triangles(triangles, &options, NULL, NULL, &mesh));
+        CHECK(longest_side(mesh) <= lengths[i] * (1 + 1e-12));
+        batten_mesh_unref(mesh);
+    }
+    batten_triangles_unref(triangles);
+}
+
+static const struct {
+    double chord, angle, longest;
+    int most;
+    batten_status status;
+    const char *message;
+} refused[] = {
+    {-1, 1, 0, 9, BATTEN_BAD_ARGUMENT, "the chord is -1; it must not be below 0"},
+    {INFINITY, 1, 0, 9, BATTEN_BAD_ARGUMENT, "the chord is inf"},
+    {NAN, 1, 0, 9, BATTEN_BAD_ARGUMENT, "the chord is nan"},
+    {1, 0, 0, 9, BATTEN_BAD_ARGUMENT, "the angle is 0; it must be above 0"},
+    {1, INFINITY, 0, 9, BATTEN_BAD_ARGUMENT, "the angle is inf"},
+    {1, 1, -2, 9, BATTEN_BAD_ARGUMENT, "the longest edge is -2; it must not be below 0"},
+    {1, 1, NAN, 9, BATTEN_BAD_ARGUMENT, "the longest edge is nan"},
+    {1, 1, 0, 0, BATTEN_BAD_ARGUMENT, "0 triangles are allowed"},
+    {1e-16, 1, 0, 9, BATTEN_BAD_ARGUMENT,
+     "a chord of 1e-16 is in the roundoff of size 2.06155"},
+    {0.3, 3, 0, 7, BATTEN_TOO_LARGE,
+     "8 triangles are needed for a chord of 0.3 and an angle of 3; 7 are allowed"},
+};
+
+TEST(options_that_triangles_cannot_meet_are_refused_and_named)
+{
+    batten_triangles *triangles = saddle_of_triangles(NULL);
+    batten_mesh *mesh = NULL;
+    for (int i = 0; i < COUNT(refused); i++) {
+        batten_mesh_options options = batten_mesh_defaults();
+        options.chord = refused[i].chord;
+        options.angle = refused[i].angle;
+        options.longest = refused[i].longest;
+        options.most = refused[i].most;
+        CHECK_STATUS(batten_mesh_from_triangles(triangles, &options, NULL, NULL, &mesh),
+                     refused[i].status);
+        CHECK_MESSAGE(refused[i].message);
+    }
+    batten_mesh_options options = batten_mesh_defaults();
+    options.chord = 0.3;
+    options.angle = 3;
+    options.most = 8; /* as many as are needed */
+    CHECK(!mesh);
+    CHECK_OK(batten_mesh_from_triangles(triangles, &options, NULL, NULL, &mesh));
+    batten_mesh_unref(mesh);
+    batten_triangles_unref(triangles);
+}
+
+TEST(without_a_chord_triangles_keep_a_thousandth_of_their_size)
+{
+    batten_triangles *triangles = saddle_of_triangles(NULL);
+    batten_mesh_report report;
+    batten_mesh *mesh = NULL;
+    CHECK_OK(batten_mesh_from_triangles(triangles, NULL, NULL, &report, &mesh));
+    CHECK_NEAR(report.asked, 1e-3 * sqrt(1 + 1 + 2.25), 1e-15);
+    CHECK(report.chord <= report.asked);
+    batten_mesh_unref(mesh);
     batten_triangles_unref(triangles);
 }
 
