@@ -50,6 +50,9 @@ void bat_knots_reverse(int degree, int count, const double *knots, double *out);
  * coincide there. */
 batten_status bat_knots_map(int degree, int count, const double *knots, double a, double b,
                             double *out);
+/* Greville's abscissa of control point i, where it acts most: the mean of the knots i + 1 .. i +
+ * degree, never outside them. The degree is at least 1. */
+double bat_greville(int degree, const double *knots, int i);
 /* Basis functions N[0..p] that live on span k, and their derivatives up to `order`: out [order
  * + 1][p + 1]. */
 void bat_basis(int degree, const double *knots, int span, double u, int order, double *out);

@@ -10,6 +10,7 @@ TEST(a_spline_begins_with_zeros_and_ends_empty)
     CHECK(spline.knots[8] == 0 && spline.values[9] == 0);
     bat_spline_free(&spline);
     CHECK(spline.knots == NULL && spline.values == NULL);
+    CHECK(spline.degree == 0 && spline.count == 0 && spline.width == 0);
 }
 
 TEST(S1_a_spline_too_wide_for_memory_is_refused)

@@ -4,15 +4,6 @@
 
 #include <string.h>
 
-/* The average of `degree` knots after knot i: where u is control value i of itself. */
-static double greville_abscissa(int degree, const double *knots, int i)
-{
-    double sum = 0;
-    for (int k = 1; k <= degree; k++)
-        sum += knots[i + k] / degree;
-    return sum;
-}
-
 /* The values of the function above its Greville abscissae. */
 static void list_graph_points(const bat_nurbs *f, double *points)
 {
@@ -20,8 +11,8 @@ static void list_graph_points(const bat_nurbs *f, double *points)
     for (int i = 0; i < nu; i++)
         for (int j = 0; j < nv; j++) {
             double *p = points + 3 * ((size_t)i * (size_t)nv + (size_t)j);
-            p[0] = greville_abscissa(f->axes[0].degree, f->axes[0].knots, i);
-            p[1] = greville_abscissa(f->axes[1].degree, f->axes[1].knots, j);
+            p[0] = bat_greville(f->axes[0].degree, f->axes[0].knots, i);
+            p[1] = bat_greville(f->axes[1].degree, f->axes[1].knots, j);
             p[2] = f->points[(size_t)i * (size_t)nv + (size_t)j];
         }
 }

@@ -184,17 +184,11 @@ static batten_status add_exact(bat_offset *o, double a, double b, const batten_a
 /* Do two sides of one place go over into each other with equal first and second derivatives? */
 static bool goes_on(const bat_offset *o, const bat_run_place *left, const bat_run_place *right)
 {
-    const int d = o->full->dimension;
     const bool cusp = fabs(left->factor) < 1e-9 || left->factor * right->factor <= 0;
     if (left->singular || right->singular || cusp)
         return false;
-    for (int m = 0; m < 3; m++) {
-        /* Ten digits of point, tangent and second derivative, which lose some in the divisions. */
-        const double size = bat_max(bat_norm(d, left->q[m]), bat_norm(d, right->q[m]));
-        if (bat_distance(d, left->q[m], right->q[m]) > 1e-10 * size)
-            return false;
-    }
-    return true;
+    /* Ten digits of point, tangent and second derivative, which lose some in the divisions. */
+    return bat_hermite_agrees(o->full->dimension, 0, left->q[0], right->q[0], 1e-10);
 }
 
 /* What stands between two runs at a corner: an arc outside; inside nothing, or, when all is
@@ -222,7 +216,7 @@ static batten_status add_corner(bat_offset *o, const bat_run_place *left,
 }
 
 /* The part from `start` to `end`: exact, or more of the strand. */
-static batten_status add_part(bat_offset *o, bat_strand *s, bat_run_place *start,
+static batten_status add_part(bat_offset *o, bat_hermite_run *s, bat_run_place *start,
                               const bat_run_place *end)
 {
     bool exact;
@@ -237,11 +231,11 @@ static batten_status add_part(bat_offset *o, bat_strand *s, bat_run_place *start
     if (status == BATTEN_OK)
         status = bat_run_settle(o, start, end->u);
     if (status == BATTEN_OK && s->count == 0)
-        status = bat_strand_add(s, start);
+        status = bat_hermite_run_add(s, start->u, start->q[0]);
     return status == BATTEN_OK ? bat_strand_follow(o, s, *start, end) : status;
 }
 
-static batten_status walk_parts(bat_offset *o, int count, const double *at, bat_strand *s)
+static batten_status walk_parts(bat_offset *o, int count, const double *at, bat_hermite_run *s)
 {
     bat_run_place start, end, first = {0};
     batten_status status = bat_run_place_at(o, at[0], BATTEN_FROM_RIGHT, &start);
@@ -267,12 +261,11 @@ batten_status bat_offset_runs(bat_offset *o)
 {
     int count = 0;
     double *at = NULL;
-    bat_strand s = {.dimension = o->full->dimension};
+    bat_hermite_run s = {.dimension = o->full->dimension};
     batten_status status = find_breaks(o, &count, &at);
     if (status == BATTEN_OK)
         status = walk_parts(o, count, at, &s);
-    bat_release(s.values);
-    bat_release(s.u);
+    bat_hermite_run_release(&s);
     bat_release(at);
     return status;
 }

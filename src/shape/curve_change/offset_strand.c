@@ -77,29 +77,6 @@ batten_status bat_run_settle(const bat_offset *o, bat_run_place *at, double towa
 
 /* ---- quintics ---- */
 
-batten_status bat_strand_add(bat_strand *s, const bat_run_place *at)
-{
-    if (s->count == s->room) {
-        const int room = bat_max_int(16, 2 * s->room);
-        const size_t width = 3 * (size_t)s->dimension;
-        double *u = bat_resize(s->u, (size_t)room, sizeof *u);
-        if (!u)
-            return BATTEN_OUT_OF_MEMORY;
-        s->u = u;
-        double *values = bat_resize(s->values, (size_t)room * width, sizeof *values);
-        if (!values)
-            return BATTEN_OUT_OF_MEMORY;
-        s->values = values;
-        s->room = room;
-    }
-    s->u[s->count] = at->u;
-    for (int m = 0; m < 3; m++)
-        memcpy(s->values + (size_t)(3 * s->count + m) * (size_t)s->dimension, at->q[m],
-               (size_t)s->dimension * sizeof(double));
-    s->count++;
-    return BATTEN_OK;
-}
-
 /* The quintic between two places at the share t of the way. */
 static void quintic(int d, const bat_run_place *a, const bat_run_place *b, double t,
                     double *out)
@@ -145,7 +122,7 @@ static batten_status quintic_error(const bat_offset *o, const bat_run_place *a,
     return status;
 }
 
-batten_status bat_strand_follow(bat_offset *o, bat_strand *s, bat_run_place a,
+batten_status bat_strand_follow(bat_offset *o, bat_hermite_run *s, bat_run_place a,
                                 const bat_run_place *b)
 {
     enum { DEPTH = 40 };
@@ -170,20 +147,16 @@ batten_status bat_strand_follow(bat_offset *o, bat_strand *s, bat_run_place a,
             continue;
         }
         o->report.error = bat_max(o->report.error, error);
-        status = bat_strand_add(s, &next);
+        status = bat_hermite_run_add(s, next.u, next.q[0]);
         a = next;
         bat_halving_accept(&h);
     }
     return status;
 }
 
-batten_status bat_strand_hand_over(bat_offset *o, bat_strand *s)
+batten_status bat_strand_hand_over(bat_offset *o, bat_hermite_run *s)
 {
     batten_curve *curve = NULL;
-    if (s->count == 0)
-        return BATTEN_OK;
-    const batten_status status =
-        batten_curve_from_hermite(s->dimension, s->count, 3, s->u, s->values, &curve);
-    s->count = 0;
-    return bat_offset_add(o, status, curve);
+    const batten_status status = bat_hermite_run_finish(s, &curve);
+    return status == BATTEN_OK && !curve ? BATTEN_OK : bat_offset_add(o, status, curve);
 }

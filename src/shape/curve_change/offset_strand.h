@@ -2,6 +2,7 @@
 #ifndef BAT_CURVE_CHANGE_OFFSET_STRAND_H
 #define BAT_CURVE_CHANGE_OFFSET_STRAND_H
 #include "shape/curve_change/offset.h"
+#include "spline/curve/hermite_run.h"
 
 /* The offset at one parameter, seen from one side. */
 typedef struct {
@@ -14,20 +15,13 @@ typedef struct {
     bool singular;  /* the curve stands still: only p, t and q[0] are known */
 } bat_run_place;
 
-/* A run in the making: the ends of its quintics. */
-typedef struct {
-    int dimension, count, room;
-    double *u, *values; /* [count], [count][3][dimension] */
-} bat_strand;
-
 batten_status bat_run_place_at(const bat_offset *o, double u, batten_side side,
                                bat_run_place *out);
 /* Where the curve stands still Q' is taken from the offset itself, a little inside. */
 batten_status bat_run_settle(const bat_offset *o, bat_run_place *at, double towards);
-batten_status bat_strand_add(bat_strand *s, const bat_run_place *at);
-/* From the last place of the strand, which is `a`, to b: halves until the error is met. */
-batten_status bat_strand_follow(bat_offset *o, bat_strand *s, bat_run_place a,
+/* From the last place of the run, which is `a`, to b: halves until the error is met. */
+batten_status bat_strand_follow(bat_offset *o, bat_hermite_run *s, bat_run_place a,
                                 const bat_run_place *b);
-batten_status bat_strand_hand_over(bat_offset *o, bat_strand *s);
+batten_status bat_strand_hand_over(bat_offset *o, bat_hermite_run *s);
 
 #endif

@@ -7,38 +7,31 @@
 #include "numeric/vector.h"
 #include "shape/deform/lattice.h"
 #include "shape/near/within.h"
+#include "spline/curve/hermite_run.h"
 
 #include <batten/measure.h>
 #include <float.h>
-#include <string.h>
 
-enum { DEPTH = 40, SAMPLES = 7, VALUES = 9, MOST_PIECES = 100000 };
+enum { DEPTH = 40, SAMPLES = 7, MOST_PIECES = 100000 };
 
 /* Derivatives on both sides of a knot that differ by less are the same but for rounding. */
 static const double same_derivative = 1e-9;
-
-/* The image at a parameter: point, first and second derivative. */
-typedef struct {
-    double u, values[VALUES];
-} image_place;
 
 typedef struct {
     const batten_curve *curve;
     const batten_deformation *deformation;
     double tolerance, error;
     int pieces;
-    /* the smooth run in the making */
-    image_place *places;
-    int count, room;
-    /* those that are made */
-    batten_curve **runs;
+    bat_hermite_run run; /* the smooth run in the making */
+    batten_curve **runs; /* those that are made */
     int run_count, run_room;
 } deforming;
 
+/* The image at a parameter with its first and second derivative. */
 static batten_status evaluate_image(const deforming *t, double u, batten_side side,
-                                    image_place *out)
+                                    bat_hermite_place *out)
 {
-    double given[VALUES];
+    double given[3 * 3];
     bat_jet x[3], y[3];
     const batten_status status = batten_curve_evaluate_side(t->curve, u, side, 2, given);
     if (status != BATTEN_OK)
@@ -54,20 +47,17 @@ static batten_status evaluate_image(const deforming *t, double u, batten_side si
     out->u = u;
     for (int m = 0; m < 3; m++)
         for (int c = 0; c < 3; c++)
-            out->values[3 * m + c] = y[c].d[entry[m]];
+            out->q[m][c] = y[c].d[entry[m]];
     return BATTEN_OK;
 }
 
 /* How far the quintic from a to b is from the image. */
-static batten_status measure_piece(const deforming *t, const image_place *a,
-                                   const image_place *b, double *error)
+static batten_status measure_piece(const deforming *t, const bat_hermite_place *a,
+                                   const bat_hermite_place *b, double *error)
 {
-    const double ends[2] = {a->u, b->u};
-    double values[2 * VALUES];
+    const bat_hermite_place ends[2] = {*a, *b};
     batten_curve *quintic = NULL;
-    memcpy(values, a->values, sizeof a->values);
-    memcpy(values + VALUES, b->values, sizeof b->values);
-    batten_status status = batten_curve_from_hermite(3, 2, 3, ends, values, &quintic);
+    batten_status status = bat_hermite_curve(3, 2, ends, &quintic);
     double most = 0;
     for (int i = 1; status == BATTEN_OK && i <= SAMPLES; i++) {
         const double u = a->u + (b->u - a->u) * (i / (SAMPLES + 1.0));
@@ -89,45 +79,22 @@ static batten_status measure_piece(const deforming *t, const image_place *a,
 
 static batten_status finish_run(deforming *t)
 {
-    if (t->count < 2)
-        return BATTEN_OK;
-    batten_curve *run = NULL;
-    double *parameters = bat_array((size_t)t->count, sizeof *parameters);
-    double *values = bat_array((size_t)t->count, VALUES * sizeof *values);
-    batten_status status = parameters && values ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < t->count && status == BATTEN_OK; i++) {
-        parameters[i] = t->places[i].u;
-        memcpy(values + (size_t)i * VALUES, t->places[i].values, VALUES * sizeof *values);
-    }
-    if (status == BATTEN_OK)
-        status = batten_curve_from_hermite(3, t->count, 3, parameters, values, &run);
-    if (status == BATTEN_OK)
-        status = BAT_LIST_ADD(t->runs, t->run_count, t->run_room, run);
+    batten_curve *made = NULL;
+    batten_status status = bat_hermite_run_finish(&t->run, &made);
+    if (status == BATTEN_OK && made)
+        status = BAT_LIST_ADD(t->runs, t->run_count, t->run_room, made);
     if (status != BATTEN_OK)
-        batten_curve_unref(run);
-    bat_release(parameters);
-    bat_release(values);
-    t->count = 0;
+        batten_curve_unref(made);
     return status;
 }
 
-static bool is_smooth_joint(const image_place *left, const image_place *right)
-{
-    for (int m = 1; m < 3; m++) {
-        const double *a = left->values + 3 * m, *b = right->values + 3 * m;
-        if (bat_distance(3, a, b) > same_derivative * bat_max(bat_norm(3, a), bat_norm(3, b)))
-            return false;
-    }
-    return true;
-}
-
 /* From `a`, the last place of the run, to `b`, the end of its span. */
-static batten_status follow_span(deforming *t, image_place a, const image_place *b)
+static batten_status follow_span(deforming *t, bat_hermite_place a, const bat_hermite_place *b)
 {
     bat_halving h = bat_halving_of(a.u, b->u, DEPTH);
     batten_status status = BATTEN_OK;
     while (status == BATTEN_OK && h.waiting > 0) {
-        image_place next = *b;
+        bat_hermite_place next = *b;
         double error = 0;
         if (h.waiting > 1)
             status = evaluate_image(t, h.b, BATTEN_FROM_LEFT, &next);
@@ -145,7 +112,7 @@ static batten_status follow_span(deforming *t, image_place a, const image_place 
         }
         t->error = bat_max(t->error, error);
         t->pieces++;
-        status = BAT_LIST_ADD(t->places, t->count, t->room, next);
+        status = bat_hermite_run_add(&t->run, next.u, next.q[0]);
         a = next;
         bat_halving_accept(&h);
     }
@@ -156,16 +123,18 @@ static batten_status follow_curve(deforming *t, int knot_count, const double *kn
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i + 1 < knot_count && status == BATTEN_OK; i++) {
-        image_place start, end;
+        bat_hermite_place start, end;
         status = evaluate_image(t, knots[i], BATTEN_FROM_RIGHT, &start);
         if (status == BATTEN_OK)
             status = evaluate_image(t, knots[i + 1], BATTEN_FROM_LEFT, &end);
         if (status != BATTEN_OK)
             return status;
-        if (t->count == 0 || !is_smooth_joint(&t->places[t->count - 1], &start)) {
+        const bat_hermite_run *run = &t->run;
+        if (run->count == 0 || !bat_hermite_agrees(3, 1, run->places[run->count - 1].q[0],
+                                                   start.q[0], same_derivative)) {
             status = finish_run(t);
             if (status == BATTEN_OK)
-                status = BAT_LIST_ADD(t->places, t->count, t->room, start);
+                status = bat_hermite_run_add(&t->run, start.u, start.q[0]);
         }
         if (status == BATTEN_OK)
             status = follow_span(t, start, &end);
@@ -197,7 +166,8 @@ batten_status batten_curve_deform(const batten_curve *curve,
                                   double *error, batten_curve **out)
 {
     assert(curve && deformation && out);
-    deforming t = {.curve = curve, .deformation = deformation, .tolerance = tolerance};
+    deforming t = {
+        .curve = curve, .deformation = deformation, .tolerance = tolerance, .run.dimension = 3};
     batten_curve *made = NULL;
     batten_status status = check_curve(curve, deformation, tolerance);
     if (status != BATTEN_OK)
@@ -219,7 +189,7 @@ batten_status batten_curve_deform(const batten_curve *curve,
     for (int i = 0; i < t.run_count; i++)
         batten_curve_unref(t.runs[i]);
     bat_release(t.runs);
-    bat_release(t.places);
+    bat_hermite_run_release(&t.run);
     bat_release(knots);
     return status;
 }

@@ -3,6 +3,7 @@
 #include "base/plural.h"
 #include "numeric/box.h"
 #include "numeric/vector.h"
+#include "spline/spline.h"
 
 #include <float.h>
 #include <string.h>
@@ -67,12 +68,12 @@ static double even_knot(int degree, int count, int i)
     return (double)bat_min_int(bat_max_int(i - degree, 0), spans) / spans;
 }
 
-static double greville(int degree, int count, int i)
+static double greville_abscissa(int degree, int count, int i)
 {
-    double sum = 0;
+    double knots[BAT_LATTICE_MOST_DEGREE + 1];
     for (int k = 1; k <= degree; k++)
-        sum += even_knot(degree, count, i + k);
-    return sum / degree;
+        knots[k] = even_knot(degree, count, i + k);
+    return bat_greville(degree, knots, 0);
 }
 
 batten_status batten_lattice_home(const batten_lattice *lattice, double *points)
@@ -90,7 +91,7 @@ batten_status batten_lattice_home(const batten_lattice *lattice, double *points)
                 const int index[3] = {i, j, k};
                 double *p = points + 3 * bat_lattice_index(lattice, i, j, k);
                 for (int c = 0; c < 3; c++) {
-                    const double s = greville(lattice->degrees[c], n[c], index[c]);
+                    const double s = greville_abscissa(lattice->degrees[c], n[c], index[c]);
                     p[c] = (1 - s) * low[c] + s * high[c];
                 }
             }

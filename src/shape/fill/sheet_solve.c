@@ -240,15 +240,6 @@ static void end_system(sheet_system *s)
     bat_release(s->z);
 }
 
-/* The point of the knots of which x is the spline: their mean. */
-static double greville(const sheet_axis *axis, int i)
-{
-    double sum = 0;
-    for (int k = 1; k <= DEGREE; k++)
-        sum += axis->knots[i + k];
-    return sum / DEGREE;
-}
-
 static batten_status make_surface(const sheet_system *s, batten_surface **out)
 {
     const sheet_axis *u = &s->axes[0], *v = &s->axes[1];
@@ -258,8 +249,8 @@ static batten_status make_surface(const sheet_system *s, batten_surface **out)
     if (!net)
         return BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < s->count; k++) {
-        net[3 * k] = greville(u, k / v->count);
-        net[3 * k + 1] = greville(v, k % v->count);
+        net[3 * k] = bat_greville(DEGREE, u->knots, k / v->count);
+        net[3 * k + 1] = bat_greville(DEGREE, v->knots, k % v->count);
         net[3 * k + 2] = s->z[k];
     }
     const batten_status status = batten_surface_create(3, &axes[0], &axes[1], net, NULL, out);

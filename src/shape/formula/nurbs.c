@@ -84,13 +84,8 @@ static batten_status lay_knots(bat_formula_line *l)
     for (int i = 0; i <= l->span_count; i++)
         for (int j = 0; j < l->times[i]; j++)
             l->knots[k++] = l->breaks[i];
-    for (int i = 0; i < l->count; i++) {
-        double sum = 0;
-        for (int j = 1; j <= BAT_FORMULA_DEGREE; j++)
-            sum += l->knots[i + j] - l->knots[i];
-        l->greville[i] =
-            bat_min(l->knots[i] + sum / BAT_FORMULA_DEGREE, l->breaks[l->span_count]);
-    }
+    for (int i = 0; i < l->count; i++)
+        l->greville[i] = bat_greville(BAT_FORMULA_DEGREE, l->knots, i);
     return BATTEN_OK;
 }
 

@@ -123,10 +123,7 @@ static void make_quasi(refinement *t)
 /* Greville's, of a ring in its first period. */
 static double abscissa_of(const refinement *t, int i)
 {
-    double u = 0;
-    for (int k = 1; k <= t->degree; k++)
-        u += (t->U[i + k] - t->U[i + 1]) / t->degree;
-    u += t->U[i + 1];
+    double u = bat_greville(t->degree, t->U, i);
     if (t->periodic && u < t->t[0])
         u += t->t[t->count] - t->t[0];
     if (t->periodic && u >= t->t[t->count])
@@ -312,20 +309,12 @@ static batten_status ask(const known *k, double u, int order, double *out)
                : bat_fail(BATTEN_NOT_FINITE, "the function is %g at %g", out[bad], u);
 }
 
-static double greville(const known *k, int i)
-{
-    double u = 0;
-    for (int j = 1; j <= k->degree; j++)
-        u += (k->knots[i + j] - k->knots[i + 1]) / k->degree;
-    return bat_min(k->knots[k->count], bat_max(k->knots[k->degree], u + k->knots[i + 1]));
-}
-
 /* The blossom at the knots of Taylor's polynomial at Greville's abscissa. */
 static batten_status control_of(const known *k, int i, int order, double *out)
 {
     double at[3 * (BATTEN_MAX_DEGREE + 1)], e[BATTEN_MAX_DEGREE + 1], factorial = 1;
     const int d = k->dimension;
-    const double u = greville(k, i);
+    const double u = bat_greville(k->degree, k->knots, i);
     const batten_status status = ask(k, u, order, at);
     symmetric(k->degree, k->knots + i + 1, u, 1, e);
     memset(out, 0, (size_t)d * sizeof *out);

@@ -3,12 +3,14 @@
  * and curvature, halved until a bound of their distance from the curve is within the tolerance.
  */
 #include "shape/near/even_speed.h"
+#include "base/list.h"
 #include "base/plural.h"
 #include "inspect/singular.h"
 #include "numeric/halving.h"
 #include "numeric/vector.h"
 #include "shape/near/arc_length_bound.h"
 #include "spline/curve/curve.h"
+#include "spline/curve/hermite_run.h"
 
 #include <batten/measure.h>
 #include <float.h>
@@ -16,11 +18,15 @@
 
 enum { DEPTH = 50, SAMPLES = 7, MOST_PIECES = 100000 };
 
-/* The curve at u, seen from one side, by its arc length. */
+/* Tangents and curvatures on both sides of a knot that differ by less are the same but for
+ * rounding. */
+static const double same_derivative = 1e-9;
+
+/* The curve at u, seen from one side. */
 typedef struct {
-    double u, s;
-    double q[3][3]; /* point, tangent, curvature vector */
-    bool singular;  /* the curvature is not known */
+    double u;
+    bat_hermite_place by_length; /* point, tangent, curvature vector */
+    bool singular;               /* the curvature is not known */
 } curve_place;
 
 typedef struct {
@@ -28,12 +34,9 @@ typedef struct {
     double size, tolerance;
     int most; /* pieces */
     batten_curve_even_speed_report report;
-    /* the smooth run in the making */
-    int count, room;
-    double *s, *values; /* [count], [count][3][dimension] */
-    /* those that are made */
+    bat_hermite_run run; /* the smooth run in the making */
     int run_count, run_room;
-    batten_curve **runs;
+    batten_curve **runs; /* those that are made */
 } even_run;
 
 /* ---- the curve by arc length ---- */
@@ -51,16 +54,16 @@ static batten_status evaluate_at_length(const even_run *t, const batten_curve *c
         status = bat_curve_local_at(curve, t->size, u, side, &local);
     if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
         return status;
-    *out = (curve_place){.u = u, .s = s, .singular = status != BATTEN_OK};
+    *out = (curve_place){.u = u, .by_length.u = s, .singular = status != BATTEN_OK};
     x[0] = local.tangent.x;
     x[1] = local.tangent.y;
     x[2] = local.tangent.z;
     const double v = bat_norm(d, c + d), along = bat_dot(d, c + 2 * d, x);
     for (int k = 0; k < d; k++) {
-        out->q[0][k] = c[k];
-        out->q[1][k] = x[k];
+        out->by_length.q[0][k] = c[k];
+        out->by_length.q[1][k] = x[k];
         if (status == BATTEN_OK)
-            out->q[2][k] = (c[2 * d + k] - along * x[k]) / (v * v);
+            out->by_length.q[2][k] = (c[2 * d + k] - along * x[k]) / (v * v);
     }
     return BATTEN_OK;
 }
@@ -71,12 +74,6 @@ static batten_status length(const even_run *t, const batten_curve *piece, double
     return batten_curve_length_between(piece, a, b, t->tolerance / 1000, NULL, out);
 }
 
-static void copy_derivatives(int d, const curve_place *at, double *values)
-{
-    for (int m = 0; m < 3; m++)
-        memcpy(values + m * d, at->q[m], (size_t)d * sizeof *values);
-}
-
 /*
  * A point of the curve at t of the piece is within t h of its start and (1 - t) h of its end. Of
  * the six control points of the quintic the first three are within `leg` of the start, the others
@@ -85,9 +82,9 @@ static void copy_derivatives(int d, const curve_place *at, double *values)
  */
 static double crude_bound(const even_run *t, const curve_place *a, const curve_place *b)
 {
-    const double h = b->s - a->s;
-    const double bend =
-        bat_max(bat_norm(t->dimension, a->q[2]), bat_norm(t->dimension, b->q[2]));
+    const double h = b->by_length.u - a->by_length.u;
+    const double bend = bat_max(bat_norm(t->dimension, a->by_length.q[2]),
+                                bat_norm(t->dimension, b->by_length.q[2]));
     return 0.5 * h + (0.4 * h + h * h * bend / 20);
 }
 
@@ -101,7 +98,7 @@ static batten_status bound_error(const even_run *t, const batten_curve *piece,
     if (!a->singular && !b->singular)
         status = bat_bezier_part(piece, a->u, b->u, &part);
     if (part && status == BATTEN_OK)
-        status = bat_arc_length_bound(part, b->s - a->s, error);
+        status = bat_arc_length_bound(part, b->by_length.u - a->by_length.u, error);
     batten_curve_unref(part);
     /* The length is known to a thousandth of the tolerance, and points, sums of three terms or
      * fewer, are rounded on both curves. */
@@ -115,15 +112,12 @@ static batten_status measure_speed(const even_run *t, const curve_place *a,
                                    const curve_place *b, double *speed)
 {
     const int d = t->dimension;
-    const double ends[2] = {a->s, b->s};
-    double values[2 * 3 * 3];
+    const bat_hermite_place ends[2] = {a->by_length, b->by_length};
     batten_curve *quintic = NULL;
-    copy_derivatives(d, a, values);
-    copy_derivatives(d, b, values + 3 * d);
-    batten_status status = batten_curve_from_hermite(d, 2, 3, ends, values, &quintic);
+    batten_status status = bat_hermite_curve(d, 2, ends, &quintic);
     for (int i = 1; status == BATTEN_OK && i <= SAMPLES; i++) {
         double q[2 * 3];
-        const double s = a->s + (b->s - a->s) * (i / (SAMPLES + 1.0));
+        const double s = ends[0].u + (ends[1].u - ends[0].u) * (i / (SAMPLES + 1.0));
         status = batten_curve_evaluate(quintic, s, 1, q);
         if (status == BATTEN_OK)
             *speed = bat_max(*speed, fabs(bat_norm(d, q + d) - 1));
@@ -134,58 +128,15 @@ static batten_status measure_speed(const even_run *t, const curve_place *a,
 
 /* ---- runs ---- */
 
-static batten_status add_place(even_run *t, const curve_place *at)
-{
-    if (t->count == t->room) {
-        const int room = bat_max_int(16, 2 * t->room);
-        double *s = bat_resize(t->s, (size_t)room, sizeof *s);
-        if (!s)
-            return BATTEN_OUT_OF_MEMORY;
-        t->s = s;
-        double *values =
-            bat_resize(t->values, (size_t)room * 3 * (size_t)t->dimension, sizeof *values);
-        if (!values)
-            return BATTEN_OUT_OF_MEMORY;
-        t->values = values;
-        t->room = room;
-    }
-    t->s[t->count] = at->s;
-    copy_derivatives(t->dimension, at,
-                     t->values + (size_t)(3 * t->count) * (size_t)t->dimension);
-    t->count++;
-    return BATTEN_OK;
-}
-
 static batten_status finish_run(even_run *t)
 {
-    if (t->count < 2)
-        return BATTEN_OK;
-    if (t->run_count == t->run_room) {
-        const int room = bat_max_int(16, 2 * t->run_room);
-        batten_curve **grown = bat_resize(t->runs, (size_t)room, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        t->runs = grown;
-        t->run_room = room;
-    }
-    const batten_status status = batten_curve_from_hermite(t->dimension, t->count, 3, t->s,
-                                                           t->values, &t->runs[t->run_count]);
-    t->run_count += status == BATTEN_OK;
-    t->count = 0;
+    batten_curve *made = NULL;
+    batten_status status = bat_hermite_run_finish(&t->run, &made);
+    if (status == BATTEN_OK && made)
+        status = BAT_LIST_ADD(t->runs, t->run_count, t->run_room, made);
+    if (status != BATTEN_OK)
+        batten_curve_unref(made);
     return status;
-}
-
-/* Do both sides of a knot have one tangent and one curvature? */
-static bool is_smooth_joint(const even_run *t, const curve_place *left,
-                            const curve_place *right)
-{
-    for (int m = 1; m < 3; m++) {
-        const double size =
-            bat_max(bat_norm(t->dimension, left->q[m]), bat_norm(t->dimension, right->q[m]));
-        if (bat_distance(t->dimension, left->q[m], right->q[m]) > 1e-9 * size)
-            return false;
-    }
-    return true;
 }
 
 /* From `a`, the last place of the run, along one polynomial piece to its end `b`. */
@@ -200,7 +151,8 @@ static batten_status follow(even_run *t, const batten_curve *piece, curve_place 
         if (h.waiting > 1)
             status = length(t, piece, a.u, h.b, &step);
         if (status == BATTEN_OK && h.waiting > 1)
-            status = evaluate_at_length(t, piece, h.b, BATTEN_FROM_LEFT, a.s + step, &next);
+            status = evaluate_at_length(t, piece, h.b, BATTEN_FROM_LEFT, a.by_length.u + step,
+                                        &next);
         if (status == BATTEN_OK)
             status = bound_error(t, piece, &a, &next, &error);
         if (status != BATTEN_OK)
@@ -216,7 +168,7 @@ static batten_status follow(even_run *t, const batten_curve *piece, curve_place 
         t->report.error = bat_max(t->report.error, error);
         t->report.pieces++;
         if (status == BATTEN_OK)
-            status = add_place(t, &next);
+            status = bat_hermite_run_add(&t->run, next.by_length.u, next.by_length.q[0]);
         a = next;
         bat_halving_accept(&h);
     }
@@ -234,16 +186,18 @@ static batten_status add_piece(even_run *t, const batten_curve *bezier, double a
     if (status == BATTEN_OK)
         status = length(t, piece, a, b, &whole);
     /* A piece that is a point, or lost in rounding, is skipped. */
-    const double s = first ? 0 : last->s;
+    const double s = first ? 0 : last->by_length.u;
     if (status != BATTEN_OK || !(s + whole > s) || whole <= 1e-14 * t->size) {
         batten_curve_unref(piece);
         return status;
     }
     status = evaluate_at_length(t, piece, a, BATTEN_FROM_RIGHT, s, &start);
-    if (status == BATTEN_OK && (t->count == 0 || !is_smooth_joint(t, last, &start))) {
+    if (status == BATTEN_OK &&
+        (t->run.count == 0 || !bat_hermite_agrees(t->dimension, 1, last->by_length.q[0],
+                                                  start.by_length.q[0], same_derivative))) {
         status = finish_run(t);
         if (status == BATTEN_OK)
-            status = add_place(t, &start);
+            status = bat_hermite_run_add(&t->run, s, start.by_length.q[0]);
     }
     if (status == BATTEN_OK)
         status = evaluate_at_length(t, piece, b, BATTEN_FROM_LEFT, s + whole, &end);
@@ -259,17 +213,17 @@ static batten_status add_pieces(even_run *t, const batten_curve *bezier)
 {
     const int knots = batten_curve_spans(bezier, NULL);
     double *at = bat_array((size_t)knots, sizeof *at);
-    curve_place last = {.s = 0};
+    curve_place last = {.by_length.u = 0};
     batten_status status = at ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         batten_curve_spans(bezier, at);
     for (int i = 0; status == BATTEN_OK && i + 1 < knots; i++)
-        status = add_piece(t, bezier, at[i], at[i + 1], last.s == 0, &last);
+        status = add_piece(t, bezier, at[i], at[i + 1], last.by_length.u == 0, &last);
     if (status == BATTEN_OK)
         status = finish_run(t);
     if (status == BATTEN_OK && t->run_count == 0)
         status = bat_fail(BATTEN_COINCIDENT, "the curve is a point: it has no length");
-    t->report.length = last.s;
+    t->report.length = last.by_length.u;
     bat_release(at);
     return status;
 }
@@ -317,6 +271,7 @@ static batten_status even(const batten_curve *curve, double tolerance, int most,
     if (status != BATTEN_OK)
         return status;
     even_run t = {.dimension = curve->dimension,
+                  .run.dimension = curve->dimension,
                   .size = bat_curve_size(bezier),
                   .tolerance = tolerance,
                   .most = most};
@@ -331,8 +286,7 @@ static batten_status even(const batten_curve *curve, double tolerance, int most,
     for (int i = 0; i < t.run_count; i++)
         batten_curve_unref(t.runs[i]);
     bat_release(t.runs);
-    bat_release(t.values);
-    bat_release(t.s);
+    bat_hermite_run_release(&t.run);
     batten_curve_unref(bezier);
     return status;
 }

@@ -258,9 +258,7 @@ static double compare(const bat_fitting *f, const bat_spline *given, const bat_s
     if (f->rational && !(other_weight > 0))
         return INFINITY;
     for (int i = 0, span = p; i < fine_a->count; i++) {
-        double greville = 0;
-        for (int j = 1; j <= p; j++)
-            greville += fine_a->knots[i + j] / p;
+        const double greville = bat_greville(p, fine_a->knots, i);
         while (span < fit->count - 1 && fit->knots[span + 1] <= greville)
             span++;
         const double off =

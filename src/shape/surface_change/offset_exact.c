@@ -37,10 +37,7 @@ static batten_status factor_direction(exact_offset *t, int k)
     if (!t->greville[k] || !t->lu[k])
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < n; i++) {
-        double sum = 0;
-        for (int j = 1; j <= p; j++)
-            sum += axis->knots[i + j] - axis->knots[i];
-        const double at = bat_min(axis->knots[i] + sum / p, axis->knots[n]);
+        const double at = bat_greville(p, axis->knots, i);
         const int span = bat_knots_span(p, n, axis->knots, at, BATTEN_FROM_RIGHT);
         bat_basis(p, axis->knots, span, at, 0, basis);
         t->greville[k][i] = at;

@@ -38,18 +38,6 @@ static void lay_knots(bat_sweep_fitting *f)
     }
 }
 
-static double greville_abscissa(const bat_sweep_fitting *f, int i)
-{
-    double sum = 0;
-    if (i == 0)
-        return f->knots[0];
-    if (i + 1 == f->count)
-        return f->knots[f->count];
-    for (int k = 1; k <= f->degree; k++)
-        sum += f->knots[i + k];
-    return bat_min(f->knots[i + f->degree], bat_max(f->knots[i + 1], sum / f->degree));
-}
-
 static batten_status make_room(bat_sweep_fitting *f)
 {
     const size_t count = (size_t)f->count, band = 2 * (size_t)f->degree + 1;
@@ -70,7 +58,7 @@ static batten_status interpolate(bat_sweep_fitting *f)
     const size_t band = 2 * (size_t)q + 1;
     for (int i = 0; i < n; i++) {
         double basis[BATTEN_MAX_DEGREE + 1];
-        const double v = greville_abscissa(f, i);
+        const double v = bat_greville(f->degree, f->knots, i);
         const int span = bat_knots_span(q, n, f->knots, v, BATTEN_FROM_RIGHT);
         bat_basis(q, f->knots, span, v, 0, basis);
         for (int k = 0; k <= q; k++) {

@@ -286,11 +286,5 @@ batten_box batten_curve_box(const batten_curve *curve)
 double batten_curve_greville(const batten_curve *curve, int i)
 {
     assert(i >= 0 && i < curve->count);
-    const int p = curve->degree;
-    const double *U = curve->knots;
-    /* From the first of them on, so that equal knots give themselves. */
-    double sum = 0;
-    for (int j = 2; j <= p; j++)
-        sum += (U[i + j] - U[i + 1]) / p;
-    return bat_min(U[i + 1] + sum, U[i + p]);
+    return bat_greville(curve->degree, curve->knots, i);
 }

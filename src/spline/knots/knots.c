@@ -211,6 +211,16 @@ static void basis_differentiate(int q, const double *knots, int k, double *out)
     }
 }
 
+double bat_greville(int degree, const double *knots, int i)
+{
+    const double *own = knots + i + 1;
+    /* From the first of them on, so that equal knots give themselves. */
+    double sum = 0;
+    for (int j = 1; j < degree; j++)
+        sum += (own[j] - own[0]) / degree;
+    return bat_min(own[0] + sum, own[degree - 1]);
+}
+
 void bat_basis(int degree, const double *knots, int span, double u, int order, double *out)
 {
     const int p = degree;

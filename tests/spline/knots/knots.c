@@ -314,3 +314,36 @@ TEST(the_smoothness_of_knots_is_that_of_their_most_frequent_inner_one)
             bat_knots_smoothness(rows[i].degree, rows[i].count, rows[i].knots, rows[i].most),
             rows[i].smoothness);
 }
+
+/* The mean of the knots that a control point has of its own; equal ones give themselves. */
+static const struct {
+    int degree, i;
+    double knots[8], mean;
+} abscissae[] = {
+    {1, 0, {-1, 0.1, 3}, 0.1},
+    {1, 1, {-1, 0.1, 3, 7}, 3},
+    {2, 0, {0, 0, 1, 3}, 0.5},
+    {2, 1, {0, 0, 1, 3}, 2},
+    {3, 0, {-9, 1, 2, 6, 90}, 3},
+    {3, 1, {-9, -9, 1, 2, 6, 90}, 3},
+    {3, 1, {0, 0, 0.1, 0.1, 0.1, 7}, 0.1},
+    {5, 2, {0, 0, 0, 1, 2, 3, 5, 9}, 4},
+};
+
+TEST(grevilles_abscissa_is_the_mean_of_a_control_points_own_knots)
+{
+    for (size_t k = 0; k < sizeof abscissae / sizeof *abscissae; k++)
+        CHECK_BITS(bat_greville(abscissae[k].degree, abscissae[k].knots, abscissae[k].i),
+                   abscissae[k].mean);
+}
+
+TEST(grevilles_abscissa_stays_within_its_knots)
+{
+    for (int p = 1; p <= BATTEN_MAX_DEGREE; p++) {
+        double knots[BATTEN_MAX_DEGREE + 2];
+        for (int k = 0; k <= p; k++)
+            knots[k] = k < p ? 0.3 : nextafter(0.3, 1);
+        const double at = bat_greville(p, knots, 0);
+        CHECK(at >= 0.3 && at <= knots[p]);
+    }
+}
