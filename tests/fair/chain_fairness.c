@@ -144,3 +144,151 @@ TEST(the_energy_of_a_span_in_tension_is_right_however_tight)
         batten_chain_unref(chain);
     }
 }
+
+/* The integral of the square of the polynomial k0 + k1 s + k2 s^2 / 2, or of its rate. */
+static double sum_of_squares(const double k[3], bool rate, double s)
+{
+    const double a = rate ? k[1] : k[0], b = rate ? k[2] : k[1], c = rate ? 0 : k[2] / 2;
+    return s * (a * a +
+                s * (a * b + s * ((2 * a * c + b * b) / 3 + s * (b * c / 2 + s * c * c / 5))));
+}
+
+static const struct {
+    double curvature[4], largest;
+    int inflections, extrema;
+} spirals[] = {
+    {{0.1, 0.3, -0.2, 0}, 0.325, 0, 1},  /* highest in the middle */
+    {{-0.1, -0.3, 0.2, 0}, 0.325, 0, 1}, /* its image */
+    {{0.25, -0.6, 0.4, 0}, 0.25, 2, 1},  /* -0.2 in the middle */
+    {{0.25, 0.6, 0.4, 0}, 3.85, 0, 0},   /* rises from end to end */
+};
+
+TEST(spirals_have_the_sums_and_the_extrema_of_their_polynomials)
+{
+    for (int i = 0; i < COUNT(spirals); i++) {
+        const double *k = spirals[i].curvature, length = 3;
+        const batten_span span = {.kind = BATTEN_SPAN_SPIRAL,
+                                  .length = length,
+                                  .curvature = {k[0], k[1], k[2], k[3]}};
+        batten_chain *chain = NULL;
+        batten_fairness found;
+        CHECK_OK(batten_chain_create(&(batten_chain_parts){2, 1, &span, NULL, false}, 1e-12,
+                                     &chain));
+        CHECK_OK(batten_chain_fairness(chain, (batten_points){2, 0, NULL}, NULL, &found));
+        CHECK_NEAR(found.energy, sum_of_squares(k, false, length), 1e-13);
+        CHECK_NEAR(found.variation, sum_of_squares(k, true, length), 1e-13);
+        CHECK(found.energy_error > 0 && found.energy_error <= 1e-9 * found.energy);
+        CHECK(found.variation_error > 0 && found.variation_error <= 1e-9 * found.variation);
+        CHECK_NEAR(found.max_curvature, spirals[i].largest, 1e-14);
+        CHECK_INT(found.inflections, spirals[i].inflections);
+        CHECK_INT(found.curvature_extrema, spirals[i].extrema);
+        batten_chain_unref(chain);
+    }
+}
+
+/* A cubic whose second derivative goes from 3 to -1 over a length of 2: over a parameter that runs
+ * 4 times as fast derivatives are 16 times as large. */
+static batten_chain *fast_function(void)
+{
+    const batten_span span = {.kind = BATTEN_SPAN_TENSION, .length = 2, .bend = {{3}, {-1}}};
+    static const double breaks[2] = {1, 1.5};
+    batten_chain *chain = NULL;
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){1, 1, &span, breaks, false}, 1e-12, &chain));
+    return chain;
+}
+
+TEST(a_function_is_judged_by_its_own_parameter)
+{
+    batten_chain *chain = fast_function();
+    batten_fairness found;
+    CHECK_OK(batten_chain_fairness(chain, (batten_points){1, 2, (const double[]){0, 0}}, NULL,
+                                   &found));
+    CHECK_NEAR(found.energy, 64 * 2 * (9 - 3 + 1) / 3., 1e-11);
+    CHECK_NEAR(found.variation, 1024 * 2 * 4, 1e-9);
+    CHECK_NEAR(found.max_curvature, 48, 1e-12);
+    CHECK_INT(found.inflections, 1);
+    CHECK_INT(found.excess_inflections, 1);
+    CHECK_INT(found.curvature_extrema, 0);
+    batten_chain_unref(chain);
+}
+
+TEST(points_that_do_not_fit_a_chain_are_refused_with_their_numbers)
+{
+    static const double values[] = {0, 1, NAN, 3}, plane[] = {0, 0, 1, 1, 2, INFINITY};
+    batten_chain *function = fast_function(), *chain = spline_of(BATTEN_FAMILY_EULER_SPIRAL);
+    const struct {
+        const batten_chain *chain;
+        batten_points points;
+        batten_status status;
+        const char *message;
+    } rows[] = {
+        {function, {1, 3, values}, BATTEN_NOT_FINITE, "point 3 is not finite"},
+        {function,
+         {1, 1, values},
+         BATTEN_NOT_COMPATIBLE,
+         "1 value, but the function has 2 breaks"},
+        {function,
+         {1, 3, plane},
+         BATTEN_NOT_COMPATIBLE,
+         "3 values, but the function has 2 breaks"},
+        {chain, {2, 3, plane}, BATTEN_NOT_FINITE, "point 3 is not finite"},
+        {chain, {2, -1, plane}, BATTEN_BAD_ARGUMENT, "there are -1 points"},
+        {chain, {2, -2, plane}, BATTEN_BAD_ARGUMENT, "there are -2 points"},
+        {chain,
+         {3, 1, plane},
+         BATTEN_UNSUPPORTED,
+         "the points have 3 coordinates, 2 are expected"},
+    };
+    batten_fairness found = {.energy = 42};
+    for (int i = 0; i < COUNT(rows); i++) {
+        CHECK_STATUS(batten_chain_fairness(rows[i].chain, rows[i].points, NULL, &found),
+                     rows[i].status);
+        CHECK_MESSAGE(rows[i].message);
+    }
+    CHECK_NEAR(found.energy, 42, 0);
+    batten_chain_unref(chain);
+    batten_chain_unref(function);
+}
+
+/* Four half circles that bend outwards and inwards in turn, and two that make a whole circle. */
+TEST(closed_chains_are_counted_once_around)
+{
+    const double pi = 3.14159265358979323846;
+    const batten_span round[2] = {{.kind = BATTEN_SPAN_ARC, .length = pi, .curvature = {1}},
+                                  {.kind = BATTEN_SPAN_ARC,
+                                   .length = pi,
+                                   .start = {0, 2},
+                                   .angle = pi,
+                                   .curvature = {1}}};
+    const batten_span waves[4] = {
+        {.kind = BATTEN_SPAN_ARC, .length = 1.5 * pi, .curvature = {1}, .start = {0, 0}},
+        {.kind = BATTEN_SPAN_ARC,
+         .length = pi / 2,
+         .curvature = {-1},
+         .start = {-1, 1},
+         .angle = -pi / 2},
+        {.kind = BATTEN_SPAN_ARC,
+         .length = 1.5 * pi,
+         .curvature = {1},
+         .start = {-2, 0},
+         .angle = pi},
+        {.kind = BATTEN_SPAN_ARC,
+         .length = pi / 2,
+         .curvature = {-1},
+         .start = {-1, -1},
+         .angle = pi / 2}};
+    for (int wavy = 0; wavy < 2; wavy++) {
+        batten_chain *chain = NULL;
+        batten_fairness found;
+        CHECK_OK(batten_chain_create(
+            &(batten_chain_parts){2, wavy ? 4 : 2, wavy ? waves : round, NULL, true}, 1e-9,
+            &chain));
+        CHECK_OK(batten_chain_fairness(chain, (batten_points){2, 0, NULL}, NULL, &found));
+        CHECK_INT(found.inflections, wavy ? 4 : 0);
+        CHECK_INT(found.curvature_jumps, wavy ? 4 : 0);
+        CHECK_INT(found.corners, 0);
+        CHECK_NEAR(found.energy, wavy ? 4 * pi : 2 * pi, 1e-13);
+        batten_chain_unref(chain);
+    }
+}

@@ -1,5 +1,5 @@
-#include "fair/fairness.h"
 #include "fair/fair_points.h"
+#include "fair/fairness.h"
 #include "support/test.h"
 
 TEST(moves_are_counted_with_the_largest_first_found_as_the_worst)
