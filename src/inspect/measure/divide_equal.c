@@ -106,13 +106,13 @@ static batten_status walk(compasses *c, int count, double chord, double *u, doub
 static batten_status open_and_close(compasses *c, int count, double longest, double tolerance,
                                     double *u, double *chord)
 {
-    double low = 0, high = longest, at = longest, rest = 0, before = 0;
+    double low = 0, high = longest, at = longest, rest = 0, before = HUGE_VAL;
     for (int round = 0; round < ROUNDS; round++) {
         const batten_status status = walk(c, count, at, u, &rest);
         if (status != BATTEN_OK)
             return status;
         /* Better than asked, as long as it costs nothing. */
-        if (fabs(rest) <= tolerance && (round > 0 && fabs(rest) >= fabs(before) / 4))
+        if (fabs(rest) <= tolerance && fabs(rest) >= fabs(before) / 4)
             break;
         before = rest;
         if (rest > 0)
