@@ -165,8 +165,8 @@ batten_status bat_conditions_of(const bat_run *run, const bat_data *data,
 
 /* ---- outliers ---- */
 
-/* "3, 8, 12 ..." */
-static void list(int count, const int *numbers, size_t size, char *out)
+/* "3, 8, 12 ...": of points, counted from 1 */
+static void list_points(int count, const int *indices, size_t size, char *out)
 {
     size_t length = 0;
     for (int i = 0; i < count; i++) {
@@ -175,7 +175,7 @@ static void list(int count, const int *numbers, size_t size, char *out)
             return;
         }
         length += (size_t)snprintf(out + length, size - length, "%s%d", i > 0 ? ", " : "",
-                                   numbers[i]);
+                                   indices[i] + 1);
     }
 }
 
@@ -194,7 +194,7 @@ batten_status bat_note_outliers(bat_run *run, const bat_data *data, const double
                            weights},
         5, &distance, outliers, &count);
     if (status == BATTEN_OK && count > 0) {
-        list(count, outliers, sizeof numbers, numbers);
+        list_points(count, outliers, sizeof numbers, numbers);
         bat_note(run,
                  "'%s': %d of %d points are outliers, farther than %.4g from the curve, five "
                  "times the median distance: %s",

@@ -83,7 +83,7 @@ TEST(a_robust_fit_lists_its_outliers)
         bool said = batten_notes_dropped(notes) > 0;
         for (int k = 0; k < batten_notes_count(notes); k++)
             said =
-                said || strstr(batten_notes_at(notes, k)->text, "times the median distance: 3");
+                said || strstr(batten_notes_at(notes, k)->text, "times the median distance: 4");
         CHECK(said);
         batten_design_free(design);
         batten_notes_free(notes);

@@ -105,3 +105,65 @@ TEST(a_feature_hides_the_axis_of_its_name)
     }
     batten_design_free(design);
 }
+
+static const char hiding[] = "  p: {points: [[0, 0], [1, 0]]}\n";
+
+static const expect_row of_remarks[] = {
+    {"{parametric: [abs(t - 1), t], t: [0, 2]}", BATTEN_OK,
+     "notes a corner, without a derivative, at (0, 1, 0)"},
+    {"{parametric: [t^2, t^3, 5], t: [-1, 1]}", BATTEN_OK,
+     "notes a halt, where the derivative may vanish, at (;at 0 1 -1 5;at 1 1 1 5"},
+    {"{implicit-curve: x^2 + y^2 = 0, x: [-1, 1], y: [-1, 1]}", BATTEN_OK,
+     "objects 1;kind points;data 0 0 0 0;notes an isolated point at (0, "
+     "0, 0)"},
+    {"{implicit-curve: y^2 = x^3, x: [-1, 1], y: [-1, 1]}", BATTEN_OK,
+     "notes a singular point at (0, 0, 0)"},
+    /* Seven nodes along a line: the first six are shown. */
+    {"{implicit-curve: y*sin(3.141592653589793*x) = 0, x: [0.5, 7.5], y: [-1, 1]}", BATTEN_OK,
+     "notes at (1, 0, 0);notes at (6, 0, 0);notes 1 more special points"},
+    {"{parametric: [u, v, u*v], u: [1, 2], v: [3, 5]}", BATTEN_OK,
+     "at 0 0 1 3 3;at 1 0 2 3 6;at 0 1 1 5 5;at 1 1 2 5 10;error 1e-3"},
+    {"{parametric: [u, v], u: [0, 1], v: [0, 1]}", BATTEN_BAD_ARGUMENT,
+     "2 coordinates; a surface has 3"},
+    {"{parametric: [t, t, t, t], t: [0, 1]}", BATTEN_BAD_ARGUMENT,
+     "4 coordinates; a curve has 2 or 3"},
+    {"{parametric: [u, v, u], u: [0, 1]}", BATTEN_BAD_ARGUMENT,
+     "a surface needs u: [a, b] and v: [c, d]"},
+    {"{parametric: [u, v, u], v: [0, 1]}", BATTEN_BAD_ARGUMENT, "a surface needs u: [a, b]"},
+    {"{parametric: [t, t], t: [0, 1], v: [0, 1]}", BATTEN_BAD_ARGUMENT, "a curve needs t"},
+    {"{parametric: [t, 2], t: [3, 7]}", BATTEN_OK, "at 0 3 2 0;at 1 7 2 0;length 4"},
+    {"{function: x = y, x: [0, 1], y: [0, 1]}", BATTEN_BAD_ARGUMENT,
+     "x is the value of the function; a range of it has no use here"},
+    {"{function: w = y, y: [0, 1]}", BATTEN_BAD_ARGUMENT, "'w = y' does not begin with"},
+    {"{function: z = x, x: [0, 1]}", BATTEN_BAD_ARGUMENT,
+     "the range of y is missing; write y: [a, b]"},
+    {"{function: z = x, x: [0, 1], y: [0, 1], within: 0}", BATTEN_BAD_ARGUMENT, "0"},
+    {"{function: y = (x, x: [0, 1]}", BATTEN_BAD_FORMAT, "\""},
+    {"{helix: 2, end-radius: 1, pitch: -1, turns: 1}", BATTEN_OK, "at 0 2 0 0;at 1 1 0 -1"},
+    {"{helix: 1, pitch: 1, turns: 1, within: 1e-6}", BATTEN_OK, "error 1e-6"},
+};
+
+TEST(what_is_special_about_curves_of_equations_is_remarked_with_its_place)
+{
+    EXPECT(hiding, of_remarks);
+}
+
+TEST(a_parameter_that_a_variable_hides_is_remarked)
+{
+    batten_design *design = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(9, &notes));
+    CHECK_OK(evaluate_design("batten: 1\nunits: m\nparameters: {x: 4, t: 3, n: 2}\nfeatures:\n"
+                             "  a: {function: y = n*x, x: [0, 1]}\n",
+                             "a", notes, &design));
+    bool said = batten_notes_dropped(notes) > 0; /* where memory failed */
+    for (int i = 0; i < batten_notes_count(notes); i++) {
+        said |= strcmp(batten_notes_at(notes, i)->text,
+                       "x is the variable here, not the parameter x of the design") == 0;
+        CHECK(!strstr(batten_notes_at(notes, i)->text, "parameter n"));
+        CHECK(!strstr(batten_notes_at(notes, i)->text, "parameter t"));
+    }
+    CHECK(said);
+    batten_design_free(design);
+    batten_notes_free(notes);
+}

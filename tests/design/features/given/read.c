@@ -41,6 +41,8 @@ TEST(numbers_of_a_file_are_scaled_to_the_unit_of_the_design)
         {"table.csv, reverse: yes", "m.txt: {measure: r}", BATTEN_OK,
          "box -6 0 0  to  0 3 2\n"},
         {"table.csv, x: [1, 5]", "m.txt: {measure: r}", BATTEN_OK, "2 stations|box 2 |to  4 "},
+        {"table.csv, x: [2, 4]", "m.txt: {measure: r}", BATTEN_OK,
+         "2 stations|box 2 0 0  to  4 3 2\n"},
         {"table.csv, y: [0.5, 2.5]", "m.txt: {measure: r}", BATTEN_OK, " 0.5 |!  to  6 3 2"},
         {"table.csv, z: [1, 2]", "m.txt: {measure: r}", BATTEN_OK, "to  6 3 2\n|!box 0 0 0"},
         {"table.csv, trim-centre: yes", "m.txt: {measure: r}", BATTEN_OK, "11 points"},

@@ -219,6 +219,7 @@ TEST(bezier_triangles_follow_their_nets)
         {"{bezier-triangle: two, degree: 1}", BATTEN_OK, "degree 1;count 2"},
         {"{bezier-triangle: both, degree: 1}", BATTEN_OK, "degree 1;count 2;on 0 0 1 1"},
         {"{bezier-triangle: flat, halve: 1}", BATTEN_OK, "count 4;on 0 0 1 1"},
+        {"{bezier-triangle: six, halve: 1}", BATTEN_OK, "degree 2;count 4;box 0 0 0 2 2 1.5"},
         {"{bezier-triangle: flat, halve: 2}", BATTEN_OK, "count 16"},
         {"{bezier-triangle: five}", BATTEN_BAD_ARGUMENT,
          "5 points do not make a triangular net, which has 3, 6, 10, 15"},
@@ -245,6 +246,9 @@ static const char curves[] =
     "  skew: {polyline: [[0, 0, 0], [2, 0, 4], [2, 1, 4]]}\n"
     "  slanted: {polyline: [[1, 1, 0], [3, 3, 0], [2, 4, 0], [0, 2, 0]]}\n"
     "  straight: {line: [[0, 0, 0], [1, 1, 0]]}\n"
+    "  thin: {polyline: [[0, 0, 0], [2, 1, 0], [2, 0, 4]]}\n"
+    "  thick: {polyline: [[2, 0, 0], [3, 4, 0], [2, 0, 3]]}\n"
+    "  slab: {polyline: [[0, 0, 0], [3, 4, 1]]}\n  cube: {line: [[0, 0, 0], [1, 1, 1]]}\n"
     "  lines: {collect: [bow, skew]}\n";
 
 TEST(boxes_just_hold_their_curves)
@@ -261,6 +265,12 @@ TEST(boxes_just_hold_their_curves)
         {"{box: skew, axes: turned, within: 0.0001}", BATTEN_OK, "objects 1;on -2 0 1 0"},
         {"{box: slanted, axes: turned}", BATTEN_OK,
          "objects 1;within 1e-7;length 8.485281374238570;closed 1"},
+        /* Thinnest across, along y, and along z: the rims lie across the thin side. */
+        {"{box: thin}", BATTEN_OK, "objects 6;length 12;on 0 1 0 0;object 1;on 0 1 0 1"},
+        {"{box: thick}", BATTEN_OK, "objects 6;length 14;on 1 0 0 2;object 1;on 1 0 0 3"},
+        {"{box: slab}", BATTEN_OK, "objects 6;length 14;on 0 0 1 0;object 1;on 0 0 1 1"},
+        {"{box: cube}", BATTEN_OK, "objects 6;length 4;on 0 0 1 0;object 1;on 0 0 1 1"},
+        {"{box: straight}", BATTEN_OK, "objects 1;on 0 0 1 0;length 4"},
         {"{box: lines}", BATTEN_OK, "objects 7;named box of bow;object 1;named box of skew"},
         {"{box: straight, axes: turned}", BATTEN_COINCIDENT, "is straight: its box is a line"},
         {"{box: bow, axes: turned, within: 0}", BATTEN_BAD_ARGUMENT, ""},

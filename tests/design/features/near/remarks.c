@@ -65,6 +65,29 @@ static const expect_row of_simpler[] = {
      "objects 2; object 1; named pair"},
 };
 
+static const char marks[] =
+    "  far: {points: [[0, 0], [1, 0], [2, 0], [3, 5], [4, 0], [5, 0], [6, "
+    "-4], [7, 0], [8, 0]]}\n"
+    "  line: {points: [[0, 0], [1, 0], [2, 0], [3, 0]]}\n"
+    "  twice: {elevate: bow, by: 2}\n  bow: {bezier: line}\n"
+    "  steps: {points: [[0, 0], [1, 3], [2, 2], [3, 5]]}\n";
+
+static const expect_row of_marks[] = {
+    /* The row is that of y = 0 but for points 4 and 7, which Tukey leaves out altogether. */
+    {"{least-squares: far, points: 2, degree: 1, robust: tukey, as: function}", BATTEN_OK,
+     "notes 'far': 2 of 9 points are outliers, farther than ; notes five times the median distance: "
+     "4, 7;within 1e-6;on 0 1 0 0"},
+    {"{least-squares: far, points: 2, degree: 1, as: function}", BATTEN_OK, "silent"},
+    {"{smooth: steps, as: function, rms: 1}", BATTEN_OK, "silent"},
+    {"{smooth: far, as: function}", BATTEN_OK, "notes 'far': cross validation chose lambda "},
+    {"{fit-ellipse: steps}", BATTEN_TOO_FEW_POINTS, "no row has 5 points"},
+};
+
+TEST(outliers_are_listed_from_1_and_only_when_they_are_left_out)
+{
+    EXPECT(marks, of_marks);
+}
+
 TEST(arcs_remark_their_number_radius_and_corners)
 {
     EXPECT(data, of_arcs);
