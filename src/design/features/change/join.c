@@ -19,8 +19,6 @@ static const batten_parameter parameters[] = {
 static batten_status lengthen_chain(const batten_chain *joined, const batten_chain *next,
                                     double within, batten_chain **longer)
 {
-    if (!next)
-        return BATTEN_NOT_COMPATIBLE;
     if (!joined) {
         *longer = batten_chain_ref(next);
         return BATTEN_OK;
@@ -28,14 +26,31 @@ static batten_status lengthen_chain(const batten_chain *joined, const batten_cha
     return batten_chain_join(joined, next, within, longer);
 }
 
-/* As one chain, when all curves are chains that fit together; else none. */
-static batten_status join_chains(const bat_objects *all, double within, batten_chain **out)
+static batten_status turn_chain_when(bool is_turned, const batten_chain *chain,
+                                     batten_chain **out)
+{
+    if (is_turned)
+        return batten_chain_reverse(chain, out);
+    *out = batten_chain_ref(chain);
+    return BATTEN_OK;
+}
+
+/* As one chain, when all of them are chains that fit together; else none.
+ *
+ * @param order  [count] counted from 1, negative for those that are turned; NULL: as they are */
+static batten_status link_chains(const bat_objects *all, const int *order, int count,
+                                 double within, batten_chain **out)
 {
     batten_chain *joined = NULL;
     batten_status status = BATTEN_OK;
-    for (int i = 0; i < all->count && status == BATTEN_OK; i++) {
-        batten_chain *longer = NULL;
-        status = lengthen_chain(joined, all->at[i]->chain, within, &longer);
+    for (int i = 0; i < count && status == BATTEN_OK; i++) {
+        const int place = order ? order[i] : i + 1;
+        const batten_chain *next = all->at[abs(place) - 1]->chain;
+        batten_chain *turned = NULL, *longer = NULL;
+        status = next ? turn_chain_when(place < 0, next, &turned) : BATTEN_NOT_COMPATIBLE;
+        if (status == BATTEN_OK)
+            status = lengthen_chain(joined, turned, within, &longer);
+        batten_chain_unref(turned);
         batten_chain_unref(joined);
         joined = longer;
     }
@@ -51,42 +66,12 @@ static batten_status join_curves(bat_run *run, const bat_objects *all, double wi
     for (int i = 0; i < all->count && status == BATTEN_OK; i++)
         status = bat_outline_add(status, within, batten_curve_ref(all->at[i]->curve), &joined);
     if (status == BATTEN_OK)
-        status = join_chains(all, within, &chain);
+        status = link_chains(all, NULL, all->count, within, &chain);
     const batten_object like = {.name = run->name, .layer = ""};
     return bat_put_chain_like(run, status, joined, chain, &like);
 }
 
 /* ---- in any order ---- */
-
-static batten_status turn_chain_when(bool is_turned, const batten_chain *chain,
-                                     batten_chain **out)
-{
-    if (is_turned)
-        return batten_chain_reverse(chain, out);
-    *out = batten_chain_ref(chain);
-    return BATTEN_OK;
-}
-
-/* As one chain, when all are chains that fit together: their ends stay, so gaps are within the
- * tolerance of the design; else none. */
-static batten_status join_ordered_chains(const bat_run *run, const bat_objects *all,
-                                         const int *order, int count, batten_chain **out)
-{
-    batten_chain *joined = NULL;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < count && status == BATTEN_OK; i++) {
-        const batten_chain *next = all->at[abs(order[i]) - 1]->chain;
-        batten_chain *turned = NULL, *longer = NULL;
-        status = next ? turn_chain_when(order[i] < 0, next, &turned) : BATTEN_NOT_COMPATIBLE;
-        if (status == BATTEN_OK)
-            status = lengthen_chain(joined, turned, bat_tolerance(run), &longer);
-        batten_chain_unref(turned);
-        batten_chain_unref(joined);
-        joined = longer;
-    }
-    *out = joined;
-    return status == BATTEN_NOT_COMPATIBLE ? BATTEN_OK : status;
-}
 
 static void remark_gaps(const bat_run *run, int count, double within,
                         const batten_curves_join_report *r, int made)
@@ -116,7 +101,8 @@ static batten_status put_joined(bat_run *run, const bat_objects *all, const batt
         batten_chain *chain = NULL;
         snprintf(name, sizeof name, "%.200s %d", run->name, i + 1);
         const batten_object like = {.name = made->count > 1 ? name : run->name, .layer = ""};
-        status = join_ordered_chains(run, all, order, pieces[i], &chain);
+        /* Ends of chains stay, so gaps are within the tolerance of the design. */
+        status = link_chains(all, order, pieces[i], bat_tolerance(run), &chain);
         status = bat_put_chain_like(run, status, batten_curve_ref(made->at[i]), chain, &like);
     }
     return status;

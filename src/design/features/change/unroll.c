@@ -303,7 +303,7 @@ static batten_status run_unroll(bat_run *run)
     static const batten_straight straight[] = {BATTEN_STRAIGHT_FIND, BATTEN_STRAIGHT_V,
                                                BATTEN_STRAIGHT_U};
     const int lines = bat_count(run, "lines");
-    if (lines < 0 || lines > MAX_RULINGS)
+    if (lines > MAX_RULINGS)
         return batten_fail(BATTEN_BAD_ARGUMENT, "%d lines; there may be 0 to %d", lines,
                            MAX_RULINGS);
     bat_objects surfaces;

@@ -48,6 +48,17 @@ TEST(moved_turned_scaled_and_mirrored_curves_are_where_the_map_puts_them)
         {"{rotate: one, by: 90 deg}", BATTEN_OK, "at 0 0 0 0;at 1 0 4 0;exact"},
         {"{rotate: one, by: 90 deg, axis: [0, 0, 0]}", BATTEN_BAD_ARGUMENT,
          "'axis' is 0 and has no direction"},
+        {"{rotate: one, by: 90 deg, at: [4, 0, 1]}", BATTEN_OK, "at 0 4 -4 0;at 1 4 0 0"},
+        {"{rotate: one, by: 90 deg, axis: [0, 2, 0]}", BATTEN_OK, "at 1 0 0 -4"},
+        {"{scale: two, by: 2}", BATTEN_OK, "at 0 8 0 0;at 1 8 6 0;objects 1;named a"},
+        {"{scale: two, by: [2, 3, 4], at: [1, 1, 1]}", BATTEN_OK, "at 0 7 -2 -3;at 1 7 7 -3"},
+        {"{scale: two, by: [2, 3]}", BATTEN_BAD_ARGUMENT, "'by' has 1 or 3 factors, not 2"},
+        {"{scale: two, by: [1, 0, 1]}", BATTEN_BAD_ARGUMENT,
+         "a factor of 0 would leave nothing"},
+        {"{scale: two, by: 0}", BATTEN_BAD_ARGUMENT, "a factor of 0 would leave nothing"},
+        {"{reverse: sheet, direction: v}", BATTEN_OK, "at 0 0 0 1 0;at 1 0 1 1 0"},
+        {"{reverse: sheet}", BATTEN_OK, "at 0 0 1 0 0;at 0 1 1 1 0"},
+        {"{reverse: arcs}", BATTEN_OK, "spans 2;at 0 3 0 0"},
         {"{reverse: one}", BATTEN_OK, "at 0 4 0 0;at 1 0 0 0;length 4"},
         {"{reverse: through}", BATTEN_OK, "at 0 3 0 0"},
     };
@@ -251,36 +262,6 @@ TEST(offsets_keep_their_distance_on_the_side_that_is_asked_for)
         {"{offset: one, by: 1, within: 0}", BATTEN_BAD_ARGUMENT, "one: "},
     };
     EXPECT(shapes, rows);
-}
-
-/* A square of side 2 in pieces, one of them an arc's polygon of its own; and what does not meet it. */
-static const char loose[] =
-    "  a1: {line: [[0, 0], [2, 0]]}\n"
-    "  a2: {line: [[2, 2], [2, 0.001]]}\n"
-    "  a3: {line: [[0, 2], [0, 0]]}\n"
-    "  a4: {line: [[0, 2], [2, 2]]}\n"
-    "  out: {line: [[5, 5], [6, 5]]}\n"
-    "  ring: {circle: 1}\n"
-    "  spur: {line: [[2, 2], [3, 3]]}\n"
-    "  sheet: {bilinear: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]}\n";
-
-TEST(loose_curves_are_joined_in_any_order_and_direction)
-{
-    static const expect_row rows[] = {
-        {"{join: [a1, a2, a3, a4], order: any, within: 0.01}", BATTEN_OK,
-         "objects 1;named a;within 1e-2;length 8;closed 1;notes largest gap closed is 0.001"},
-        {"{join: [a3, a2, a1], order: any, within: 0.01}", BATTEN_OK,
-         "objects 1;within 1e-2;length 6;closed 0;at 0 0 2 0;at 1 2 2 0"},
-        {"{join: [a1, a3, a2, a4], order: any, within: 1e-6}", BATTEN_OK,
-         "objects 1;closed 0;length 7.999;notes gap closed is 0"},
-        {"{join: [out, a2, a4, ring], order: any}", BATTEN_OK,
-         "objects 3;length 1;object 1;length 3.999;object 2;closed 1;notes 4 curves join to 3, 1 of them closed"},
-        {"{join: [a4, a2, spur], order: any}", BATTEN_OK,
-         "notes 3 ends have more than one other within"},
-        {"{join: [a1, a3]}", BATTEN_NOT_COMPATIBLE, ""},
-        {"{join: [sheet], order: any}", BATTEN_OK, "objects 1"},
-    };
-    EXPECT(loose, rows);
 }
 
 TEST(curves_and_surfaces_are_joined_where_they_meet)

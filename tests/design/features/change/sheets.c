@@ -58,7 +58,7 @@ static const char plates[] =
     "  frustum: {cone: 3, top: 1.5, height: 2}\n"
     "  net: {points: [[0, 0, 0], [2, 0, 0], [0, 1, 0], [2, 1, 0]], columns: 2}\n"
     "  plank: {bezier-surface: net}\n"
-    "  seam: {line: [[1, 0, 0], [1, 0, 4]]}\n"
+    "  seam: {line: [[1, 0, 0], [1, 0, 4]]}\n  both: {collect: [plank, plank]}\n"
     "  hoop: {arc: 1, at: [0, 0, 2], start: 90 deg, angle: 180 deg}\n"
     "  off: {circle: 2, at: [0, 0, 2]}\n";
 
@@ -82,6 +82,16 @@ TEST(unrolled_plates_have_their_lengths)
         {"{unroll: plank, lines: 2, rulings: u}", BATTEN_OK, "objects 3;object 1;length 2"},
         {"{unroll: plank, lines: 2, rulings: v}", BATTEN_OK, "objects 3;object 1;length 1"},
 
+        /* Edges and area stay as they are: a plank of 2 x 1. */
+        {"{unroll: plank, lines: 0, rulings: v}", BATTEN_OK,
+         "notes edges 2 and 2 long, flat 2 and 2; notes area 2, flat 2; notes turned by 0 degrees; "
+         "notes strain at most 0.00e+00"},
+        {"{unroll: plank, lines: 1000}", BATTEN_OK, "objects 1001"},
+        {"{unroll: plank, lines: 1, rulings: v}", BATTEN_OK,
+         "objects 2;object 1;layer rulings;length 1;at 0.5 1 0.5 0"},
+        {"{unroll: can, lines: 0, within: 0.0001}", BATTEN_OK, "notes turned by 0 degrees"},
+        {"{unroll: can, lines: 0, strain: 1e-3}", BATTEN_OK, "objects 1"},
+        {"{unroll: both}", BATTEN_BAD_ARGUMENT, "one surface is unrolled at a time, not 2"},
         {"{unroll: plank, lines: 1001}", BATTEN_BAD_ARGUMENT, "there may be 0 to 1000"},
         {"{unroll: [can, cap]}", BATTEN_BAD_FORMAT, "unroll"},
         {"{unroll: can, marks: off}", BATTEN_NOT_COMPATIBLE,
