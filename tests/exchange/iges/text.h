@@ -99,4 +99,28 @@ static inline void iges_check_partly(iges_text *file, const char *words)
     batten_model_unref(model);
 }
 
+/* Read with one warning, of the first object, which has neither colour nor layer: where it is and what it says. */
+static inline void iges_check_wrong(iges_text *file, const char *line, int where,
+                                    const char *words)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(read_text(iges_end(file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, notes, &model));
+    CHECK(!batten_model_object(model, 0)->has_colour);
+    CHECK_TEXT(batten_model_object(model, 0)->layer, "");
+    if (!batten_notes_dropped(notes)) {
+        int first = 0;
+        while (batten_notes_at(notes, first)->is_remark)
+            first++;
+        const batten_note *note = batten_notes_at(notes, first);
+        CHECK_INT(count_warnings(notes), 1);
+        CHECK_TEXT(note->text, words);
+        CHECK_CONTAINS(note->entity, line);
+        CHECK_INT(note->line, where);
+    }
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
+
 #endif

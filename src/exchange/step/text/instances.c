@@ -272,7 +272,6 @@ static batten_status scan_statement(reading *r, size_t *at)
 {
     bat_step_scanner *scan = &r->scan;
     r->statement = *at;
-    r->id = 0;
     scan->string = 0;
     if (scan->data[*at] == '#')
         return scan_instance(r, at);
@@ -309,6 +308,7 @@ static batten_status scan_all(reading *r)
     batten_status status = BATTEN_OK;
     for (size_t at = 0; status == BATTEN_OK && !r->is_over;) {
         r->statement = at;
+        r->id = 0; /* a comment before it belongs to no instance */
         if (bat_step_scan_blank(scan, &at)) {
             if (at >= scan->size)
                 break;

@@ -33,6 +33,8 @@ static const struct {
      SAID("5.3", "?", "0") LINES},
     {"1H,,1H;,1Hx,1Hx,1Hy,1Hx,32,38,6,308,15,1Hx,1.,2,2HMM,1,0.,1Hd,x,9.,,,11,0,;",
      SAID("5.3", "y", "0") LINES},
+    {"1H,,1H;,1Hx,1Hx,7,1Hx,32,38,6,308,15,1Hx,1.,2,2HMM,1,0.,1Hd,1E-6,9.,,,11,0,;",
+     SAID("5.3", "?", "1e-06") LINES},
     {"1H,,1H;,1Hx,1Hx,1Hy,1Hx,32,38,6,308,15,1Hx,2.,2,2HMM,1,0.,1Hd,1E-6,9.,,,11,0,;",
      SAID("5.3", "y",
           "1e-06") "0: the model is drawn at scale 2; its own numbers are kept\n" LINES},

@@ -1,60 +1,9 @@
 /* Trimmed surfaces: loops, both families of curves, orders and directions. */
 #include "exchange/iges/read/loops.h"
 
-#include "exchange/iges/text.h"
-
-#define SQUARE                                                                                 \
-    "128,1,1,1,1,0,0,1,0,0,0.,0.,4.,4.,0.,0.,4.,4.,1.,1.,1.,1.,0.,0.,0.,4.,0.,0.,0.,4.,0.,4.," \
-    "4.,0.,0.,4.,0.,4.;"
+#include "exchange/iges/faces.h"
 
 static const char part[] = "00010000", flat[] = "00010500", root[] = "00000000";
-
-/* Four lines around a square from (a, a) to (b, b), counter-clockwise, and their 102. */
-static int add_square(iges_text *file, double a, double b, const char *status, bool clockwise)
-{
-    const double x[] = {a, b, b, a}, y[] = {a, a, b, b};
-    char text[120];
-    int ids[4];
-    for (int i = 0; i < 4; i++) {
-        const int from = clockwise ? (4 - i) % 4 : i, to = clockwise ? 3 - i : (i + 1) % 4;
-        snprintf(text, sizeof text, "110,%g,%g,0.,%g,%g,0.;", x[from], y[from], x[to], y[to]);
-        ids[i] = iges_add(file, 110, 0, 0, 0, status, text);
-    }
-    snprintf(text, sizeof text, "102,4,%d,%d,%d,%d;", ids[0], ids[1], ids[2], ids[3]);
-    return iges_add(file, 102, 0, 0, 0, status, text);
-}
-
-/* A 142 with a square in space, in (u, v), or both. */
-static int add_boundary(iges_text *file, int surface, double a, double b, bool in_plane,
-                        bool in_space, bool clockwise)
-{
-    char text[80];
-    const int u = in_plane ? add_square(file, a, b, flat, clockwise) : 0;
-    const int s = in_space ? add_square(file, a, b, part, clockwise) : 0;
-    snprintf(text, sizeof text, "142,1,%d,%d,%d,2;", surface, u, s);
-    return iges_add(file, 142, 0, 0, 0, part, text);
-}
-
-static batten_model *read_body(iges_text *file, const char *note)
-{
-    batten_model *model = read_noting(iges_end(file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, note);
-    CHECK_INT(batten_model_count(model), 1);
-    CHECK_INT(batten_model_object(model, 0)->kind, BATTEN_OBJECT_BODY);
-    return model;
-}
-
-static void check_area(const batten_model *model, double area)
-{
-    batten_body_trace_report report;
-    batten_body *traced = NULL;
-    batten_body_measures measures;
-    CHECK_OK(batten_body_trace(batten_model_object(model, 0)->body, 1e-6, NULL, NULL, &report,
-                               &traced));
-    CHECK_INT(report.failed, 0);
-    CHECK_OK(batten_body_measure(traced, 1e-9, NULL, &measures));
-    CHECK_NEAR(measures.area, area, 1e-8);
-    batten_body_unref(traced);
-}
 
 TEST(a_trimmed_surface_keeps_both_families_of_curves_and_a_hole)
 {
@@ -62,12 +11,12 @@ TEST(a_trimmed_surface_keeps_both_families_of_curves_and_a_hole)
     for (int k = 0; k < 3; k++) {
         iges_text file = iges_begin();
         char text[80];
-        const int surface = iges_add(&file, 128, 0, 0, 0, part, SQUARE);
-        const int outer = add_boundary(&file, surface, 0, 4, k < 2, k != 1, false);
-        const int hole = add_boundary(&file, surface, 1, 3, k < 2, k != 1, true);
+        const int surface = iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
+        const int outer = iges_add_boundary(&file, surface, 0, 4, k < 2, k != 1, false);
+        const int hole = iges_add_boundary(&file, surface, 1, 3, k < 2, k != 1, true);
         snprintf(text, sizeof text, "144,%d,1,1,%d,%d;", surface, outer, hole);
         iges_add(&file, 144, 0, 0, 3, root, text);
-        batten_model *model = read_body(&file, "");
+        batten_model *model = iges_body(&file, "");
         const batten_body_parts *p = batten_body_view(batten_model_object(model, 0)->body);
         CHECK_INT(p->face_count, 1);
         CHECK_INT(p->loop_count, 2);
@@ -76,7 +25,7 @@ TEST(a_trimmed_surface_keeps_both_families_of_curves_and_a_hole)
         CHECK((p->uses[0].parameters != NULL) == (k < 2));
         CHECK(!p->is_solid);
         CHECK(batten_model_object(model, 0)->has_colour);
-        check_area(model, 12);
+        iges_check_area(model, 12);
         batten_model_unref(model);
     }
 }
@@ -95,9 +44,9 @@ TEST(a_resolution_that_makes_no_sense_at_the_size_is_not_believed)
     for (int k = 0; k < COUNT(resolutions); k++) {
         iges_text file = iges_begin();
         char text[80], global[300];
-        const int surface = iges_add(&file, 128, 0, 0, 0, part, SQUARE);
-        const int outer = add_boundary(&file, surface, 0, 4, true, true, false);
-        const int hole = add_boundary(&file, surface, 1, 3, true, true, true);
+        const int surface = iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
+        const int outer = iges_add_boundary(&file, surface, 0, 4, true, true, false);
+        const int hole = iges_add_boundary(&file, surface, 1, 3, true, true, true);
         snprintf(text, sizeof text, "144,%d,1,1,%d,%d;", surface, outer, hole);
         iges_add(&file, 144, 0, 0, 3, root, text);
         snprintf(
@@ -110,7 +59,7 @@ TEST(a_resolution_that_makes_no_sense_at_the_size_is_not_believed)
             batten_body_view(batten_model_object(model, 0)->body)->tolerance;
         CHECK(tolerance >= resolutions[k].least * (1 - 1e-12));
         CHECK(tolerance <= resolutions[k].most * (1 + 1e-12));
-        check_area(model, 12);
+        iges_check_area(model, 12);
         batten_model_unref(model);
     }
 }
@@ -119,19 +68,19 @@ TEST(without_an_outer_boundary_the_border_of_the_surface_is_it)
 {
     iges_text file = iges_begin();
     char text[80];
-    const int surface = iges_add(&file, 128, 0, 0, 0, part, SQUARE);
-    const int hole = add_boundary(&file, surface, 1, 3, true, true, true);
+    const int surface = iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
+    const int hole = iges_add_boundary(&file, surface, 1, 3, true, true, true);
     snprintf(text, sizeof text, "144,%d,0,1,0,%d;", surface, hole);
     iges_add(&file, 144, 0, 0, 0, root, text);
-    batten_model *model = read_body(&file, "");
-    check_area(model, 12);
+    batten_model *model = iges_body(&file, "");
+    iges_check_area(model, 12);
     batten_model_unref(model);
     iges_text whole = iges_begin();
-    iges_add(&whole, 128, 0, 0, 0, part, SQUARE);
+    iges_add(&whole, 128, 0, 0, 0, part, IGES_SQUARE);
     iges_add(&whole, 144, 0, 0, 0, root, "144,1,0,0,;");
-    model = read_body(&whole, "");
+    model = iges_body(&whole, "");
     CHECK_INT(batten_body_view(batten_model_object(model, 0)->body)->loop_count, 0);
-    check_area(model, 16);
+    iges_check_area(model, 16);
     batten_model_unref(model);
 }
 
@@ -140,15 +89,15 @@ TEST(loops_in_the_wrong_order_or_direction_are_put_right_with_a_note)
     for (int k = 0; k < 2; k++) {
         iges_text file = iges_begin();
         char text[80];
-        const int surface = iges_add(&file, 128, 0, 0, 0, part, SQUARE);
-        const int outer = add_boundary(&file, surface, 0, 4, true, true, k == 0);
-        const int hole = add_boundary(&file, surface, 1, 3, true, true, true);
+        const int surface = iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
+        const int outer = iges_add_boundary(&file, surface, 0, 4, true, true, k == 0);
+        const int hole = iges_add_boundary(&file, surface, 1, 3, true, true, true);
         snprintf(text, sizeof text, "144,%d,1,1,%d,%d;", surface, k ? hole : outer,
                  k ? outer : hole);
         iges_add(&file, 144, 0, 0, 0, root, text);
-        batten_model *model = read_body(&file, k ? "an inner loop comes before the outer one"
+        batten_model *model = iges_body(&file, k ? "an inner loop comes before the outer one"
                                                  : "1 loop of faces runs the wrong way");
-        check_area(model, 12);
+        iges_check_area(model, 12);
         batten_model_unref(model);
     }
 }
@@ -158,18 +107,18 @@ TEST(a_trimmed_unbounded_plane_reaches_over_its_loops)
     iges_text file = iges_begin();
     char text[80];
     const int surface = iges_add(&file, 108, 0, 0, 0, part, "108,0.,0.,2.,0.,0,0.,0.,0.,1.;");
-    const int outer = add_boundary(&file, surface, -10, 30, false, true, true);
+    const int outer = iges_add_boundary(&file, surface, -10, 30, false, true, true);
     snprintf(text, sizeof text, "144,%d,1,0,%d;", surface, outer);
     iges_add(&file, 144, 0, 0, 0, root, text);
-    batten_model *model = read_body(&file, "1 loop of faces runs the wrong way");
-    check_area(model, 1600);
+    batten_model *model = iges_body(&file, "1 loop of faces runs the wrong way");
+    iges_check_area(model, 1600);
     batten_model_unref(model);
     iges_text bounded = iges_begin();
-    const int around = add_square(&bounded, 1, 2, part, false);
+    const int around = iges_add_square(&bounded, 1, 2, part, false);
     snprintf(text, sizeof text, "108,0.,0.,1.,0.,%d,0.,0.,0.,1.;", around);
     iges_add(&bounded, 108, 1, 0, 0, root, text);
-    model = read_body(&bounded, "");
-    check_area(model, 1);
+    model = iges_body(&bounded, "");
+    iges_check_area(model, 1);
     batten_model_unref(model);
 }
 
@@ -193,8 +142,8 @@ TEST(a_plane_within_one_closed_spline_has_its_area)
         iges_add(&file, 108, 0, 0, 0, part, "108,0.,0.,1.,0.,0,0.,0.,0.,0.;");
         iges_add(&file, 142, 0, 0, 0, part, "142,0,3,0,1,2;");
         iges_add(&file, 144, 0, 0, 0, root, "144,3,1,0,5;");
-        batten_model *model = read_body(&file, "");
-        check_area(model, cases[k].area);
+        batten_model *model = iges_body(&file, "");
+        iges_check_area(model, cases[k].area);
         batten_model_unref(model);
     }
 }
@@ -214,8 +163,8 @@ TEST(a_trimmed_cone_with_one_loop_around_it_reaches_to_its_apex)
         iges_add(&file, 141, 0, 0, 0, part, "141,0,0,5,2,7,1,0,9,1,0;");
         iges_add(&file, 143, 0, 0, 0, root, "143,0,5,1,11;");
         iges_add(&file, 124, 0, 0, 0, part, "124,1.,0.,0.,0.,0.,-1.,0.,0.,0.,0.,-1.,0.;");
-        batten_model *model = read_body(&file, "");
-        check_area(model, 4 * sqrt(2) * 3.14159265358979323846);
+        batten_model *model = iges_body(&file, "");
+        iges_check_area(model, 4 * sqrt(2) * 3.14159265358979323846);
         batten_model_unref(model);
     }
 }
@@ -225,7 +174,7 @@ TEST(a_bounded_surface_takes_the_sense_of_each_curve)
     iges_text file = iges_begin();
     char text[200];
     int n = 0;
-    const int surface = iges_add(&file, 128, 0, 0, 0, part, SQUARE);
+    const int surface = iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
     static const char *const lines[] = {"110,0.,0.,0.,4.,0.,0.;", "110,4.,4.,0.,4.,0.,0.;",
                                         "110,4.,4.,0.,0.,4.,0.;", "110,0.,0.,0.,0.,4.,0.;"};
     n = snprintf(text, sizeof text, "141,1,0,%d,4", surface);
@@ -239,12 +188,12 @@ TEST(a_bounded_surface_takes_the_sense_of_each_curve)
     const int boundary = iges_add(&file, 141, 0, 0, 0, part, text);
     snprintf(text, sizeof text, "143,1,%d,1,%d;", surface, boundary);
     iges_add(&file, 143, 0, 0, 0, root, text);
-    batten_model *model = read_body(&file, "");
+    batten_model *model = iges_body(&file, "");
     const batten_body_parts *p = batten_body_view(batten_model_object(model, 0)->body);
     CHECK_INT(p->edge_count, 4);
     CHECK(!p->uses[0].reversed && p->uses[1].reversed && p->uses[3].reversed);
     CHECK(p->uses[3].parameters != NULL);
-    check_area(model, 16);
+    iges_check_area(model, 16);
     batten_model_unref(model);
 }
 
@@ -262,12 +211,12 @@ TEST(the_seam_of_a_cylinder_is_one_edge)
     iges_add(&file, 124, 0, 0, 0, part, "124,1.,0.,0.,0.,0.,-1.,0.,0.,0.,0.,-1.,0.;");
     iges_add(&file, 142, 0, 0, 0, part, "142,1,5,0,15,2;");
     iges_add(&file, 144, 0, 0, 0, root, "144,5,1,0,19;");
-    batten_model *model = read_body(&file, "");
+    batten_model *model = iges_body(&file, "");
     const batten_body_parts *p = batten_body_view(batten_model_object(model, 0)->body);
     CHECK_INT(p->edge_count, 3);
     CHECK_INT(p->vertex_count, 2);
     CHECK_INT(p->use_count, 4);
-    check_area(model, 2 * 2 * 3.14159265358979323846);
+    iges_check_area(model, 2 * 2 * 3.14159265358979323846);
     batten_model_unref(model);
 }
 
@@ -283,7 +232,7 @@ TEST(Q6_boundaries_that_say_nothing_or_do_not_meet_leave_the_face_out)
     };
     for (int i = 0; i < COUNT(cases); i++) {
         iges_text file = iges_begin();
-        iges_add(&file, 128, 0, 0, 0, part, SQUARE);
+        iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
         iges_add(&file, 110, 0, 0, 0, part, IGES_LINE);
         iges_add(&file, 142, 0, 0, 0, part, cases[i].boundary);
         iges_add(&file, 144, 0, 0, 0, root, "144,1,1,0,5;");
@@ -291,7 +240,7 @@ TEST(Q6_boundaries_that_say_nothing_or_do_not_meet_leave_the_face_out)
         iges_check_partly(&file, cases[i].words);
     }
     iges_text none = iges_begin();
-    iges_add(&none, 128, 0, 0, 0, part, SQUARE);
+    iges_add(&none, 128, 0, 0, 0, part, IGES_SQUARE);
     iges_add(&none, 143, 0, 0, 0, root, "143,0,1,0;");
     iges_check_left_out(&none, "it has 0 boundaries");
     iges_text plane = iges_begin();
@@ -308,7 +257,7 @@ TEST(a_loop_that_lacks_its_part_along_the_border_is_closed_there)
         {"110,3.,1.,0.,2.,1.,0.;", "110,2.,1.,0.,2.,3.,0.;", "110,2.,3.,0.,3.,3.,0.;"}};
     for (int k = 0; k < 2; k++) {
         iges_text file = iges_begin();
-        iges_add(&file, 128, 0, 0, 0, part, SQUARE);
+        iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
         for (int i = 0; i < 3; i++)
             iges_add(&file, 110, 0, 0, 0, part, lines[k][i]);
         iges_add(&file, 102, 0, 0, 0, part, "102,3,3,5,7;");
@@ -318,9 +267,9 @@ TEST(a_loop_that_lacks_its_part_along_the_border_is_closed_there)
             iges_check_left_out(&file, "a loop ends 2 from where it begins; left out");
             continue;
         }
-        batten_model *model = read_body(&file, "ends 2 from where it begins; closed along the "
+        batten_model *model = iges_body(&file, "ends 2 from where it begins; closed along the "
                                                "border");
-        check_area(model, 2);
+        iges_check_area(model, 2);
         batten_model_unref(model);
     }
 }
@@ -329,7 +278,7 @@ TEST(sides_that_meet_are_not_turned_for_a_rounding_error)
 {
     /* A triangle of two sides, of which the far ends are nearer than those that meet. */
     iges_text file = iges_begin();
-    iges_add(&file, 128, 0, 0, 0, part, SQUARE);
+    iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
     iges_add(&file, 110, 0, 0, 0, part, "110,1.,1.,0.,3.,3.,0.;");
     iges_add(&file, 106, 11, 0, 0, part, "106,1,3,0.,3.,3.000000000001,1.,3.,1.,1.;");
     iges_add(&file, 102, 0, 0, 0, part, "102,2,3,5;");
@@ -338,7 +287,7 @@ TEST(sides_that_meet_are_not_turned_for_a_rounding_error)
     iges_add(&file, 102, 0, 0, 0, flat, "102,2,9,11;");
     iges_add(&file, 142, 0, 0, 0, part, "142,0,1,13,7,3;");
     iges_add(&file, 144, 0, 0, 0, root, "144,1,1,0,15;");
-    batten_model *model = read_body(&file, "");
+    batten_model *model = iges_body(&file, "");
     const batten_body_parts *p = batten_body_view(batten_model_object(model, 0)->body);
     CHECK(!p->uses[0].reversed && !p->uses[1].reversed);
     batten_model_unref(model);
@@ -384,13 +333,13 @@ TEST(a_seam_is_an_edge_of_two_sides_not_of_three)
                                         "110,3.,3.,0.,1.,3.,0.;", "110,1.,3.,0.,3.,3.,0.;",
                                         "110,3.,3.,0.,1.,3.,0.;", "110,1.,3.,0.,1.,1.,0.;"};
     iges_text file = iges_begin();
-    iges_add(&file, 128, 0, 0, 0, part, SQUARE);
+    iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
     for (int i = 0; i < 6; i++)
         iges_add(&file, 110, 0, 0, 0, part, lines[i]);
     iges_add(&file, 102, 0, 0, 0, part, "102,6,3,5,7,9,11,13;");
     iges_add(&file, 142, 0, 0, 0, part, "142,0,1,0,15,2;");
     iges_add(&file, 144, 0, 0, 0, root, "144,1,1,0,17;");
-    batten_model *model = read_body(&file, "");
+    batten_model *model = iges_body(&file, "");
     const batten_body_parts *p = batten_body_view(batten_model_object(model, 0)->body);
     CHECK_INT(p->use_count, 6);
     CHECK_INT(p->edge_count, 5);

@@ -435,3 +435,41 @@ TEST(S3_reading_a_step_file_is_linear_also_when_all_of_it_is_wrong)
         CHECK(steps[0] > 0 && (double)steps[1] < 2.2 * (double)steps[0]);
     }
 }
+
+/* All that is said of a text, as "line: entity: text". */
+static const struct {
+    const char *data, *said;
+} damages[] = {
+    {"#1=X(0);\n#5=\n(\n);\n", "11: #5: the instance is empty; left out\n"},
+    {"#1=X(0);\n#5=X(1,,\n2);\n", "9: #5: expected a value here; left out\n"},
+    {"#1=X(0);\n\n#5=X(1\n2);\n", "11: #5: expected ',' or ')' here; left out\n"},
+    {"#1=X(0);\n#5=X(1)\n\n#2=X();\n", "11: #5: expected ';' after an instance; left out\n"},
+    {"#1=X(0);\n\nWHAT\n",
+     "10: this is neither an instance nor the end of a section; left out\n"},
+    {"#1=X(0);\n#5\n=X(1;\n", "10: #5: expected ',' or ')' here; left out\n"},
+    {"#1=X(0);\n/* no end", "9: a comment has no end; nothing after it is read\n"},
+    {"#1=X(0);\n#2=x(0);\n#3=y(0);\n",
+     "9: keywords are in lower case; read as in upper case\n"},
+    {"#1=X(0);\n#2=X('a\nb');\n#3=X('a\nb');\n",
+     "9: a string continues over the end of a line; the break is dropped\n"},
+    {"#1=X(0);\n#2=X(1,\n.5);\n#3=X(.5);\n",
+     "10: a number has no digit before its point; read as with a 0\n"},
+};
+
+TEST(what_is_wrong_is_said_with_the_line_where_it_stands)
+{
+    for (int i = 0; i < COUNT(damages); i++) {
+        step_text_file t = {.notes = NULL};
+        char list[400] = "";
+        CHECK_OK(step_begin(&t, step_whole(damages[i].data)));
+        for (int k = 0; k < batten_notes_count(t.notes); k++) {
+            const batten_note *n = batten_notes_at(t.notes, k);
+            snprintf(list + strlen(list), 200, "%d: %s%s%s\n", n->line, n->entity,
+                     n->entity[0] ? ": " : "", n->text);
+        }
+        if (batten_notes_dropped(t.notes) == 0)
+            CHECK_TEXT(list, damages[i].said);
+        CHECK(bat_step_find(&t.file, 1) != NULL);
+        step_end(&t);
+    }
+}
