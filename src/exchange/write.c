@@ -298,9 +298,9 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
     if (status == BATTEN_OK)
         status = batten_write_prepare(model, options, notes, &prepared);
     if (status == BATTEN_OK && batten_model_count(prepared) == 0)
-        status = bat_fail(BATTEN_UNSUPPORTED,
-                          "the model has no objects; a %s file would be empty and is not written",
-                          row->title);
+        status =
+            bat_fail(BATTEN_UNSUPPORTED,
+                     "the model has no objects; an empty %s file is not written", row->title);
     if (status == BATTEN_OK)
         status = note_losses(row, options, prepared, notes);
     if (status == BATTEN_OK)

@@ -80,14 +80,16 @@ TEST(each_vertex_has_its_three_coordinates_in_the_unit_of_the_file)
 
 TEST(a_definition_of_open_meshes_is_a_surface_at_every_depth)
 {
-    for (int open = 0; open < 2; open++) {
+    /* None of the two, the last, the first is open. */
+    for (int open = 0; open < 3; open++) {
         batten_model *inner = NULL, *middle = NULL, *model = NULL;
         batten_mesh_parts parts = tetrahedron();
+        parts.triangle_count = 4 - (open == 2);
         CHECK_OK(batten_model_create(1, &inner));
         CHECK_OK(batten_model_create(1, &middle));
         CHECK_OK(batten_model_create(1, &model));
         add_mesh(inner, "first", &parts);
-        parts.triangle_count = 4 - open;
+        parts.triangle_count = 4 - (open == 1);
         add_mesh(inner, "last", &parts);
         CHECK_OK(batten_model_add(middle, &(batten_object){.name = "i",
                                                            .kind = BATTEN_OBJECT_INSTANCE,
@@ -121,4 +123,35 @@ TEST(an_archive_of_more_than_4_GiB_is_refused_before_it_is_written)
     CHECK_MESSAGE("a zip archive of 4294969344 bytes; it can have 4 GiB");
     CHECK_INT((long long)text.length, 0);
     batten_text_free(&text);
+}
+
+/* One that is open among those that are placed makes a surface of the whole, wherever it stands. */
+TEST(a_definition_with_an_open_part_is_a_surface_in_any_order)
+{
+    for (int open = 0; open < 4; open++) {
+        batten_model *parts[3] = {NULL}, *whole = NULL, *model = NULL;
+        CHECK_OK(batten_model_create(1, &whole));
+        CHECK_OK(batten_model_create(1, &model));
+        for (int i = 0; i < 3; i++) {
+            batten_mesh_parts shape = tetrahedron();
+            shape.triangle_count = 4 - (i == open);
+            CHECK_OK(batten_model_create(1, &parts[i]));
+            add_mesh(parts[i], "shape", &shape);
+            CHECK_OK(batten_model_add(
+                whole, &(batten_object){.name = "i",
+                                        .kind = BATTEN_OBJECT_INSTANCE,
+                                        .definition = parts[i],
+                                        .place = batten_affine_translation(i, 0, 0)}));
+            batten_model_unref(parts[i]);
+        }
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = "w",
+                                                          .kind = BATTEN_OBJECT_INSTANCE,
+                                                          .definition = whole,
+                                                          .place = batten_affine_identity()}));
+        const char *xml = xml_of(model, NULL);
+        /* The mesh, its definition and the whole. */
+        CHECK_INT(count_of(xml, "type=\"surface\""), open < 3 ? 3 : 0);
+        batten_model_unref(whole);
+        batten_model_unref(model);
+    }
 }

@@ -38,6 +38,41 @@ TEST(faces_of_four_corners_of_a_ship_are_counted)
     batten_model_unref(model);
 }
 
+/* Three layers take turns at four points that they share: each numbers those that it uses as they
+ * come. */
+TEST(layers_that_share_points_have_them_each)
+{
+    static const char *const layer = "\n3\n255\n1\n1\n1\n1\n1\n0\n0\n1\n171\n";
+    static const struct {
+        int layer, corners[3];
+    } faces[] = {
+        {2, {1, 2, 3}}, {0, {0, 1, 2}}, {2, {3, 0, 1}}, {0, {2, 3, 0}}, {1, {3, 1, 0}}};
+    static const int points[3][4] = {{0, 1, 2, 3}, {3, 1, 0, -1}, {1, 2, 3, 0}};
+    char text[2000] = "FREE!ship\n2.6\n1\n3\n";
+    for (int k = 0; k < 3; k++)
+        sprintf(text + strlen(text), "layer %c%s", 'a' + k, layer);
+    strcat(text,
+           "0\n4\n0 0 0\n1\n0\n0\n1 0 0\n1\n0\n0\n2 1 0\n1\n0\n0\n3 1 1\n1\n0\n0\n0\n0\n5\n");
+    for (int i = 0; i < COUNT(faces); i++)
+        sprintf(text + strlen(text), "3\n%d\n%d\n%d\n%d\n0\n", faces[i].corners[0],
+                faces[i].corners[1], faces[i].corners[2], faces[i].layer);
+    strcat(text, "0\n");
+    batten_model *model = read_noting(text, BATTEN_FORMAT_AUTO, "is not made");
+    CHECK_INT(batten_model_count(model), 3);
+    for (int k = 0; k < 3; k++) {
+        const batten_mesh_parts *p = batten_mesh_view(batten_model_object(model, k)->mesh);
+        int triangle = 0;
+        CHECK_INT(p->vertex_count, k == 1 ? 3 : 4);
+        CHECK_INT(p->triangle_count, k == 1 ? 1 : 2);
+        for (int i = 0; i < p->vertex_count; i++)
+            CHECK_BITS(p->points[3 * i], points[k][i]); /* x is the number of the point */
+        for (int i = 0; i < COUNT(faces); i++)
+            for (int c = 0; faces[i].layer == k && c < 3; c++, triangle += c == 3)
+                CHECK_INT(points[k][p->corners[3 * triangle + c]], faces[i].corners[c]);
+    }
+    batten_model_unref(model);
+}
+
 TEST(F2_a_ship_cut_anywhere_is_refused)
 {
     for (size_t length = 10; length < strlen(net) - 3; length++) {

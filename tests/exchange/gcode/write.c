@@ -197,6 +197,50 @@ TEST(an_arc_of_a_larger_radius_than_the_control_takes_is_lines_within_the_last_p
     batten_model_unref(model);
 }
 
+/* The feed stands at the first cut and nowhere else, be it a line, an arc, or an arc as lines. */
+TEST(the_feed_is_said_once_at_the_first_cut)
+{
+    const double rises[] = {1e-9, 0.05, 1};
+    for (int k = 0; k < COUNT(rises); k++) {
+        batten_model *model = shallow(rises[k]);
+        const char *text = program(model, NULL), *down = strstr(text, "G1 Z");
+        CHECK(down != NULL);
+        const char *first = strchr(down, '\n') + 1, *feed = strstr(first, " F");
+        CHECK(feed != NULL && feed < strchr(first, '\n'));
+        CHECK(strncmp(feed, " F1000.0000\n", 12) == 0);
+        CHECK(strstr(feed + 1, " F") == NULL);
+        batten_model_unref(model);
+    }
+}
+
+TEST(a_coordinate_that_no_machine_reaches_is_refused_with_a_cure)
+{
+    static const struct {
+        double x;
+        batten_status status;
+    } cases[] = {{9.99e8, BATTEN_OK}, {-1e9, BATTEN_OVERFLOW}, {1e9, BATTEN_OVERFLOW}};
+    for (int i = 0; i < COUNT(cases); i++) {
+        const double points[] = {0, 0, 0, cases[i].x, 0, 0, cases[i].x, 2, 0};
+        batten_curve *curve = NULL;
+        batten_model *model = NULL;
+        char *data = NULL;
+        size_t size = 0;
+        CHECK_OK(batten_curve_polyline((batten_points){3, 3, points}, &curve));
+        CHECK_OK(batten_model_create(0.001, &model));
+        CHECK_OK(batten_model_add(
+            model, &(batten_object){.name = "c", .kind = BATTEN_OBJECT_CURVE, .curve = curve}));
+        CHECK_STATUS(batten_write_gcode(model, NULL, NULL, &data, &size), cases[i].status);
+        CHECK((data != NULL) == (cases[i].status == BATTEN_OK));
+        if (cases[i].status != BATTEN_OK)
+            CHECK_MESSAGE(
+                "a coordinate of 1e+09 is more than controls take: look at the unit of "
+                "the design, or scale and move what is cut");
+        batten_release(data);
+        batten_curve_unref(curve);
+        batten_model_unref(model);
+    }
+}
+
 TEST(too_many_lines_are_refused_with_a_cure)
 {
     batten_chain *chain = hook(), *large = NULL;

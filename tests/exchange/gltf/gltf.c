@@ -106,6 +106,58 @@ TEST(an_instance_that_stays_in_place_has_no_matrix)
     batten_model_unref(model);
 }
 
+/* The scene has the name of the model, quoted, and its nodes. */
+TEST(a_scene_has_the_name_of_the_model_and_all_its_nodes)
+{
+    static const char *const names[] = {"", "hull \"7\""};
+    for (int k = 0; k < 4; k++) {
+        batten_model *model = NULL;
+        const batten_mesh_parts parts = tetrahedron();
+        char *data = NULL;
+        const char *bytes = NULL;
+        size_t size = 0, count = 0;
+        double nodes[2] = {-1, -1};
+        CHECK_OK(batten_model_create(1, &model));
+        CHECK_OK(batten_model_set_name(model, names[k & 1]));
+        for (int i = 0; i < 1 + k / 2; i++)
+            add_mesh(model, "part", &parts);
+        CHECK_OK(write_form(model, BATTEN_FORMAT_GLTF, false, NULL, &data, &size));
+        const char *json = check_chunks(data, size, &bytes, &count);
+        const char *scene = json_item(json_key(json, "scenes"), 0);
+        const char *name = json_try(scene, "name");
+        CHECK((name != NULL) == (k & 1));
+        CHECK(!name || strncmp(name, "\"hull \\\"7\\\"\"", 12) == 0);
+        json_numbers(json_key(scene, "nodes"), 1 + k / 2, nodes);
+        CHECK(nodes[0] == 0 && nodes[1] == (k / 2 ? 1 : -1));
+        CHECK(json_item(json_key(json, "nodes"), k / 2) != NULL);
+        batten_release(data);
+        batten_model_unref(model);
+    }
+}
+
+/* Of a mesh too small for floats no triangle is left; it stays as it is, as there is none without. */
+TEST(a_mesh_that_rounding_takes_away_keeps_its_triangles)
+{
+    batten_model *model = NULL;
+    double points[12];
+    batten_mesh_parts parts = tetrahedron();
+    char *data = NULL;
+    const char *bytes = NULL;
+    size_t size = 0, count = 0;
+    for (int i = 0; i < 12; i++)
+        points[i] = 1e-60 * tetrahedron_points[i];
+    parts.points = points;
+    CHECK_OK(batten_model_create(1, &model));
+    add_mesh(model, "dust", &parts);
+    CHECK_OK(write_form(model, BATTEN_FORMAT_GLTF, false, NULL, &data, &size));
+    const char *json = check_chunks(data, size, &bytes, &count);
+    const char *accessors = json_key(json, "accessors");
+    CHECK_INT((int)json_number(json_key(json_item(accessors, 0), "count")), 4);
+    CHECK_INT((int)json_number(json_key(json_item(accessors, 1), "count")), 12);
+    batten_release(data);
+    batten_model_unref(model);
+}
+
 TEST(colours_become_materials_of_linear_light)
 {
     batten_model *model = placed_model(1);

@@ -87,7 +87,7 @@ TEST(each_type_that_is_not_read_is_noted_once)
     int count = 0;
     for (int i = 0; i < batten_notes_count(notes); i++)
         count += strstr(batten_notes_at(notes, i)->text, "this is the first of them") != NULL;
-    if (batten_notes_dropped(notes) == 0)
+    if (batten_notes_dropped(notes) == 0 && test_cases(10) >= 10)
         CHECK_INT(count, 32);
     batten_notes_free(notes);
     batten_model_unref(model);

@@ -180,3 +180,51 @@ TEST(matrices_of_parts_are_refused_by_name)
         iges_check_partly(&file, words);
     }
 }
+
+TEST(a_face_names_what_it_refers_to)
+{
+    static const struct {
+        const char *face, *words;
+    } cases[] = {
+        {"510,1,1,1,3;", "it refers to entity D3 as type 508, which is of type 110; left out"},
+        {"510,1,1,1,99;", "it refers to entity D99, which is missing; left out"},
+        {"510,3,0,1;", "it refers to entity D3 as a surface, which is a 110 line; left out"},
+        {"510,1,2,1,3;", "5 parameters, need 6; left out"},
+        {"510,1,-1,1;", "parameter 2, a count, is -1; left out"},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        iges_text file = iges_begin();
+        iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
+        iges_add(&file, 110, 0, 0, 0, part, IGES_LINE);
+        iges_add(&file, 510, 1, 0, 0, root, cases[i].face);
+        iges_add(&file, 116, 0, 0, 0, root, "116,1.,2.,3.;");
+        iges_check_partly(&file, cases[i].words);
+    }
+}
+
+/* Without a resolution the tolerance is a millionth or so of the size: of the edges, or of the
+ * surface of a face that has none. */
+TEST(the_tolerance_of_a_body_is_that_of_its_edges)
+{
+    static const struct {
+        const char *face;
+        double size;
+    } cases[] = {{"510,1,0,0;", 5.656854249492381}, {"510,1,1,1,9;", 0.02}};
+    static const char global[] = "1H,,1H;,1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,1.,6,1HM,1,0.,"
+                                 "13H260101.000000,0.,,,,11,0,;";
+    for (int i = 0; i < COUNT(cases); i++) {
+        iges_text file = iges_begin();
+        iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
+        iges_add(&file, 502, 1, 0, 0, part, "502,1,2.01,2.,0.;");
+        iges_add(&file, 100, 0, 0, 0, part, "100,0.,2.,2.,2.01,2.,2.01,2.;");
+        iges_add(&file, 504, 1, 0, 0, part, "504,1,5,3,1,3,1;");
+        iges_add(&file, 508, 1, 0, 0, part, "508,1,0,7,1,1,0;");
+        iges_add(&file, 510, 1, 0, 0, root, cases[i].face);
+        batten_model *model = NULL;
+        CHECK_OK(read_text(iges_end(&file, global), BATTEN_FORMAT_AUTO, NULL, &model));
+        const batten_object *last = batten_model_object(model, batten_model_count(model) - 1);
+        const double tolerance = batten_body_view(last->body)->tolerance;
+        CHECK(tolerance >= 0.9e-6 * cases[i].size && tolerance <= 3e-6 * cases[i].size);
+        batten_model_unref(model);
+    }
+}

@@ -447,6 +447,8 @@ static const struct {
     {"#1=X(0);\n\nWHAT\n",
      "10: this is neither an instance nor the end of a section; left out\n"},
     {"#1=X(0);\n#5\n=X(1;\n", "10: #5: expected ',' or ')' here; left out\n"},
+    {"#1=X(0);\n#5=X /* no end", "9: #5: a comment has no end; nothing after it is read\n"},
+    {"#1=X(0);\n#5=( X() /* no end", "9: #5: a comment has no end; nothing after it is read\n"},
     {"#1=X(0);\n/* no end", "9: a comment has no end; nothing after it is read\n"},
     {"#1=X(0);\n#2=x(0);\n#3=y(0);\n",
      "9: keywords are in lower case; read as in upper case\n"},
