@@ -48,3 +48,25 @@ TEST(commas_are_chosen_by_the_ending_alone)
     }
     batten_model_unref(model);
 }
+
+/* IGES, STEP and OBJ as well, whose article is another one. */
+TEST(an_empty_model_is_not_written)
+{
+    static const struct {
+        batten_format format;
+        const char *words;
+    } cases[] = {
+        {BATTEN_FORMAT_IGES, "the model has no objects; an empty IGES file is not written"},
+        {BATTEN_FORMAT_STEP, "the model has no objects; an empty STEP file is not written"},
+        {BATTEN_FORMAT_OBJ, "the model has no objects; an empty OBJ file is not written"}};
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(1, &model));
+    for (int i = 0; i < COUNT(cases); i++) {
+        char *data = NULL;
+        size_t size = 0;
+        CHECK_STATUS(write_bytes(model, cases[i].format, &data, &size), BATTEN_UNSUPPORTED);
+        CHECK_MESSAGE(cases[i].words);
+        CHECK(data == NULL);
+    }
+    batten_model_unref(model);
+}

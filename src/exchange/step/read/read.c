@@ -176,7 +176,7 @@ static batten_status read_all(bat_step_import *import, batten_model **out)
     bat_census_note(input, &import->census);
     if (import->annotations)
         batten_notes_add(input->notes, input->file, 0, "",
-                         "%d annotations of a drawing are not shapes and are not read",
+                         "annotations of a drawing are not shapes and are not read: %d",
                          import->annotations);
     if (batten_model_count(model) == 0 && input->left_out > 0) {
         batten_model_unref(model);
