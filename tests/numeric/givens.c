@@ -82,6 +82,68 @@ TEST(rows_may_come_in_any_order)
     }
 }
 
+/* Several columns of numbers go through R and its transpose as each of them alone. */
+TEST(many_right_sides_are_solved_as_one_is)
+{
+    enum { COLUMNS = 3 };
+    test_random random = test_random_begin("columns");
+    for (int c = 0; c < test_cases(40); c++) {
+        const int width = test_random_int(&random, 1, WIDTH),
+                  count = test_random_int(&random, width, MOST);
+        problem *p = make_problem(&random, count, width, c % 2);
+        bat_givens qr;
+        double many[2][MOST * COLUMNS], one[2][MOST];
+        factor(p, &qr);
+        for (int i = 0; i < count * COLUMNS; i++)
+            many[0][i] = many[1][i] = test_random_in(&random, -1, 1);
+        for (int k = 0; k < COLUMNS; k++) {
+            double alone[2][MOST];
+            for (int i = 0; i < count; i++)
+                alone[0][i] = alone[1][i] = many[0][i * COLUMNS + k];
+            bat_givens_solve_lower(&qr, 1, alone[0]);
+            bat_givens_solve_upper(&qr, 1, alone[1]);
+            if (k == COLUMNS - 1)
+                memcpy(one, alone, sizeof one);
+        }
+        bat_givens_solve_lower(&qr, COLUMNS, many[0]);
+        bat_givens_solve_upper(&qr, COLUMNS, many[1]);
+        for (int i = 0; i < count; i++) {
+            CHECK_BITS(many[0][i * COLUMNS + COLUMNS - 1], one[0][i]);
+            CHECK_BITS(many[1][i * COLUMNS + COLUMNS - 1], one[1][i]);
+        }
+        bat_givens_end(&qr);
+    }
+}
+
+TEST(a_cleared_system_is_a_new_one)
+{
+    test_random random = test_random_begin("cleared");
+    for (int c = 0; c < test_cases(40); c++) {
+        const int width = test_random_int(&random, 1, WIDTH),
+                  count = test_random_int(&random, width, MOST);
+        problem *first = make_problem(&random, count, width, c % 2);
+        problem *second = make_problem(&random, count, width, c % 2);
+        bat_givens qr, fresh;
+        double x[MOST], expected[MOST];
+        factor(first, &qr);
+        bat_givens_clear(&qr);
+        for (int place = 0; place < count; place++)
+            for (int i = 0; i < second->rows; i++)
+                if (bat_givens_place(&qr, second->first[i]) == place)
+                    bat_givens_add(&qr, second->first[i], width, second->values[i], 1,
+                                   &second->right[i]);
+        factor(second, &fresh);
+        bat_givens_solve(&qr, x);
+        bat_givens_solve(&fresh, expected);
+        for (int i = 0; i < count; i++) {
+            CHECK_BITS(x[i], expected[i]);
+            CHECK_BITS(qr.sizes[i], fresh.sizes[i]);
+        }
+        bat_givens_end(&qr);
+        bat_givens_end(&fresh);
+    }
+}
+
 /* v^T (R^T R)^-1 v = |R^-T v|^2, and R^-1 undoes R. */
 TEST(the_band_of_the_inverse_is_that_of_the_inverse)
 {
@@ -122,6 +184,41 @@ TEST(G9_an_unknown_that_no_row_touches_is_named)
     CHECK_STATUS(bat_givens_check(&qr, &unknown), BATTEN_SINGULAR_SYSTEM);
     CHECK_INT(unknown, 2);
     bat_givens_end(&qr);
+}
+
+TEST(G9_messages_name_the_unknown_and_what_is_left_of_it)
+{
+    bat_givens qr;
+    int unknown = -1;
+    const double right = 0;
+    /* One unknown of a band one wide: 4 roundings of its size are too little. */
+    CHECK_OK(bat_givens_begin(2, 1, false, 1, &qr));
+    bat_givens_add(&qr, 0, 1, (const double[]){1}, 1, &right);
+    CHECK_STATUS(bat_givens_check(&qr, &unknown), BATTEN_SINGULAR_SYSTEM);
+    CHECK_MESSAGE("unknown 2 of 2 is not determined: 0 of its 0 is left");
+    CHECK_INT(unknown, 1);
+    bat_givens_clear(&qr);
+    bat_givens_add(&qr, 0, 1, (const double[]){0x1p600}, 1, &right);
+    CHECK_STATUS(bat_givens_check(&qr, &unknown), BATTEN_OVERFLOW);
+    CHECK_MESSAGE("the equations of unknown 1 leave the numbers");
+    CHECK_INT(unknown, 0);
+    bat_givens_end(&qr);
+    /* Rows (1, 0) and (1, d): d is left of the second column, whose size it is; and (1, 1),
+     * (1, 1 + d): d / sqrt(2) is left of sqrt(2), where 8 roundings are the least. */
+    static const struct {
+        double first, second;
+        batten_status status;
+    } rows[] = {{0, 1e-300 * 1e160, BATTEN_OK},
+                {1, 1 + 30 * DBL_EPSILON, BATTEN_OK},
+                {1, 1 + 9 * DBL_EPSILON, BATTEN_SINGULAR_SYSTEM}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        CHECK_OK(bat_givens_begin(2, 2, false, 1, &qr));
+        bat_givens_add(&qr, 0, 2, (const double[]){1, rows[i].first}, 1, &right);
+        bat_givens_add(&qr, 0, 2, (const double[]){1, rows[i].second}, 1, &right);
+        CHECK_STATUS(bat_givens_check(&qr, &unknown), rows[i].status);
+        CHECK_INT(unknown, 1);
+        bat_givens_end(&qr);
+    }
 }
 
 TEST(rows_of_any_size_are_turned_without_overflow)

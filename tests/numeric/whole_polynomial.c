@@ -269,3 +269,33 @@ TEST(roots_nearer_than_the_depth_of_the_search_are_reported_as_not_told_apart)
     }
     bat_wholes_release(&pool);
 }
+
+/* Two polynomials of degree 24 without a common root, the second led by this coefficient; what their
+ * divisor takes of the effort. */
+static uint64_t effort_of_coprime(int64_t lead)
+{
+    enum { DEGREE = 24 };
+    int64_t c[2][DEGREE + 1];
+    begin();
+    for (int i = 0; i <= DEGREE; i++) {
+        c[0][i] = (i * i * 37 + 11) % 101 - 50;
+        c[1][i] = (i * i * 53 + 29) % 103 - 50;
+    }
+    c[1][DEGREE] = lead;
+    const bat_whole_poly p = of_ints(DEGREE, c[0]), q = of_ints(DEGREE, c[1]);
+    const uint64_t before = effort.steps;
+    const bat_whole_poly common = bat_poly_gcd(&pool, p, q);
+    const uint64_t spent = before - effort.steps;
+    if (ALIVE)
+        CHECK(equal(common, of_ints(0, (int64_t[]){1})));
+    bat_wholes_release(&pool);
+    return spent;
+}
+
+/* Their images modulo a prime tell, also where the first primes divide a leading coefficient. */
+TEST(coprime_polynomials_are_told_without_dividing_them)
+{
+    static const int64_t leads[] = {7, 2147483647, 2147483647LL * 2147483629};
+    for (int i = 0; i < COUNT(leads); i++)
+        CHECK(effort_of_coprime(leads[i]) < 10000);
+}

@@ -2,8 +2,8 @@
 #define _XOPEN_SOURCE 700
 #include "base/system.h"
 #if BAT_SYSTEM == BAT_SYSTEM_POSIX
+#include "base/base.h"
 
-#include <limits.h>
 #include <pthread.h>
 #include <string.h>
 #include <time.h>
@@ -39,8 +39,7 @@ void bat_pause(void)
 
 int bat_processor_count(void)
 {
-    const long count = sysconf(_SC_NPROCESSORS_ONLN);
-    return count < 1 ? 1 : count > INT_MAX ? INT_MAX : (int)count;
+    return bat_max_int(1, (int)sysconf(_SC_NPROCESSORS_ONLN));
 }
 
 /* ---- time ---- */

@@ -295,7 +295,7 @@ static void hold(program *p, int i)
     double c, s;
     for (int a = p->free - 2; a >= k; a--)
         turn_pair(p, a, &p->w[a], &p->w[a + 1], &c, &s);
-    memcpy(p->upper + (size_t)k * (size_t)p->n, p->w, (size_t)(k + 1) * sizeof *p->w);
+    memcpy(p->upper + (size_t)k * (size_t)p->n, p->w, (size_t)p->n * sizeof *p->w);
     p->active[p->active_count++] = i;
 }
 
@@ -306,8 +306,7 @@ static void drop(program *p, int place)
     p->active_count--;
     for (int j = place; j < p->active_count; j++) {
         p->active[j] = p->active[j + 1];
-        memcpy(p->upper + (size_t)j * n, p->upper + (size_t)(j + 1) * n,
-               (size_t)(j + 2) * sizeof *p->upper);
+        memcpy(p->upper + (size_t)j * n, p->upper + (size_t)(j + 1) * n, n * sizeof *p->upper);
     }
     for (int j = place; j < p->active_count; j++) {
         double *column = p->upper + (size_t)j * n, c, s;
@@ -354,7 +353,7 @@ static batten_status take_up(program *p, int i)
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "inequality %d cannot hold together with the others: it is missed "
                             "by %g",
-                            i, fails);
+                            i + 1, fails);
         for (int a = 0; a < p->free && new; a++)
             p->z[a] += step * p->d[a];
         for (int j = 0; j < p->active_count; j++)

@@ -11,8 +11,7 @@
 /* ---- pieces ---- */
 
 /* Curvature and rate that rounding alone may make count as 0; then n is the direction of what is
- * left, else any. */
-/* SINGULAR_HERE where the end has no speed. */
+ * left, else any. SINGULAR_HERE where the end has no speed. */
 static batten_status tip_at(const batten_curve *curve, bat_tip *out)
 {
     bat_side side;

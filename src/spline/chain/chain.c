@@ -40,10 +40,10 @@ static batten_status check_breaks(int count, const double *breaks)
 {
     for (int i = 0; i <= count; i++) {
         if (!isfinite(breaks[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "break %d is %g", i, breaks[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "break %d is %g", i + 1, breaks[i]);
         if (i > 0 && !(breaks[i] > breaks[i - 1]))
-            return bat_fail(BATTEN_NOT_INCREASING, "break %d is %g, not above %g before it", i,
-                            breaks[i], breaks[i - 1]);
+            return bat_fail(BATTEN_NOT_INCREASING, "break %d is %g, not above %g before it",
+                            i + 1, breaks[i], breaks[i - 1]);
     }
     if (!isfinite(breaks[count] - breaks[0]))
         return bat_fail(BATTEN_OVERFLOW, "the breaks, from %g to %g, are too far apart",

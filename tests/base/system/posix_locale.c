@@ -1,10 +1,15 @@
 /* Numbers are the same in any locale. */
 #define _XOPEN_SOURCE 700
+#include "base/base.h"
 #include "base/numbers.h"
+#include "base/system.h"
 
 #include <locale.h>
 #include <pthread.h>
+#include <stdarg.h>
 #include <stdatomic.h>
+#include <stdio.h>
+#include <wchar.h>
 
 static void check_locale(const char *name)
 {
@@ -26,6 +31,36 @@ TEST(F5_numbers_are_the_same_in_german)
 TEST(F5_numbers_are_the_same_in_turkish)
 {
     check_locale("tr_TR.UTF-8");
+}
+
+static int format_text(char *out, size_t size, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const int length = bat_format(out, size, format, arguments);
+    va_end(arguments);
+    return length;
+}
+
+/* A letter beyond ASCII tells: UTF-8 writes it, the C locale refuses it. */
+TEST(F5_text_is_formatted_in_the_c_locale_and_that_of_the_thread_stays)
+{
+    const locale_t own = newlocale(LC_ALL_MASK, "C.UTF-8", (locale_t)0);
+    if (!own)
+        SKIP("the locale C.UTF-8 is not installed");
+    char text[8], letter[8];
+    uselocale(own);
+    const int length = format_text(text, sizeof text, "%g", 0.5);
+    const int refused = format_text(letter, sizeof letter, "%lc", (wint_t)0xe4);
+    const bool kept = uselocale((locale_t)0) == own;
+    const int written = snprintf(letter, sizeof letter, "%lc", (wint_t)0xe4);
+    uselocale(LC_GLOBAL_LOCALE);
+    freelocale(own);
+    CHECK(kept);
+    CHECK_INT(length, 3);
+    CHECK_TEXT(text, "0.5");
+    CHECK_INT(refused, -1);
+    CHECK_INT(written, 2);
 }
 
 static atomic_bool stop_switching;

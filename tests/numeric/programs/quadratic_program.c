@@ -147,6 +147,8 @@ TEST(g9_conditions_that_repeat_or_contradict_are_named)
     CHECK_OK(bat_quadratic_program_solve(&program, x, NULL, &report));
     CHECK_INT(report.redundant, 2);
     CHECK_INT(report.redundant_count, 1);
+    CHECK_INT(report.refused_equation, -1);
+    CHECK_INT(report.refused_inequality, -1);
     CHECK_NEAR(x[0] + x[1], 1, 1e-14);
     b[2] = 4;
     CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, &report),
@@ -160,14 +162,19 @@ TEST(g9_inequalities_that_cannot_hold_are_named)
     const double h[4] = {1, 0, 0, 1}, e[6] = {1, 0, 0, 1, -1, -1}, f[3] = {1, 1, -1};
     double x[2] = {7, 7};
     const bat_quadratic_program program = {2, h, NULL, 0, NULL, NULL, 3, e, f};
-    CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, NULL), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("cannot hold together");
+    bat_quadratic_report report;
+    CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, &report),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("inequality 3 cannot hold together with the others: it is missed by 1");
+    CHECK_INT(report.refused_inequality, 2);
+    CHECK_INT(report.refused_equation, -1);
+    CHECK_NEAR(report.missed, 1, 1e-15);
     CHECK_NEAR(x[0], 7, 0);
     /* An impossible one without any unknown: 0 >= 1. */
     const double zero[2] = {0, 0}, one[1] = {1};
     const bat_quadratic_program never = {2, h, NULL, 0, NULL, NULL, 1, zero, one};
     CHECK_STATUS(bat_quadratic_program_solve(&never, x, NULL, NULL), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("inequality 0");
+    CHECK_MESSAGE("inequality 1 cannot hold together with the others: it is missed by 1");
 }
 
 TEST(as_many_conditions_as_unknowns_leave_no_choice)
@@ -205,4 +212,88 @@ TEST(inequalities_that_the_equations_determine_are_held_or_named)
     CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, &report),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_INT(report.refused_inequality, 1);
+}
+
+/* Of x = 1 and a row (1, tilt, 0) with this value: does the second follow, contradict, or say more? */
+static const struct {
+    double tilt, value;
+    batten_status status;
+    int redundant;
+} seconds[] = {
+    {0, 1, BATTEN_OK, 1},
+    {0, 1 + 1.9e-9, BATTEN_OK, 1},
+    {0, 1 - 1.9e-9, BATTEN_OK, 1},
+    {0, 1 + 2.1e-9, BATTEN_NOT_COMPATIBLE, 0},
+    {0, -1, BATTEN_NOT_COMPATIBLE, 0},
+    {96 * DBL_EPSILON, 1, BATTEN_OK, 1},
+    {97 * DBL_EPSILON, 1, BATTEN_OK, 0},
+    {-97 * DBL_EPSILON, 1 + 97 * DBL_EPSILON, BATTEN_OK, 0},
+};
+
+TEST(an_equation_follows_from_others_within_their_rounding)
+{
+    static const double h[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    for (int i = 0; i < COUNT(seconds); i++) {
+        const double rows[6] = {1, 0, 0, 1, seconds[i].tilt, 0};
+        const double values[2] = {1, seconds[i].value};
+        const bat_quadratic_program program = {3, h, NULL, 2, rows, values, 0, NULL, NULL};
+        bat_quadratic_report report;
+        double x[3];
+        CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, &report),
+                     seconds[i].status);
+        if (seconds[i].status == BATTEN_OK) {
+            const double y = seconds[i].redundant ? 0 : (values[1] - 1) / rows[4];
+            CHECK_INT(report.redundant_count, seconds[i].redundant);
+            CHECK_INT(report.redundant, seconds[i].redundant ? 1 : -1);
+            CHECK_INT(report.steps, 0);
+            CHECK(x[0] == 1 && x[2] == 0);
+            CHECK_NEAR(x[1], y, 1e-15);
+        } else {
+            CHECK_INT(report.refused_equation, 1);
+            CHECK_NEAR(report.missed, fabs(values[1] - 1), 1e-15);
+        }
+    }
+}
+
+/* x^2 + least y^2 in two unknowns, where 16 roundings of the largest are too little. */
+TEST(a_form_determines_what_it_has_more_of_than_rounding)
+{
+    static const double rounds[] = {17, 16};
+    for (int i = 0; i < 2; i++) {
+        const double h[4] = {1, 0, 0, rounds[i] * DBL_EPSILON}, g[2] = {2, DBL_EPSILON};
+        const bat_quadratic_program program = {2, h, g, 0, NULL, NULL, 0, NULL, NULL};
+        double x[2] = {7, 7};
+        CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, NULL),
+                     i == 0 ? BATTEN_OK : BATTEN_SINGULAR_SYSTEM);
+        CHECK(x[0] == (i == 0 ? 2 : 7));
+        CHECK_NEAR(x[1], i == 0 ? 1 / 17.0 : 7, 1e-15);
+    }
+    CHECK_MESSAGE("leave 2 of 2 unknowns free");
+}
+
+/* The point of the corner x >= 1, y >= 2, x + y >= 4 that is nearest to (0, 0) and so on. */
+static const struct {
+    double g[2], x[2], force[3];
+    int active;
+} corners[] = {
+    {{0, 0}, {2, 2}, {0, 0, 2}, 1},  {{0, 1}, {1.5, 2.5}, {0, 0, 1.5}, 1},
+    {{-5, 4}, {1, 4}, {6, 0, 0}, 1}, {{-5, 2}, {1, 3}, {5, 0, 1}, 2},
+    {{5, 1}, {5, 2}, {0, 1, 0}, 1},  {{2, -3}, {2, 2}, {0, 5, 0}, 1},
+    {{0, -3}, {2, 2}, {0, 3, 2}, 2}, {{3, 3}, {3, 3}, {0, 0, 0}, 0},
+};
+
+TEST(the_nearest_point_of_a_corner_is_held_by_the_forces_of_its_sides)
+{
+    static const double h[4] = {1, 0, 0, 1}, e[6] = {1, 0, 0, 1, 1, 1}, f[3] = {1, 2, 4};
+    for (int i = 0; i < COUNT(corners); i++) {
+        const bat_quadratic_program program = {2, h, corners[i].g, 0, NULL, NULL, 3, e, f};
+        bat_quadratic_report report;
+        double x[2], force[3];
+        CHECK_OK(bat_quadratic_program_solve(&program, x, force, &report));
+        for (int k = 0; k < 2; k++)
+            CHECK_NEAR(x[k], corners[i].x[k], 1e-14);
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(force[k], corners[i].force[k], 1e-14);
+        CHECK(report.active_count >= corners[i].active && report.refused_inequality == -1);
+    }
 }

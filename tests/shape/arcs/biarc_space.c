@@ -129,3 +129,27 @@ TEST(biarcs_through_points_of_a_tilted_circle_are_the_circle)
         batten_curve_unref(curve);
     }
 }
+
+/* Directions that point back along the second chord of a row, and across the last chord of a ring. */
+TEST(biarcs_that_cannot_be_are_named_by_their_points)
+{
+    static const double points[12] = {0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 4, 1};
+    static const double back[12] = {1, 0, 0, -1, 0, 0, -1, 0, 0, 0, 1, 0};
+    static const double ring[12] = {4, -1, 0, 1, 0, 0, 0, 1, 0, 4, -1, 0};
+    static const struct {
+        bool closed;
+        const double *directions;
+        const char *words;
+    } rows[] = {{false, back, "between points 2 and 3: "},
+                {true, ring, "between points 4 and 1: "}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_chain_biarcs_options options = batten_chain_biarcs_defaults();
+        options.closed = rows[i].closed;
+        options.directions = rows[i].directions;
+        batten_curve *curve = NULL;
+        CHECK_STATUS(batten_curve_biarcs((batten_points){3, 4, points}, &options, NULL, &curve),
+                     BATTEN_SINGULAR_HERE);
+        CHECK_MESSAGE(rows[i].words);
+        CHECK(!curve);
+    }
+}

@@ -1,3 +1,4 @@
+#include "shape/curve_change/extend.h"
 #include "support/faults.h"
 #include "support/test.h"
 #include <batten/extend.h>
@@ -230,4 +231,91 @@ TEST(N1_N6_G4_what_cannot_be_extended_is_refused)
     batten_curve_unref(function);
     batten_curve_unref(ring);
     batten_curve_unref(curve);
+}
+
+/* What continues a tip at (0, 0, 0) along x that bends towards y: a line, an arc or a spiral by its
+ * degree. What departs from something simpler by less than rounding is that. */
+static const struct {
+    batten_extension kind;
+    double curvature, rate, length;
+    int degree;
+} pieces[] = {
+    {BATTEN_EXTEND_LINE, 1, 1, 1, 1},
+    {BATTEN_EXTEND_ARC, 1, 1, 1, 2},
+    {BATTEN_EXTEND_ARC, 0, 1, 1, 1},
+    {BATTEN_EXTEND_SPIRAL, 1, 1, 1, 5},
+    {BATTEN_EXTEND_SPIRAL, 1, 0, 1, 2},
+    {BATTEN_EXTEND_SPIRAL, 0, 0, 1, 1},
+    {BATTEN_EXTEND_SPIRAL, 0, -1, 1, 5},
+    {BATTEN_EXTEND_SPIRAL, 0, 1, 1e-9, 1},
+    {BATTEN_EXTEND_SPIRAL, 0, 2e-16, 1, 1},
+    {BATTEN_EXTEND_SPIRAL, 0, 2.5e-16, 1, 5},
+    {BATTEN_EXTEND_SPIRAL, 0, -2.5e-16, 1, 5},
+    {BATTEN_EXTEND_SPIRAL, 0, 1e-17, 4, 1},
+    {BATTEN_EXTEND_SPIRAL, 0, 2e-17, 4, 5},
+    {BATTEN_EXTEND_ARC, 1e-16, 0, 2, 1},
+    {BATTEN_EXTEND_ARC, 1.2e-16, 0, 2, 2},
+    {BATTEN_EXTEND_SPIRAL, 2e-16, 1e-17, 1, 1},
+    {BATTEN_EXTEND_SPIRAL, 2e-16, 3e-17, 1, 5},
+};
+
+TEST(a_piece_is_as_simple_as_rounding_allows)
+{
+    for (int i = 0; i < COUNT(pieces); i++) {
+        const bat_tip tip = {.dimension = 2,
+                             .u = 3,
+                             .t = {1, 0, 0},
+                             .n = {0, 1, 0},
+                             .speed = 2,
+                             .curvature = pieces[i].curvature,
+                             .rate = pieces[i].rate};
+        batten_curve *piece = NULL;
+        double error = -1, end[2];
+        CHECK_OK(bat_tip_piece(&tip, (batten_lengthening){pieces[i].kind, 1e-6},
+                               pieces[i].length, &error, &piece));
+        CHECK_INT(batten_curve_degree(piece), pieces[i].degree);
+        CHECK(pieces[i].degree == 5 ? error >= 0 && error <= 1e-6 : error == 0);
+        CHECK(batten_curve_domain(piece).a == 3);
+        if (pieces[i].degree == 1) {
+            CHECK_NEAR(batten_curve_domain(piece).b, 3 + pieces[i].length / 2, 1e-15);
+            CHECK_OK(batten_curve_evaluate(piece, batten_curve_domain(piece).b, 0, end));
+            CHECK(end[0] == pieces[i].length && end[1] == 0);
+        }
+        batten_curve_unref(piece);
+    }
+}
+
+/* A circle of radius 1 / 2 from (1, 2): sines of the angle and twice the squares of its half. */
+TEST(an_arc_piece_has_the_speed_of_its_tip_and_as_many_quarters_as_it_takes)
+{
+    static const struct {
+        double turns; /* of a quarter */
+        int points;
+    } rows[] = {{0.5, 3}, {1, 3}, {1.01, 5}, {2, 5}, {3.5, 9}, {4, 9}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        const bat_tip tip = {2, 3, {1, 2, 0}, {1, 0, 0}, {0, 1, 0}, 5, 2, 0};
+        const double angle = rows[i].turns * (PI / 2);
+        batten_curve *piece = NULL;
+        double error = -1, at[4], end[2];
+        CHECK_OK(bat_tip_piece(&tip, (batten_lengthening){BATTEN_EXTEND_ARC, 1e-6}, angle / 2,
+                               &error, &piece));
+        CHECK_INT(batten_curve_point_count(piece), rows[i].points);
+        CHECK_OK(batten_curve_evaluate(piece, 3, 1, at));
+        CHECK_OK(batten_curve_evaluate(piece, batten_curve_domain(piece).b, 0, end));
+        CHECK(at[0] == 1 && at[1] == 2);
+        CHECK_NEAR(at[2], 5, 1e-14);
+        CHECK_NEAR(at[3], 0, 1e-14);
+        CHECK_NEAR(end[0], 1 + sin(angle) / 2, 1e-15);
+        CHECK_NEAR(end[1], 2 + (1 - cos(angle)) / 2, 1e-15);
+        batten_curve_unref(piece);
+    }
+    const bat_tip tip = {2, 3, {1, 2, 0}, {1, 0, 0}, {0, 1, 0}, 5, 2, 0};
+    batten_curve *none = NULL;
+    double error;
+    CHECK_STATUS(
+        bat_tip_piece(&tip, (batten_lengthening){BATTEN_EXTEND_ARC, 1e-6}, 3.25, &error, &none),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE(
+        "an arc of the length 3.25 goes around the circle of radius 0.5 more than once");
+    CHECK(!none);
 }

@@ -112,3 +112,64 @@ TEST(what_cannot_join_is_refused)
     batten_curve_unref(plane);
     batten_curve_unref(line);
 }
+
+/* A segment and a parabola whose ends are matched; where the two points at the moved end come to lie,
+ * and the longest way of one. */
+static const struct {
+    batten_match_mover mover;
+    double first[4], second[4]; /* last two points of the first, first two of the second */
+    double made[2][4], moved;
+} tangents[] = {
+    /* legs keep their length along the common tangent ... */
+    {BATTEN_MATCH_MOVES_SECOND, {0, 0, 1, 0}, {1, 1, 4, 5}, {{0, 0, 1, 0}, {1, 0, 4, 0}}, 5},
+    {BATTEN_MATCH_MOVES_FIRST, {-2, 3, 0, 0}, {1, 1, 4, 1}, {{-2, 1, 1, 1}, {1, 1, 4, 1}}, 2},
+    /* ... and all of it where they point back */
+    {BATTEN_MATCH_MOVES_SECOND,
+     {0, 0, 1, 0},
+     {1, 0, -2, 4},
+     {{0, 0, 1, 0}, {1, 0, 6, 0}},
+     8.9442719099991588},
+    {BATTEN_MATCH_MOVES_FIRST,
+     {4, 5, 1, 1},
+     {1, 1, 2, 1},
+     {{-4, 1, 1, 1}, {1, 1, 2, 1}},
+     8.9442719099991588},
+    {BATTEN_MATCH_MOVES_BOTH, {0, 0, 2, 0}, {2, 2, 2, 5}, {{0, 0, 0, 0}, {0, 0, 0, 0}}, -1},
+};
+
+TEST(geometric_matching_turns_the_legs_at_the_joint_and_keeps_their_length)
+{
+    for (int i = 0; i < COUNT(tangents); i++) {
+        static const double knots[6] = {0, 0, 0, 1, 1, 1};
+        const double *f = tangents[i].first, *s = tangents[i].second;
+        const double p[2][6] = {{-9, 7, f[0], f[1], f[2], f[3]},
+                                {s[0], s[1], s[2], s[3], 9, 8}};
+        batten_curve *given[2] = {NULL, NULL}, *made[2] = {NULL, NULL};
+        double moved = 0;
+        for (int k = 0; k < 2; k++)
+            CHECK_OK(
+                batten_curve_create((batten_points){2, 3, p[k]}, 2, NULL, knots, &given[k]));
+        CHECK_OK(batten_curves_match(
+            given[0], given[1], (batten_match){BATTEN_MATCH_GEOMETRIC, 1, tangents[i].mover},
+            &moved, &made[0], &made[1]));
+        const double *a = batten_curve_points(made[0]) + 2, *b = batten_curve_points(made[1]);
+        for (int k = 0; k < 4 && tangents[i].moved >= 0; k++) {
+            CHECK_NEAR(a[k], tangents[i].made[0][k], 1e-14);
+            CHECK_NEAR(b[k], tangents[i].made[1][k], 1e-14);
+        }
+        if (tangents[i].moved >= 0) {
+            CHECK_NEAR(moved, tangents[i].moved, 1e-14);
+        } else { /* both: halfway, along the bisector of right angles, as far as legs reach */
+            const double h = sqrt(0.5);
+            CHECK(a[2] == 2 && a[3] == 1 && b[0] == 2 && b[1] == 1);
+            CHECK_NEAR(2 - a[0], h * h * 3, 1e-14);
+            CHECK_NEAR(1 - a[1], h * h * 3, 1e-14);
+            CHECK_NEAR(b[2] - 2, h * h * 4, 1e-14);
+            CHECK_NEAR(b[3] - 1, h * h * 4, 1e-14);
+        }
+        for (int k = 0; k < 2; k++) {
+            batten_curve_unref(given[k]);
+            batten_curve_unref(made[k]);
+        }
+    }
+}

@@ -233,7 +233,24 @@ TEST(n1_a_chain_refuses_what_is_not_finite)
     CHECK_STATUS(
         batten_chain_create(&(batten_chain_parts){2, 4, spans, breaks, false}, 1, &none),
         BATTEN_NOT_FINITE);
-    CHECK_MESSAGE("break 2");
+    CHECK_MESSAGE("break 3 is nan");
+    const double level[] = {0, 1, 1, 3, 4}, wide[] = {-1.5e308, 1, 2, 3, 1.5e308};
+    CHECK_STATUS(
+        batten_chain_create(&(batten_chain_parts){2, 4, spans, level, false}, 1, &none),
+        BATTEN_NOT_INCREASING);
+    CHECK_MESSAGE("break 3 is 1, not above 1 before it");
+    CHECK_STATUS(batten_chain_create(&(batten_chain_parts){2, 4, spans, wide, false}, 1, &none),
+                 BATTEN_OVERFLOW);
+    CHECK_MESSAGE("the breaks, from -1.5e+308 to 1.5e+308, are too far apart");
+    static const int unknown[] = {-1, BATTEN_SPAN_TENSION + 1, 99};
+    for (int i = 0; i < COUNT(unknown); i++) {
+        memcpy(bad, spans, sizeof bad);
+        bad[3].kind = (batten_span_kind)unknown[i];
+        CHECK_STATUS(
+            batten_chain_create(&(batten_chain_parts){2, 4, bad, NULL, false}, 1, &none),
+            BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("span 4");
+    }
     CHECK_STATUS(
         batten_chain_create(&(batten_chain_parts){2, 4, spans, NULL, false}, NAN, &none),
         BATTEN_BAD_ARGUMENT);

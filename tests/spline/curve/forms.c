@@ -195,3 +195,31 @@ TEST(N2_coefficients_too_large_for_numbers_are_an_overflow)
     CHECK_STATUS(batten_curve_to_power(curve, coefficients), BATTEN_OVERFLOW);
     batten_curve_unref(curve);
 }
+
+TEST(breaks_that_do_not_rise_are_named_from_1)
+{
+    static const struct {
+        double breaks[4];
+        batten_status status;
+        const char *words;
+    } rows[] = {
+        {{0, 1, 1, 2}, BATTEN_NOT_INCREASING, "break 3 is 1, not above break 2, which is 1"},
+        {{0, -1, 1, 2}, BATTEN_NOT_INCREASING, "break 2 is -1, not above break 1, which is 0"},
+        {{0, 1, 2, 2}, BATTEN_NOT_INCREASING, "break 4 is 2, not above break 3, which is 2"},
+        {{NAN, 1, 2, 2}, BATTEN_NOT_FINITE, "break 1 is nan"},
+        {{0, 1, 2, INFINITY}, BATTEN_NOT_FINITE, "break 4 is inf"},
+    };
+    static const double points[6] = {0, 1, 2, 3, 4, 5};
+    batten_curve *curve = NULL;
+    for (int i = 0; i < COUNT(rows); i++) {
+        CHECK_STATUS(batten_curve_from_bezier(1, (batten_pieces){1, 3, rows[i].breaks}, points,
+                                              NULL, &curve),
+                     rows[i].status);
+        CHECK_MESSAGE(rows[i].words);
+    }
+    CHECK_STATUS(batten_curve_from_bezier(1, (batten_pieces){1, 0, rows[0].breaks}, points,
+                                          NULL, &curve),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("0 pieces; at least 1 is needed");
+    CHECK(!curve);
+}

@@ -92,6 +92,18 @@ TEST(three_forms_of_a_circle_have_their_tables)
     }
 }
 
+TEST(an_arc_of_quarters_ends_exactly_on_an_axis)
+{
+    static const double ends[4][2] = {{0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+    for (int k = 0; k < 4; k++) {
+        batten_curve *arc = NULL;
+        CHECK_OK(batten_curve_arc(3, (k + 1) * (acos(-1) / 2), &arc));
+        const double *end = batten_curve_points(arc) + 2 * (batten_curve_point_count(arc) - 1);
+        CHECK(end[0] == 3 * ends[k][0] && end[1] == 3 * ends[k][1]);
+        batten_curve_unref(arc);
+    }
+}
+
 TEST(arcs_refuse_what_is_no_arc)
 {
     batten_curve *none = NULL;

@@ -199,6 +199,51 @@ TEST(S1_counts_beyond_the_limit_are_refused_before_anything_is_read)
     CHECK_STATUS(make(&negative, points, NULL, &surface), BATTEN_TOO_FEW_POINTS);
 }
 
+/* A period in v that is wrong in some way: its knots, how many points it has, what is said. */
+static const struct {
+    int count;
+    double knots[4];
+    batten_status status;
+    const char *words;
+} periods[] = {
+    {0, {0, 1}, BATTEN_TOO_FEW_POINTS, "0 control points in v for degree 2; 1 are needed"},
+    {1, {0, 1}, BATTEN_OK, ""},
+    {3, {0, 1, 2, NAN}, BATTEN_NOT_FINITE, "knot 4 in v is nan"},
+    {3, {0, 1, INFINITY, 3}, BATTEN_NOT_FINITE, "knot 3 in v is inf"},
+    {3,
+     {1.5, 1.5, 1.5, 1.5},
+     BATTEN_BAD_KNOTS,
+     "the period in v is empty: knot 1 is 1.5 and knot 4 is 1.5"},
+    {3, {0, 1, 0.5, 2}, BATTEN_BAD_KNOTS, "knot"},
+    {3, {0, 1, 1.5, 2}, BATTEN_OK, ""},
+};
+
+TEST(periods_that_cannot_be_are_refused_with_their_place)
+{
+    for (int i = 0; i < COUNT(periods); i++) {
+        const batten_axis v = {2, periods[i].count, periods[i].knots, true};
+        batten_surface *surface = NULL;
+        CHECK_STATUS(batten_surface_create(3, &good_u, &v, points, NULL, &surface),
+                     periods[i].status);
+        if (periods[i].status != BATTEN_OK)
+            CHECK_MESSAGE(periods[i].words);
+        CHECK((surface != NULL) == (periods[i].status == BATTEN_OK));
+        batten_surface_unref(surface);
+    }
+}
+
+TEST(K2_too_few_points_are_counted_in_their_direction)
+{
+    const batten_axis short_u = {2, 2, knots_u, false}, short_v = {3, 1, knots_v, false};
+    batten_surface *surface = NULL;
+    CHECK_STATUS(batten_surface_create(3, &short_u, &good_v, points, NULL, &surface),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("2 control points in u for degree 2; 3 are needed");
+    CHECK_STATUS(batten_surface_create(3, &good_u, &short_v, points, NULL, &surface),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("1 control point in v for degree 3; 4 are needed");
+}
+
 TEST(a_periodic_surface_repeats_itself)
 {
     test_random random = test_random_begin(__func__);
