@@ -14,7 +14,7 @@ import sys
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..')
 ROOMS = ('body', 'design', 'fair', 'inspect', 'mesh', 'model', 'numeric', 'picture', 'shape', 'spline')
 THINGS = (r'(?:points?|tangents?|weights?|sections?|curves?|corners?|rows?|edges?|faces?|knots?|spans?|sides?|vertex|'
-          r'vertices|loops?|triangles?|rails?|pieces?|stations?|constraints?|conditions?|unknown|coordinates?|datum|levels?|values?|parameters?|number|places?|cubics?|lines?|layers?)')
+          r'vertices|loops?|triangles?|rails?|pieces?|stations?|constraints?|conditions?|unknown|coordinates?|datum|levels?|values?|parameters?|number|places?|cubics?|lines?|layers?|breaks?|tensions?|equation|radius|lengths?|ends?|inequality)')
 STRING = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 STRINGS = re.compile(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*')
 CONVERSION = re.compile(r'%(?:%|[-+ #0]*(\*|\d+)?(?:\.(\*|\d+))?(?:hh|h|ll|l|z|j|t)?([diouxXeEfgGcsp]))')
@@ -22,7 +22,7 @@ CONVERSION = re.compile(r'%(?:%|[-+ #0]*(\*|\d+)?(?:\.(\*|\d+))?(?:hh|h|ll|l|z|j
 FROM_ONE = {
     ('features/surfaces/coons.c', 'found->slope_corner'), ('features/surfaces/coons.c', 'found->corner'),
     ('features/surfaces/coons.c', 'found->twist_corner'), ('features/through/constrained.c', 'point'),
-    ('shared/through.c', 'argument->items[i].count'), ('affine/exact_span.c', 'k'), ('bent/nonlinear.c', '(int)kind'),
+    ('shared/through.c', 'argument->items[i].count'), ('bent/nonlinear.c', '(int)kind'),
     ('boundary/ribbon.c', '(int)edge'), ('linear/constrained.c', '-of'), ('near/approximate_conditions.c', '(int)o->side'),
     ('boundary/coons_patch.c', 'corner_number(i, j)'), ('boundary/edges_in_order.c', 'number'),
     ('boundary/edges_in_order.c', 'corner'), ('boundary/edges_in_order.c', 'from'), ('boundary/edges_in_order.c', 'to'),

@@ -31,6 +31,8 @@ TEST(roots_come_back_from_the_expanded_product)
     check_all(2, (const double[]){-1, 2}, 2 * DBL_EPSILON);
     check_all(2, (const double[]){1e-150, 1e150}, 2 * DBL_EPSILON);
     check_all(2, (const double[]){1e-9, 1e9}, 4 * DBL_EPSILON);
+    check_all(2, (const double[]){-0.01, 0.01}, 4 * DBL_EPSILON);
+    check_all(3, (const double[]){-3e-5, 1e-5, 2e-5}, 64 * DBL_EPSILON);
     check_all(3, (const double[]){-5, 1e-8, 7e5}, 8 * DBL_EPSILON);
     check_all(4, (const double[]){-1e6, -1, 1, 1e6}, 8 * DBL_EPSILON);
     check_all(4, (const double[]){1, 1.001, 1.002, 1.003}, 1e-6);

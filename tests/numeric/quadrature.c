@@ -101,6 +101,23 @@ TEST(the_first_rule_is_kronrods)
     CHECK_INT(p.calls % 16, 0);
 }
 
+/* Of a step from 0 to 1 the first rule gives the weight K of its nodes behind it, of 2 in all, and
+ * cannot be off by more than K (2 - K), the weighted distances from the mean. */
+TEST(the_error_of_a_step_is_how_much_it_varies)
+{
+    problem p = {5, 0};
+    double value = 7, error = 7;
+    CHECK_STATUS(bat_integrate(integrand, &p, -1, 1, 1e-9, 1, &value, &error),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_NEAR(value, 0.7, 0.1);
+    CHECK_NEAR(error, value * (2 - value), 1e-15);
+    CHECK_INT(p.calls, 16);
+    problem half = {5, 0};
+    CHECK_STATUS(bat_integrate(integrand, &half, 0, 1, 1e-9, 1, &value, &error),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_NEAR(error, 2 * value * (1 - value), 1e-15);
+}
+
 TEST(an_integral_that_does_not_exist_ends_at_its_limit)
 {
     problem p = {6, 0};

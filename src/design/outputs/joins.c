@@ -142,7 +142,7 @@ static batten_status stopped(const bat_check *check, int i, int count)
     if (taken != BATTEN_OK)
         return taken;
     if (job.is_cancelled && job.is_cancelled(job.user))
-        return bat_fail(BATTEN_CANCELLED, "cancelled at end %d of %d", i, count);
+        return bat_fail(BATTEN_CANCELLED, "cancelled at end %d of %d", i + 1, count);
     return BATTEN_OK;
 }
 

@@ -53,7 +53,7 @@ batten_status bat_exact_span_read(bat_wholes *pool, int dimension, int degree,
             return bat_fail(BATTEN_INCOMPLETE,
                             "coordinates %d have %d binary places, which is more than the %d "
                             "that are counted with",
-                            k, high - low, BAT_SPAN_BITS);
+                            k + 1, high - low, BAT_SPAN_BITS);
         span.shift[k] = low <= high ? -low : 0;
         span.at[k] = powers_of(pool, degree, dimension, points + k, span.shift[k]);
         span.degree = bat_max_int(span.degree, span.at[k].degree);

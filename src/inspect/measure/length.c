@@ -224,13 +224,13 @@ static batten_status check_lengths(int count, const double *s, double whole, dou
 {
     for (int i = 0; i < count; i++) {
         if (!isfinite(s[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "length %d is %g", i, s[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "length %d is %g", i + 1, s[i]);
         if (i > 0 && s[i] < s[i - 1])
-            return bat_fail(BATTEN_NOT_INCREASING, "length %d is %g, below %g before it", i,
+            return bat_fail(BATTEN_NOT_INCREASING, "length %d is %g, below %g before it", i + 1,
                             s[i], s[i - 1]);
         if (s[i] < -tolerance || s[i] > whole + tolerance)
             return bat_fail(BATTEN_OUT_OF_DOMAIN, "length %d is %g, but the curve is %g long",
-                            i, s[i], whole);
+                            i + 1, s[i], whole);
     }
     return BATTEN_OK;
 }

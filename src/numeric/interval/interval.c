@@ -57,7 +57,7 @@ static bool meets(bat_interval a, double phase)
 
 bat_interval bat_interval_sin(bat_interval a)
 {
-    if (!bat_interval_is_finite(a) || a.hi - a.lo >= 2 * BAT_PI)
+    if (!(a.hi - a.lo < 2 * BAT_PI))
         return (bat_interval){-1, 1};
     if (a.lo == 0 && a.hi == 0)
         return a;
@@ -69,7 +69,7 @@ bat_interval bat_interval_sin(bat_interval a)
 
 bat_interval bat_interval_cos(bat_interval a)
 {
-    if (!bat_interval_is_finite(a) || a.hi - a.lo >= 2 * BAT_PI)
+    if (!(a.hi - a.lo < 2 * BAT_PI))
         return (bat_interval){-1, 1};
     const double first = bat_cos(a.lo), last = bat_cos(a.hi);
     const double lo = meets(a, BAT_PI) ? -1 : well_below(bat_min(first, last));

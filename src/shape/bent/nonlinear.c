@@ -50,9 +50,9 @@ static batten_status check_tensions(const batten_chain_nonlinear_options *option
 {
     for (int j = 0; options->tensions && j < spans; j++) {
         if (!isfinite(options->tensions[j]))
-            return bat_fail(BATTEN_NOT_FINITE, "tension %d is %g", j, options->tensions[j]);
+            return bat_fail(BATTEN_NOT_FINITE, "tension %d is %g", j + 1, options->tensions[j]);
         if (options->tensions[j] < 0)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "tension %d is %g, below 0", j,
+            return bat_fail(BATTEN_BAD_ARGUMENT, "tension %d is %g, below 0", j + 1,
                             options->tensions[j]);
     }
     return BATTEN_OK;

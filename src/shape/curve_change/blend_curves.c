@@ -138,10 +138,10 @@ static batten_status check_blend(const batten_curve *first, const batten_curve *
     for (int k = 0; k < 2; k++) {
         if (ends[k].continuity < 0 || ends[k].continuity > 3)
             return bat_fail(BATTEN_BAD_ARGUMENT, "continuity G%d at end %d, not G0 to G3",
-                            ends[k].continuity, k);
+                            ends[k].continuity, k + 1);
         if (!(ends[k].bulge > 0 && isfinite(ends[k].bulge)))
-            return bat_fail(BATTEN_BAD_ARGUMENT, "the bulge at end %d is %g, not above 0", k,
-                            ends[k].bulge);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "the bulge at end %d is %g, not above 0",
+                            k + 1, ends[k].bulge);
     }
     return BATTEN_OK;
 }

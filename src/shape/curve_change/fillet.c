@@ -260,7 +260,7 @@ static batten_status check_radii(int count, const double *radii, int corners)
                         bat_plural(corners));
     for (int i = 0; i < count; i++)
         if (!(radii[i] >= 0 && isfinite(radii[i])))
-            return bat_fail(BATTEN_BAD_ARGUMENT, "radius %d is %g, below 0", i, radii[i]);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "radius %d is %g, below 0", i + 1, radii[i]);
     return BATTEN_OK;
 }
 

@@ -42,7 +42,7 @@ static batten_status find_band(const bat_request *r, bat_operator *op)
             return bat_fail(
                 BATTEN_SINGULAR_SYSTEM,
                 "parameter %.17g of equation %d lies outside its knots, %.17g to %.17g",
-                r->parameters[op->rows[i].index], i, op->knots[i], op->knots[i + p + 1]);
+                r->parameters[op->rows[i].index], i + 1, op->knots[i], op->knots[i + p + 1]);
         op->lower = bat_max_int(op->lower, i - at.first);
         op->upper = bat_max_int(op->upper, at.last - i);
     }

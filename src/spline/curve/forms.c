@@ -17,8 +17,8 @@ batten_status bat_breaks_check(int piece_count, const double *breaks)
             return bat_fail(BATTEN_NOT_FINITE, "break %d is %g", i + 1, breaks[i]);
         if (i > 0 && breaks[i] <= breaks[i - 1])
             return bat_fail(BATTEN_NOT_INCREASING,
-                            "break %d is %.17g, not above break %d, which is %.17g", i + 1,
-                            breaks[i], i, breaks[i - 1]);
+                            "break %d is %.17g, not above %.17g before it", i + 1, breaks[i],
+                            breaks[i - 1]);
     }
     return BATTEN_OK;
 }

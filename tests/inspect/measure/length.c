@@ -159,7 +159,9 @@ TEST(lengths_outside_the_curve_or_out_of_order_are_refused)
     CHECK_OK(shape_ellipse(1, 1, 0, 0, &circle));
     CHECK_STATUS(batten_curve_at_length(circle, 2, beyond, 1e-9, u), BATTEN_OUT_OF_DOMAIN);
     CHECK_STATUS(batten_curve_at_length(circle, 2, backwards, 1e-9, u), BATTEN_NOT_INCREASING);
+    CHECK_MESSAGE("length 2 is ");
     CHECK_STATUS(batten_curve_at_length(circle, 1, bad, 1e-9, u), BATTEN_NOT_FINITE);
+    CHECK_MESSAGE("length 1 is ");
     CHECK_STATUS(batten_curve_length_between(circle, 0.7, 0.2, 1e-9, NULL, &length),
                  BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_length_between(circle, 0.7, 2, 1e-9, NULL, &length),
@@ -167,9 +169,9 @@ TEST(lengths_outside_the_curve_or_out_of_order_are_refused)
     CHECK_NEAR(u[0], 9, 0);
     const double before[2] = {-1, 0.5}, far[2] = {0.5, 6.4};
     CHECK_STATUS(batten_curve_at_length(circle, 2, before, 1e-9, u), BATTEN_OUT_OF_DOMAIN);
-    CHECK_MESSAGE("length 0 is -1");
+    CHECK_MESSAGE("length 1 is -1");
     CHECK_STATUS(batten_curve_at_length(circle, 2, far, 1e-9, u), BATTEN_OUT_OF_DOMAIN);
-    CHECK_MESSAGE("length 1 is 6.4");
+    CHECK_MESSAGE("length 2 is 6.4, but the curve is 6.28319 long");
     CHECK_NEAR(u[0], 9, 0);
     /* Within the tolerance an end is meant. */
     const double nearly[2] = {-0.9e-3, 2 * acos(-1) + 0.9e-3}, off[1] = {-1.1e-3};

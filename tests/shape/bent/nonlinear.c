@@ -365,6 +365,31 @@ TEST(local_splines_without_tension_are_local_cubics)
         CHECK_BITS(tension[i], cubic[i]);
 }
 
+TEST(tensions_that_cannot_be_are_named_from_1)
+{
+    enum { N = 5 };
+    static const struct {
+        double tensions[N - 1];
+        batten_status status;
+        const char *words;
+    } rows[] = {{{0, 1, NAN, -1}, BATTEN_NOT_FINITE, "tension 3 is nan"},
+                {{-0.5, 1, 1, 1}, BATTEN_BAD_ARGUMENT, "tension 1 is -0.5, below 0"},
+                {{0, 1, 2, -3}, BATTEN_BAD_ARGUMENT, "tension 4 is -3, below 0"}};
+    double points[2 * N];
+    wave(N, points);
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
+    options.family = BATTEN_FAMILY_LOCAL_TENSION;
+    batten_chain *chain = NULL;
+    for (int i = 0; i < COUNT(rows); i++) {
+        options.tensions = rows[i].tensions;
+        CHECK_STATUS(batten_chain_nonlinear((batten_points){2, N, points}, &options, NULL, NULL,
+                                            NULL, &chain),
+                     rows[i].status);
+        CHECK_MESSAGE(rows[i].words);
+    }
+    CHECK(!chain);
+}
+
 TEST(local_splines_in_much_tension_are_the_polygon)
 {
     enum { N = 6 };

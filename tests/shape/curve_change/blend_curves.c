@@ -152,14 +152,29 @@ TEST(N1_G4_blends_that_cannot_be_are_refused)
     CHECK_OK(batten_curve_line(3, p + 2, p + 7, &space));
     CHECK_OK(batten_curve_line(1, one, one + 1, &function));
     const batten_blend_end g1 = {at_end, 1, 1}, g4 = {at_end, 4, 1}, flat = {at_end, 1, 0},
-                           nan = {at_end, 1, NAN}, g0 = {at_end, 0, 1},
+                           nan = {at_end, 1, NAN}, below = {at_end, -1, 1}, g0 = {at_end, 0, 1},
                            start = {at_start, 0, 1};
     CHECK_STATUS(batten_curves_blend(still, &g1, line, &g1, NULL, &out), BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("the first curve stands still at its end, where G1 is asked");
+    CHECK_STATUS(batten_curves_blend(line, &g1, still, &g1, NULL, &out), BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("the second curve stands still at its end, where G1 is asked");
     CHECK_STATUS(batten_curves_blend(still, &g0, line, &start, NULL, &out), BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_curves_blend(line, &g4, line, &g1, NULL, &out), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curves_blend(line, &g1, line, &flat, NULL, &out), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curves_blend(line, &nan, line, &g1, NULL, &out), BATTEN_BAD_ARGUMENT);
+    const struct {
+        const batten_blend_end *first, *second;
+        const char *words;
+    } bad[] = {
+        {&g4, &g1, "continuity G4 at end 1, not G0 to G3"},
+        {&g1, &below, "continuity G-1 at end 2, not G0 to G3"},
+        {&g1, &flat, "the bulge at end 2 is 0, not above 0"},
+        {&nan, &g1, "the bulge at end 1 is nan, not above 0"},
+    };
+    for (int i = 0; i < COUNT(bad); i++) {
+        CHECK_STATUS(batten_curves_blend(line, bad[i].first, line, bad[i].second, NULL, &out),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(bad[i].words);
+    }
     CHECK_STATUS(batten_curves_blend(line, &g1, space, &g1, NULL, &out), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("the curves have 2 and 3 dimensions");
     CHECK_STATUS(batten_curves_blend(function, &g1, function, &g1, NULL, &out),
                  BATTEN_UNSUPPORTED);
     CHECK(out == NULL);

@@ -293,6 +293,19 @@ TEST(N1_N6_radii_and_curves_that_make_no_fillet_are_refused)
                      BATTEN_BAD_ARGUMENT);
         CHECK_STATUS(batten_curve_fillet(a, 1, &r, bad[i], NULL, &out), BATTEN_BAD_ARGUMENT);
     }
+    const double radii[3][2] = {{1, -2}, {NAN, 1}, {1, INFINITY}};
+    batten_curve *bent = NULL;
+    CHECK_OK(batten_curve_polyline((batten_points){2, 4, (double[]){0, 0, 9, 0, 9, 9, 0, 9}},
+                                   &bent));
+    for (int i = 0; i < 3; i++) {
+        CHECK_STATUS(batten_curve_fillet(bent, 2, radii[i], 1e-9, NULL, &out),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(i == 1 ? "radius 1 is nan"
+                      : i    ? "radius 2 is inf"
+                             : "radius 2 is -2, below 0");
+    }
+    CHECK(!out);
+    batten_curve_unref(bent);
     batten_curve_unref(function);
     batten_curve_unref(flat);
     batten_curve_unref(b);

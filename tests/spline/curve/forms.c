@@ -203,9 +203,9 @@ TEST(breaks_that_do_not_rise_are_named_from_1)
         batten_status status;
         const char *words;
     } rows[] = {
-        {{0, 1, 1, 2}, BATTEN_NOT_INCREASING, "break 3 is 1, not above break 2, which is 1"},
-        {{0, -1, 1, 2}, BATTEN_NOT_INCREASING, "break 2 is -1, not above break 1, which is 0"},
-        {{0, 1, 2, 2}, BATTEN_NOT_INCREASING, "break 4 is 2, not above break 3, which is 2"},
+        {{0, 1, 1, 2}, BATTEN_NOT_INCREASING, "break 3 is 1, not above 1 before it"},
+        {{0, -1, 1, 2}, BATTEN_NOT_INCREASING, "break 2 is -1, not above 0 before it"},
+        {{0, 1, 2, 2}, BATTEN_NOT_INCREASING, "break 4 is 2, not above 2 before it"},
         {{NAN, 1, 2, 2}, BATTEN_NOT_FINITE, "break 1 is nan"},
         {{0, 1, 2, INFINITY}, BATTEN_NOT_FINITE, "break 4 is inf"},
     };
