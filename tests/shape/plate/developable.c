@@ -321,3 +321,79 @@ TEST(huge_and_tiny_plates_are_alike)
         drop(a, b);
     }
 }
+
+TEST(tolerances_and_warps_out_of_bounds_are_refused_with_their_number)
+{
+    const struct {
+        double tolerance, warp;
+        const char *message;
+    } rows[] = {{0, 0.1, "the tolerance is 0, not above 0"},
+                {-2, 0.1, "the tolerance is -2, not above 0"},
+                {HUGE_VAL, 0.1, "the tolerance is inf, not above 0"},
+                {1e-4, 0, "the warp is 0; it must be above 0 and below a right angle"},
+                {1e-4, 1.6, "the warp is 1.6; it must be above 0 and below a right angle"},
+                {1e-4, NAN, "the warp is nan; it must be above 0 and below a right angle"}};
+    batten_curve *a = space_cubic(0, 0, 0), *b = space_cubic(0, 0, 1);
+    batten_developable made = {.count = 7};
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_surface_developable_options options = batten_surface_developable_defaults();
+        options.tolerance = rows[i].tolerance;
+        options.warp = rows[i].warp;
+        CHECK_STATUS(batten_surface_developable(a, b, &options, &made), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(rows[i].message);
+        CHECK(made.count == 7 && !made.surface);
+    }
+    drop(a, b);
+}
+
+/* From (x, 0, 0) to (x, 1, c x): the normals at the ends are (0, -c x, 1) and (-c, -c x, 1), so the
+ * tangent of the angle between them is c / sqrt(1 + c^2 x^2), which is largest at x = 0. */
+TEST(the_rulings_of_matching_parameters_have_them_and_the_warp_of_their_lines)
+{
+    const double first[6] = {0, 0, 0, 1, 0, 0}, second[6] = {0, 1, 0, 1, 1, 0.5};
+    batten_curve *a = line(first), *b = line(second);
+    batten_developable made = {0};
+    batten_surface_developable_options options = batten_surface_developable_defaults();
+    options.keep_matching = true;
+    options.warp = 0.47; /* the warp is atan(0.5) = 0.4636 */
+    const batten_interval s = batten_curve_domain(a), t = batten_curve_domain(b);
+    CHECK_OK(batten_surface_developable(a, b, &options, &made));
+    CHECK_INT(made.count, 65);
+    for (int i = 0; i < made.count; i++) {
+        const double x = i / 64.0;
+        CHECK_NEAR(made.rulings[i].u, x, 0);
+        CHECK_NEAR(made.rulings[i].s, s.a + x * (s.b - s.a), 1e-15);
+        CHECK_NEAR(made.rulings[i].t, t.a + x * (t.b - t.a), 1e-15);
+        CHECK_NEAR(made.rulings[i].warp, atan(0.5 / sqrt(1 + 0.25 * x * x)), 1e-14);
+    }
+    CHECK(made.is_developable && !made.has_regression && made.error == 0);
+    CHECK(!made.cone[0] && !made.cone[1]);
+    CHECK_NEAR(made.warp, atan(0.5), 1e-14);
+    batten_developable_release(&made);
+    CHECK(!made.surface && !made.rulings && made.count == 0);
+    drop(a, b);
+}
+
+/* Along (0, 0) to (3, 0) from the origin to (x, y): det((3, 0, 0), D, P). */
+TEST(the_condition_is_a_determinant_also_in_the_plane_and_has_no_warp_without_planes)
+{
+    const double first[6] = {0, 0, 0, 3, 0, 0}, second[6] = {1, 2, 5, 1, 6, 2};
+    const double ahead[6] = {5, 0, 0, 6, 1, 0};
+    batten_curve *a = line(first), *b = line(second), *c = line(ahead), *flat = NULL;
+    double condition = 7, warp = 7;
+    CHECK_OK(batten_curve_line(2, first, first + 3, &flat));
+    const double s = batten_curve_domain(a).a, t = batten_curve_domain(b).a;
+    const double speeds =
+        (batten_curve_domain(a).b - s) * (batten_curve_domain(b).b - t); /* of the parameters */
+    CHECK_OK(batten_ruling_condition(a, s, b, t, &condition, &warp));
+    CHECK_NEAR(condition * speeds, 3 * (4 * 5 + 3 * 2),
+               1e-13); /* (3,0,0) x (0,4,-3) . (1,2,5) */
+    CHECK_OK(batten_ruling_condition(a, s, c, batten_curve_domain(c).a, &condition, &warp));
+    CHECK(condition == 0 && isnan(warp)); /* the line runs along the first */
+    CHECK_OK(batten_ruling_condition(flat, s, b, t, &condition, &warp));
+    CHECK_NEAR(condition * speeds, 3 * (4 * 5 + 3 * 2), 1e-13);
+    CHECK_STATUS(batten_ruling_condition(a, s - 1, b, t, &condition, &warp),
+                 BATTEN_OUT_OF_DOMAIN);
+    drop(a, b);
+    drop(c, flat);
+}

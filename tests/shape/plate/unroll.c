@@ -244,3 +244,105 @@ TEST(what_rounding_does_not_allow_is_refused_with_what_was_reached)
     batten_curve_unref(second);
     batten_surface_unref(warped);
 }
+
+static batten_surface *ruled_between(const double *first, const double *second)
+{
+    batten_curve *a = NULL, *b = NULL;
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_curve_line(3, first, first + 3, &a));
+    CHECK_OK(batten_curve_line(3, second, second + 3, &b));
+    CHECK_OK(batten_surface_ruled(a, b, &surface));
+    batten_curve_unref(a);
+    batten_curve_unref(b);
+    return surface;
+}
+
+/* From the common point of two edges of lengths 4 and 5 at 90 degrees, or to it. */
+TEST(a_triangle_unrolls_to_itself_from_either_end)
+{
+    for (int reversed = 0; reversed < 2; reversed++) {
+        const double there[2][6] = {{0, 0, 0, 4, 0, 0}, {0, 0, 0, 0, 3, 4}};
+        const double back[2][6] = {{4, 0, 0, 0, 0, 0}, {0, 3, 4, 0, 0, 0}};
+        batten_surface *triangle =
+            reversed ? ruled_between(back[0], back[1]) : ruled_between(there[0], there[1]);
+        batten_surface_unroll_options options = within(1e-6);
+        batten_unrolled flat = {0};
+        options.straight = BATTEN_STRAIGHT_V;
+        CHECK_OK(batten_surface_unroll(triangle, &options, &flat));
+        CHECK_NEAR(flat.area[0], 10, 1e-9);
+        CHECK_NEAR(flat.area[1], 10, 1e-9);
+        CHECK_NEAR(flat.length_first[0], 4, 1e-12);
+        CHECK_NEAR(flat.length_first[1], 4, 1e-12);
+        CHECK_NEAR(flat.length_second[0], 5, 1e-12);
+        CHECK_NEAR(flat.length_second[1], 5, 1e-12);
+        CHECK_NEAR(flat.turn, 0, 1e-12); /* all rulings are parallel */
+        CHECK(flat.strain < 1e-12 && flat.strain_rms < 1e-12 && flat.diagonal[0] < 1e-12);
+        CHECK(flat.bow < 1e-15 && flat.error < 1e-6);
+        const double *p = flat.points, *q = p + 4 * (flat.count - 1);
+        const double *tip = reversed ? q : p, *base = reversed ? p : q;
+        CHECK_NEAR(hypot(tip[2] - tip[0], tip[3] - tip[1]), 0, 1e-12);
+        CHECK_NEAR(hypot(base[2] - base[0], base[3] - base[1]), sqrt(41), 1e-12);
+        CHECK(p[0] == 0 && p[1] == 0 && (reversed ? p[2] < 1e-12 && p[3] > 6 : true));
+        batten_unrolled_release(&flat);
+        CHECK(!flat.surface && !flat.u && flat.count == 0);
+        batten_surface_unref(triangle);
+    }
+}
+
+TEST(rulings_without_a_tangent_plane_are_refused_with_the_reason)
+{
+    const double a[6] = {0, 0, 0, 0, 1, 0}, b[6] = {0, 3, 0, 0, 5, 0};
+    batten_surface *line = ruled_between(a, b);
+    batten_surface_unroll_options options = within(1e-6);
+    batten_unrolled flat = {0};
+    options.straight = BATTEN_STRAIGHT_V;
+    CHECK_STATUS(batten_surface_unroll(line, &options, &flat), BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("the surface cannot be laid flat at 0: it has no tangent plane midway along "
+                  "its ruling");
+    batten_surface_unref(line);
+}
+
+TEST(surfaces_of_one_coordinate_and_tolerances_of_nothing_are_refused)
+{
+    const double knots[4] = {0, 0, 1, 1}, z[4] = {0, 1, 2, 4};
+    const batten_axis axis = {1, 2, knots, false};
+    const double tolerances[3] = {0, -1, HUGE_VAL};
+    batten_surface *function = NULL;
+    batten_unrolled flat = {0};
+    CHECK_OK(batten_surface_create(1, &axis, &axis, z, NULL, &function));
+    CHECK_STATUS(batten_surface_unroll(function, NULL, &flat), BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("surfaces of dimension 1 are not laid flat");
+    for (int i = 0; i < 3; i++) {
+        const batten_surface_unroll_options options = within(tolerances[i]);
+        CHECK_STATUS(batten_surface_unroll(function, &options, &flat), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("not above 0");
+    }
+    batten_surface_unref(function);
+}
+
+/* On a cylinder of radius 2 the mark at (u, v) lies at the arc length and the height. */
+TEST(marks_of_a_cylinder_lie_at_arc_length_and_height)
+{
+    const batten_frame world = batten_frame_world();
+    batten_surface *cylinder = NULL;
+    batten_unrolled flat = {0};
+    const batten_surface_unroll_options options = within(1e-9);
+    CHECK_OK(batten_surface_cylinder(&world, 2, 5, &cylinder));
+    CHECK_OK(batten_surface_unroll(cylinder, &options, &flat));
+    const batten_interval u = batten_surface_domain(flat.surface, BATTEN_U);
+    const batten_interval v = batten_surface_domain(flat.surface, BATTEN_V);
+    for (int i = 0; i <= 4; i++)
+        for (int j = 0; j <= 2; j++) {
+            const double at[2] = {u.a + i / 4.0 * (u.b - u.a), v.a + j / 2.0 * (v.b - v.a)};
+            batten_vec2 mark;
+            CHECK_OK(batten_unrolled_at(&flat, at[0], at[1], &mark));
+            CHECK_NEAR(fabs(mark.x), i * pi, 1e-8);
+            CHECK_NEAR(mark.y, 2.5 * j, 1e-8);
+        }
+    batten_vec2 mark = {7, 8};
+    CHECK_STATUS(batten_unrolled_at(&flat, u.a, v.b + 1, &mark), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_unrolled_at(&flat, u.b + 1, v.a, &mark), BATTEN_OUT_OF_DOMAIN);
+    CHECK(mark.x == 7 && mark.y == 8);
+    batten_unrolled_release(&flat);
+    batten_surface_unref(cylinder);
+}
