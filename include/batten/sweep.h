@@ -56,8 +56,8 @@ typedef struct batten_surface_swung_report {
  * @param trajectory  in space with z = 0, or in the plane
  * @param factor  above 0
  * @param[out] report  what was reached; may be NULL
- * @return BATTEN_OK; NOT_COMPATIBLE for a curve that leaves its plane by more than 1e-12 of its
- * size, naming its control point; COINCIDENT for a curve that is a point, or when all swings
+ * @return BATTEN_OK; NOT_COMPATIBLE for a function, and for a curve that leaves its plane by more
+ * than 1e-12 of its size, naming its control point; COINCIDENT for a curve that is a point, or when all swings
  * within one line; BAD_ARGUMENT, NOT_FINITE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
  *
  * Cost: linear in the control points of the result: the product of those of both.

@@ -156,12 +156,17 @@ batten_status batten_surface_translational(const batten_curve *curve, const batt
 
 /* ---- swung ---- */
 
-/* Does coordinate `axis` vanish all along? */
-static batten_status check_plane(const batten_curve *curve, int axis, const char *name)
+static batten_status check_dimension(const batten_curve *curve, const char *name)
 {
     if (curve->dimension < 2)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the %s has %d coordinate, and needs 2", name,
                         curve->dimension);
+    return BATTEN_OK;
+}
+
+/* Does coordinate `axis` of a curve in space vanish all along? */
+static batten_status check_plane(const batten_curve *curve, int axis, const char *name)
+{
     const double size = bat_largest(3 * curve->count, curve->points);
     for (int i = 0; i < curve->count; i++)
         if (fabs(curve->points[3 * i + axis]) > BAT_ROUNDING * size)
@@ -254,7 +259,11 @@ batten_status batten_surface_swung(const batten_curve *profile, const batten_cur
     if (factor <= 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the factor is %g, not above 0", factor);
     batten_curve *raised = NULL, *level = NULL;
-    batten_status status = to_profile(profile, &raised);
+    batten_status status = check_dimension(profile, "profile");
+    if (status == BATTEN_OK)
+        status = check_dimension(trajectory, "trajectory");
+    if (status == BATTEN_OK)
+        status = to_profile(profile, &raised);
     if (status == BATTEN_OK)
         status = batten_curve_to_dimension(trajectory, 3, &level);
     if (status == BATTEN_OK)

@@ -115,3 +115,33 @@ TEST(a_smooth_pole_of_rational_sections_has_no_crease)
         unref_all(smooth_bodies[i].count, sections);
     }
 }
+
+TEST(smooth_poles_need_an_odd_degree_and_a_plane)
+{
+    static const double knots[] = {0, 0, 1, 1}, still[6] = {0, 0, 2, 0, 0, 2};
+    const double a[] = {-1, 0, 1}, b[] = {1, 0, 1}, c[] = {-1, 0, 0}, d[] = {1, 0, 0};
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_curve *low = circle_at(1, 0), *high = circle_at(0.8, 1), *tip = NULL;
+    batten_curve *lines[2] = {NULL, NULL};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_curve_create((batten_points){3, 2, still}, 1, NULL, knots, &tip));
+    CHECK_OK(batten_curve_line(3, c, d, &lines[0]));
+    CHECK_OK(batten_curve_line(3, a, b, &lines[1]));
+    const batten_curve *round[] = {low, high, tip}, *straight[] = {lines[0], lines[1], tip};
+    options.smooth_poles = true;
+    options.degree = 2;
+    CHECK_STATUS(
+        batten_surface_skin((batten_curve_row){3, round}, &options, NULL, NULL, NULL, &surface),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("a smooth pole needs an odd degree, and it is 2");
+    options.degree = 3;
+    CHECK_STATUS(batten_surface_skin((batten_curve_row){3, straight}, &options, NULL, NULL,
+                                     NULL, &surface),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("section 2, next to the smooth pole, is straight and has no plane");
+    batten_curve_unref(lines[0]);
+    batten_curve_unref(lines[1]);
+    batten_curve_unref(low);
+    batten_curve_unref(high);
+    batten_curve_unref(tip);
+}

@@ -240,3 +240,81 @@ TEST(S5_too_many_rows_or_points_are_refused_before_the_work)
                  BATTEN_TOO_LARGE);
     CHECK(surface == NULL);
 }
+
+/* Two rows of a bilinear surface: the given parameters come back as shares of their range, and
+ * the points lie there. */
+TEST(rows_keep_the_parameters_that_are_given)
+{
+    const int counts[] = {3, 4};
+    const double points[] = {0, 0, 0, 1, 0, 0, 4, 0, 0, 0, 2, 0, 1, 2, 0, 3, 2, 0, 4, 2, 0};
+    const double given[] = {2, 3, 6, 0, 0.25, 0.75, 1};
+    const double expected[] = {0, 0.25, 1, 0, 0.25, 0.75, 1};
+    double u[7], v[2];
+    batten_surface_skin_rows_options options = batten_surface_skin_rows_defaults();
+    batten_surface_skin_options across = batten_surface_skin_defaults();
+    batten_surface_skin_rows_report report;
+    batten_surface *surface = NULL;
+    across.degree = 1;
+    options.degree = 1;
+    options.parameters = BATTEN_GIVEN;
+    options.given = given;
+    options.across = &across;
+    CHECK_OK(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, &options, NULL,
+                                      (batten_uv_out){u, v}, &report, &surface));
+    for (int i = 0; i < 7; i++)
+        CHECK_NEAR(u[i], expected[i], 1e-16);
+    CHECK(v[0] == 0 && v[1] == 1);
+    for (int i = 0; i <= 8; i++) {
+        double p[3];
+        CHECK_OK(batten_surface_evaluate(surface, i / 8.0, 0.5, 0, p));
+        CHECK_NEAR(p[0], i / 2.0, 1e-14);
+        CHECK_NEAR(p[1], 1, 1e-14);
+    }
+    CHECK_INT(report.separate_knot_count, 3); /* 1 and 2 of rows of degree 1 */
+    CHECK_INT(report.knot_count, 2);
+    CHECK_INT(report.free_rows, 1);
+    CHECK(report.error < 1e-14);
+    batten_surface_unref(surface);
+}
+
+TEST(options_of_rows_out_of_bounds_are_named_with_their_numbers)
+{
+    const int counts[] = {2, 2};
+    const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, falling[] = {0, 1, 1, 0};
+    const double starts[] = {0, 0};
+    batten_surface_skin_rows_options bad[8];
+    batten_surface_skin_options across[2];
+    static const char *const messages[COUNT(bad)] = {
+        "the degree along the rows is 0, not 1 to ",
+        "the degree along the rows is ",
+        "the margin of knots is -0.1, not 0 to 0.5",
+        "the margin of knots is 0.5, not 0 to 0.5",
+        "no parameters of the points are given",
+        "row 2: ",
+        "rows of points have no spine, no starts, no tolerance, and are not matched",
+        "rows of points have no spine, no starts, no tolerance, and are not matched"};
+    batten_surface *surface = NULL;
+    for (int i = 0; i < COUNT(bad); i++)
+        bad[i] = batten_surface_skin_rows_defaults();
+    across[0] = across[1] = batten_surface_skin_defaults();
+    across[0].tolerance = 1e-3;
+    across[1].starts = starts;
+    bad[0].degree = 0;
+    bad[1].degree = BATTEN_MAX_DEGREE + 1;
+    bad[2].margin = -0.1;
+    bad[3].margin = 0.5;
+    bad[4].parameters = bad[5].parameters = BATTEN_GIVEN;
+    bad[5].given = falling;
+    bad[6].across = &across[0];
+    bad[7].across = &across[1];
+    for (int i = 0; i < COUNT(bad); i++) {
+        CHECK_STATUS(batten_surface_skin_rows((batten_rows){3, 2, counts, points}, &bad[i],
+                                              NULL, (batten_uv_out){NULL, NULL}, NULL,
+                                              &surface),
+                     i < 2    ? BATTEN_BAD_DEGREE
+                     : i == 5 ? BATTEN_NOT_INCREASING
+                              : BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(messages[i]);
+    }
+    CHECK(!surface);
+}

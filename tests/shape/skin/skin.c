@@ -482,3 +482,55 @@ TEST(sections_with_rounded_parameters_are_skinned)
     batten_surface_unref(surface);
     unref_all(3, sections);
 }
+
+static const struct {
+    int count, degree;
+    batten_end start, end;
+    double tolerance;
+    batten_status status;
+    const char *message;
+} refused[] = {
+    {0, 3, .status = BATTEN_TOO_FEW_POINTS,
+     .message = "there are 0 sections, and a skin needs 2"},
+    {1, 3, .status = BATTEN_TOO_FEW_POINTS,
+     .message = "there is 1 section, and a skin needs 2"},
+    {2, 0, .status = BATTEN_BAD_DEGREE,
+     .message = "the degree across the sections is 0, not 1 to"},
+    {2, BATTEN_MAX_DEGREE + 1, .status = BATTEN_BAD_DEGREE,
+     .message = "the degree across the sections is"},
+    {2, 3, .tolerance = NAN, .status = BATTEN_NOT_FINITE, .message = "the tolerance is nan"},
+    {2, 3, .tolerance = -1, .status = BATTEN_BAD_ARGUMENT,
+     .message = "the tolerance is -1, below 0"},
+    {2, 3, .start = {BATTEN_END_CIRCLE, {0}}, .status = BATTEN_BAD_ARGUMENT,
+     .message = "a skin cannot have a circle or a curvature at its start"},
+    {2, 3, .end = {BATTEN_END_CURVATURE, {0}}, .status = BATTEN_BAD_ARGUMENT,
+     .message = "a skin cannot have a circle or a curvature at its end"},
+    {2, 4, .end = {BATTEN_END_NATURAL, {0}}, .status = BATTEN_BAD_ARGUMENT,
+     .message = "conditions at the end need an odd degree, and it is 4"},
+    {2, 3, .start = {BATTEN_END_CLAMPED, {0, 0, NAN}}, .status = BATTEN_NOT_FINITE,
+     .message = "the vector at the start is not finite"},
+    {2, 3, .end = {BATTEN_END_DIRECTION, {0}}, .status = BATTEN_BAD_ARGUMENT,
+     .message = "the direction at the end has no length"},
+};
+
+TEST(options_of_skins_out_of_bounds_are_named_with_their_numbers)
+{
+    const double a[] = {0, 0, 0}, b[] = {1, 0, 0}, c[] = {0, 1, 0}, d[] = {1, 1, 0};
+    batten_curve *sections[2] = {NULL, NULL};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_curve_line(3, a, b, &sections[0]));
+    CHECK_OK(batten_curve_line(3, c, d, &sections[1]));
+    for (int i = 0; i < COUNT(refused); i++) {
+        batten_surface_skin_options options = batten_surface_skin_defaults();
+        options.degree = refused[i].degree;
+        options.start = refused[i].start;
+        options.end = refused[i].end;
+        options.tolerance = refused[i].tolerance;
+        CHECK_STATUS(batten_surface_skin((batten_curve_row){refused[i].count, (curves)sections},
+                                         &options, NULL, NULL, NULL, &surface),
+                     refused[i].status);
+        CHECK_MESSAGE(refused[i].message);
+    }
+    CHECK(!surface);
+    unref_all(2, sections);
+}

@@ -280,3 +280,83 @@ TEST(affine_maps_of_both_curves_make_the_mapped_translational_surface)
     batten_curve_unref(curve);
     batten_curve_unref(flat);
 }
+
+TEST(numbers_that_exact_sweeps_cannot_use_are_named)
+{
+    static const struct {
+        batten_vec3 direction;
+        double from, to;
+        batten_status status;
+        const char *message;
+    } lines[] = {
+        {{0, NAN, 1},
+         0,
+         1,
+         BATTEN_NOT_FINITE,
+         "the lines cannot go along (0, nan, 1) from 0 to 1"},
+        {{0, 2, 1},
+         -INFINITY,
+         1,
+         BATTEN_NOT_FINITE,
+         "the lines cannot go along (0, 2, 1) from -inf to 1"},
+        {{0, 2, 1},
+         3,
+         INFINITY,
+         BATTEN_NOT_FINITE,
+         "the lines cannot go along (0, 2, 1) from 3 to inf"},
+        {{0, 0, 0}, 3, 4, BATTEN_BAD_ARGUMENT, "the direction of the lines has no length"},
+        {{0, 2, 1}, 3, 3, BATTEN_BAD_ARGUMENT, "the lines begin at 3 and end at 3"},
+        {{0, 2, 1}, 3, 2, BATTEN_BAD_ARGUMENT, "the lines begin at 3 and end at 2"},
+    };
+    static const double factors[] = {NAN, INFINITY, 0, -2};
+    static const char *const messages[COUNT(factors)] = {
+        "the factor is nan", "the factor is inf", "the factor is 0, not above 0",
+        "the factor is -2, not above 0"};
+    batten_curve *curve = bow(), *circle = arc(1, 2);
+    batten_surface *none = NULL;
+    for (int i = 0; i < COUNT(lines); i++) {
+        CHECK_STATUS(batten_surface_tabulated(curve, lines[i].direction, lines[i].from,
+                                              lines[i].to, &none),
+                     lines[i].status);
+        CHECK_MESSAGE(lines[i].message);
+    }
+    for (int i = 0; i < COUNT(factors); i++) {
+        CHECK_STATUS(batten_surface_swung(circle, circle, factors[i], NULL, &none),
+                     i < 2 ? BATTEN_NOT_FINITE : BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(messages[i]);
+    }
+    CHECK_STATUS(batten_surface_conical(curve, (batten_vec3){0, INFINITY, 1}, &none),
+                 BATTEN_NOT_FINITE);
+    CHECK_MESSAGE("the apex is (0, inf, 1)");
+    CHECK(!none);
+    batten_curve_unref(circle);
+    batten_curve_unref(curve);
+}
+
+/* A polygon of a profile that passes the axis, and a trajectory that passes the origin by 0.6. */
+TEST(the_report_of_a_swing_says_how_far_its_curves_reach)
+{
+    const double profile_points[6] = {-0.5, 0, 2, 1, 1.25, 3},
+                 path_points[4] = {1, -0.75, 1, 3};
+    const double function[2] = {1, 2}, knots[4] = {0, 0, 1, 1};
+    batten_curve *profile = NULL, *path = NULL, *law = NULL;
+    batten_surface *surface = NULL;
+    batten_surface_swung_report report = {0};
+    CHECK_OK(batten_curve_polyline((batten_points){2, 3, profile_points}, &profile));
+    CHECK_OK(batten_curve_line(2, path_points, path_points + 2, &path));
+    CHECK_OK(batten_surface_swung(profile, path, 1, &report, &surface));
+    CHECK(report.least_x == -0.5 && report.largest_x == 2);
+    CHECK_NEAR(report.least_radius, 1, 1e-3); /* at (1, 0), near one of 65 places */
+    CHECK(report.least_radius >= 1);
+    CHECK_OK(batten_curve_create((batten_points){1, 2, function}, 1, NULL, knots, &law));
+    batten_surface *none = NULL;
+    CHECK_STATUS(batten_surface_swung(law, path, 1, NULL, &none), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("the profile has 1 coordinate, and needs 2");
+    CHECK_STATUS(batten_surface_swung(profile, law, 1, NULL, &none), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("the trajectory has 1 coordinate, and needs 2");
+    CHECK(!none);
+    batten_surface_unref(surface);
+    batten_curve_unref(law);
+    batten_curve_unref(path);
+    batten_curve_unref(profile);
+}

@@ -242,3 +242,63 @@ TEST(N2_rails_of_huge_or_tiny_size_make_the_scaled_surface)
     batten_curve_unref(left);
     batten_curve_unref(section);
 }
+
+static void change_options(int which, batten_surface_two_rails_options *o)
+{
+    static const double tolerances[4] = {NAN, INFINITY, 0, -1};
+    if (which < 4)
+        o->tolerance = tolerances[which];
+    if (which == 4)
+        o->across = (batten_vec3){0, INFINITY, 1};
+    if (which == 5)
+        o->match = BATTEN_RAILS_BY_PLANES;
+    if (which == 6)
+        o->degree = 0;
+}
+
+static const struct {
+    batten_status status;
+    const char *message;
+} refused[] = {
+    {BATTEN_NOT_FINITE, "the tolerance is nan"},
+    {BATTEN_NOT_FINITE, "the tolerance is inf"},
+    {BATTEN_BAD_ARGUMENT, "the tolerance is 0, not above 0"},
+    {BATTEN_BAD_ARGUMENT, "the tolerance is -1, not above 0"},
+    {BATTEN_NOT_FINITE, "the planes are across (0, inf, 1)"},
+    {BATTEN_BAD_ARGUMENT, "the planes have no direction across them"},
+    {BATTEN_BAD_DEGREE, "the degree along the path is 0, not 1 to "},
+};
+
+TEST(options_of_two_rails_that_cannot_be_are_named)
+{
+    batten_curve *section = arch(), *left = through(4, left_points),
+                 *right = through(4, right_points);
+    const batten_curve *const rails[2] = {left, right};
+    batten_surface *none = NULL;
+    for (int i = 0; i < COUNT(refused); i++) {
+        batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
+        change_options(i, &options);
+        CHECK_STATUS(batten_surface_two_rails(section, rails, &options, NULL, NULL, &none),
+                     refused[i].status);
+        CHECK_MESSAGE(refused[i].message);
+    }
+    const double a[3] = {0, 1, 2}, b[3] = {3, 1, 2.5}, ring[4] = {1, 2, 1, 2};
+    batten_curve *leaning = NULL, *point = NULL;
+    CHECK_OK(batten_curve_line(3, a, b, &leaning));
+    CHECK_STATUS(batten_surface_two_rails(leaning, rails, NULL, NULL, NULL, &none),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE(
+        "the section begins at z = 2 and ends at z = 2.5: its chord is laid from rail to "
+        "rail, so it must be drawn in the xy-plane");
+    const double knots[4] = {0, 0, 1, 1};
+    CHECK_OK(batten_curve_create((batten_points){2, 2, ring}, 1, NULL, knots, &point));
+    CHECK_STATUS(batten_surface_two_rails(point, rails, NULL, NULL, NULL, &none),
+                 BATTEN_COINCIDENT);
+    CHECK_MESSAGE("the section begins and ends in the same place, (1, 2)");
+    CHECK(!none);
+    batten_curve_unref(point);
+    batten_curve_unref(leaning);
+    batten_curve_unref(right);
+    batten_curve_unref(left);
+    batten_curve_unref(section);
+}
