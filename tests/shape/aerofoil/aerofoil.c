@@ -202,3 +202,68 @@ TEST(options_out_of_range_are_refused)
         CHECK_MESSAGE(cases[i].message);
     }
 }
+
+static const struct {
+    double chord, edge, thickness, blend;
+    int panels;
+    const char *message;
+} bounds[] = {
+    {INFINITY, -1, 0, 1, 160, "the chord is inf; it must be 0 or more"},
+    {NAN, -1, 0, 1, 160, "the chord is nan; it must be 0 or more"},
+    {0, 0.501, 0, 1, 160, "the trailing edge is 0.501 of the chord; it must be from 0 to 0.5"},
+    {0, -1, -0.1, 1, 160, "the thickness is -0.1 of the chord; it must be from 0 to 1"},
+    {0, -1, NAN, 1, 160, "the thickness is nan of the chord; it must be from 0 to 1"},
+    {0, -1, 0, 1.1, 160, "the blend is 1.1; it must be above 0 and up to 1"},
+    {0, -1, 0, 1, 10002, "the number of panels is 10002; it must be even, from 8 to 10000"},
+};
+
+TEST(both_ends_of_every_bound_are_kept)
+{
+    double points[COUNT_OF_POINTS][2];
+    make_points(0.12, 0, points);
+    for (int i = 0; i < COUNT(bounds); i++) {
+        batten_curve_aerofoil_options options = batten_curve_aerofoil_defaults();
+        batten_curve *curve = NULL;
+        options.chord = bounds[i].chord;
+        options.trailing_edge = bounds[i].edge;
+        options.thickness = bounds[i].thickness;
+        options.blend = bounds[i].blend;
+        options.panels = bounds[i].panels;
+        CHECK_STATUS(
+            batten_curve_aerofoil(points_of(points, COUNT_OF_POINTS), &options, NULL, &curve),
+            BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(bounds[i].message);
+        CHECK(!curve);
+    }
+}
+
+/* Half the thickness grows from `head` by `slope` to the tail, behind a round nose. */
+static const struct {
+    double head, slope;
+    bool reversed, is_round;
+} tails[] = {
+    {0.03, 0.02, false, false}, /* thicker at 0.98 than at 0.02, but less than its edge is */
+    {0.06, -0.05, false, false},
+    {0.06, -0.055, true, true}, /* nose behind */
+};
+
+TEST(a_tail_is_round_when_it_is_thicker_than_the_nose_beside_its_edge)
+{
+    for (int i = 0; i < COUNT(tails); i++) {
+        double points[COUNT_OF_POINTS][2];
+        batten_curve_aerofoil_report report;
+        batten_curve *curve = NULL;
+        for (int k = 0; k < COUNT_OF_POINTS; k++) {
+            const double part = (double)(k - HALF) / HALF, x = part * part;
+            const double from_nose = tails[i].reversed ? 1 - x : x;
+            const double half =
+                sqrt(fmin(1, 50 * from_nose)) * (tails[i].head + tails[i].slope * from_nose);
+            points[k][0] = x;
+            points[k][1] = (k < HALF ? 1 : k > HALF ? -1 : 0) * half;
+        }
+        CHECK_OK(
+            batten_curve_aerofoil(points_of(points, COUNT_OF_POINTS), NULL, &report, &curve));
+        CHECK_INT(report.round_tail, tails[i].is_round);
+        batten_curve_unref(curve);
+    }
+}

@@ -68,3 +68,27 @@ TEST(no_place_of_the_curve_is_farther_from_the_tail_than_the_nose)
     }
     batten_curve_unref(curve);
 }
+
+/* Below the nose hangs a chin that is nearly as far from the tail, above or below. */
+TEST(the_farthest_place_is_the_nose_also_where_another_is_nearly_as_far)
+{
+    static const double section[][2] = {
+        {1, 0.01},   {0.7, 0.08},   {0.4, 0.1},    {0.2, 0.09},   {0.05, 0.05},
+        {0, 0},      {0.06, -0.03}, {0.09, -0.07}, {0.05, -0.12}, {0.04, -0.16},
+        {0.1, -0.2}, {0.3, -0.16},  {0.6, -0.08},  {1, -0.01}};
+    enum { N = COUNT(section) };
+    for (int flipped = 0; flipped < 2; flipped++) {
+        double points[N][2], farthest = 0;
+        batten_curve_aerofoil_report report;
+        batten_curve *curve = NULL;
+        for (int i = 0; i < N; i++) {
+            const double *from = section[flipped ? N - 1 - i : i];
+            points[i][0] = from[0];
+            points[i][1] = flipped ? -from[1] : from[1];
+            farthest = fmax(farthest, hypot(from[0] - 1, from[1]));
+        }
+        CHECK_OK(batten_curve_aerofoil(points_of(points, N), NULL, &report, &curve));
+        CHECK(report.given.chord >= farthest && report.given.chord < 1.01 * farthest);
+        batten_curve_unref(curve);
+    }
+}

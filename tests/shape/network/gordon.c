@@ -637,3 +637,86 @@ TEST(huge_and_tiny_networks_are_the_same_networks)
         network_end(&n);
     }
 }
+
+static const struct {
+    double tolerance, gap;
+    int profiles, guides;
+    batten_status status;
+    const char *message;
+} refused[] = {
+    {NAN, 0, 2, 2, BATTEN_NOT_FINITE, "the tolerance is nan"},
+    {0, 0, 2, 2, BATTEN_BAD_ARGUMENT, "the tolerance is 0, not above 0"},
+    {-1, 0, 2, 2, BATTEN_BAD_ARGUMENT, "the tolerance is -1, not above 0"},
+    {1e-3, INFINITY, 2, 2, BATTEN_NOT_FINITE, "the gap is inf"},
+    {1e-3, -0.5, 2, 2, BATTEN_BAD_ARGUMENT, "the gap is -0.5, below 0"},
+    {1e-3, 0, 0, 2, BATTEN_TOO_FEW_POINTS,
+     "there are 0 profiles and 2 guides; a network has both"},
+    {1e-3, 0, 2, 0, BATTEN_TOO_FEW_POINTS,
+     "there are 2 profiles and 0 guides; a network has both"},
+    {1e-3, 0, 2, 1, BATTEN_TOO_FEW_POINTS,
+     "there is 1 guide; a network whose profiles are open needs 2"},
+    {1e-3, 0, 1, 2, BATTEN_TOO_FEW_POINTS,
+     "there is 1 profile; a network whose guides are open needs 2"},
+};
+
+TEST(what_is_no_network_is_named_with_its_numbers)
+{
+    network n = network_on(shell, 2, 2, 8, 0);
+    batten_surface *surface = NULL;
+    for (int i = 0; i < COUNT(refused); i++) {
+        batten_surface_gordon_options options = within(refused[i].tolerance);
+        options.gap = refused[i].gap;
+        CHECK_STATUS(
+            batten_surface_gordon(
+                (batten_curve_row){refused[i].profiles,
+                                   (const batten_curve *const *)n.curves[0]},
+                (batten_curve_row){refused[i].guides, (const batten_curve *const *)n.curves[1]},
+                &options, NULL, NULL, &surface),
+            refused[i].status);
+        CHECK_MESSAGE(refused[i].message);
+    }
+    CHECK(!surface);
+    network_end(&n);
+}
+
+/* Functions have no place, and curves of one point no size. */
+TEST(functions_and_networks_of_one_point_are_refused)
+{
+    const double values[2] = {1, 2}, still[6] = {1, 2, 3, 1, 2, 3}, knots[4] = {0, 0, 1, 1};
+    batten_curve *function = NULL, *point = NULL;
+    batten_surface *surface = NULL;
+    const batten_surface_gordon_options options = within(1e-3);
+    CHECK_OK(batten_curve_create((batten_points){1, 2, values}, 1, NULL, knots, &function));
+    CHECK_OK(batten_curve_create((batten_points){3, 2, still}, 1, NULL, knots, &point));
+    const batten_curve *profiles[2] = {point, point}, *guides[2] = {point, function};
+    CHECK_STATUS(batten_surface_gordon((batten_curve_row){2, profiles},
+                                       (batten_curve_row){2, guides}, &options, NULL, NULL,
+                                       &surface),
+                 BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("curve 4 of the network is a function");
+    CHECK_STATUS(batten_surface_gordon((batten_curve_row){2, profiles},
+                                       (batten_curve_row){2, profiles}, &options, NULL, NULL,
+                                       &surface),
+                 BATTEN_COINCIDENT);
+    CHECK_MESSAGE("all curves of the network are one point");
+    batten_curve_unref(function);
+    batten_curve_unref(point);
+}
+
+TEST(polynomials_take_twelve_curves_and_no_more)
+{
+    for (int count = 12; count <= 13; count++) {
+        network n = network_on(bicubic, count, 2, 6, 0);
+        batten_surface_gordon_options options = within(1e-3);
+        batten_surface *surface = NULL;
+        options.blend = BATTEN_GORDON_LAGRANGE;
+        if (count == 12) {
+            CHECK_OK(gordon(&n, &options, NULL, &surface));
+        } else {
+            CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_BAD_ARGUMENT);
+            CHECK_MESSAGE("polynomials through 13 curves swing; 12 are the limit");
+        }
+        batten_surface_unref(surface);
+        network_end(&n);
+    }
+}

@@ -91,3 +91,34 @@ TEST(two_networks_in_one_list_are_refused)
     CHECK_MESSAGE("two networks");
     end(4, all);
 }
+
+static const struct {
+    int count;
+    double tolerance;
+    batten_status status;
+    const char *message;
+} refused[] = {
+    {2, NAN, BATTEN_NOT_FINITE, "the tolerance is nan"},
+    {2, 0, BATTEN_BAD_ARGUMENT, "the tolerance is 0, not above 0"},
+    {2, -2, BATTEN_BAD_ARGUMENT, "the tolerance is -2, not above 0"},
+    {1, 1e-3, BATTEN_TOO_FEW_POINTS, "there is 1 curve; a network has 2 or more"},
+    {0, 1e-3, BATTEN_TOO_FEW_POINTS, "there are 0 curves; a network has 2 or more"},
+    {1001, 1e-3, BATTEN_TOO_LARGE,
+     "there are 1001 curves in one list; the limit is 1000: give profiles and guides apart"},
+};
+
+TEST(lists_that_are_no_network_are_named_with_their_numbers)
+{
+    static batten_curve *all[1001];
+    batten_curve *one = line(0, 0, 0, 3, 0, 0);
+    static int family[1001];
+    for (int k = 0; k < COUNT(all); k++)
+        all[k] = one;
+    for (int i = 0; i < COUNT(refused); i++) {
+        CHECK_STATUS(batten_network_split(refused[i].count, (const batten_curve *const *)all,
+                                          refused[i].tolerance, NULL, NULL, family),
+                     refused[i].status);
+        CHECK_MESSAGE(refused[i].message);
+    }
+    batten_curve_unref(one);
+}

@@ -198,3 +198,53 @@ TEST(K7_huge_and_tiny_blends)
         batten_surface_unref(made);
     }
 }
+
+static const struct {
+    int side, edge, continuity;
+    double from, to, bulge;
+    batten_status status;
+    const char *message;
+} refused[] = {
+    {0, 1, 2, NAN, 1, 1, BATTEN_NOT_FINITE, "side 1: from nan to 1, bulge 1"},
+    {1, 1, 2, 0, INFINITY, 1, BATTEN_NOT_FINITE, "side 2: from 0 to inf, bulge 1"},
+    {1, 1, 2, 0, 1, NAN, BATTEN_NOT_FINITE, "side 2: from 0 to 1, bulge nan"},
+    {0, 4, 2, 0, 1, 1, BATTEN_BAD_ARGUMENT,
+     "side 1: edge 4 from 0 to 1, continuity 2, bulge 1: parts"},
+    {1, -1, 2, 0, 1, 1, BATTEN_BAD_ARGUMENT,
+     "side 2: edge -1 from 0 to 1, continuity 2, bulge 1"},
+    {0, 1, 2, -0.1, 1, 1, BATTEN_BAD_ARGUMENT, "side 1: edge 1 from -0.1 to 1, continuity 2"},
+    {0, 1, 2, 0.5, 0.5, 1, BATTEN_BAD_ARGUMENT, "side 1: edge 1 from 0.5 to 0.5, continuity 2"},
+    {1, 1, 2, 0, 1.1, 1, BATTEN_BAD_ARGUMENT, "side 2: edge 1 from 0 to 1.1, continuity 2"},
+    {1, 1, 2, 0, 1, 0, BATTEN_BAD_ARGUMENT, "continuity 2, bulge 0: parts are within 0 and 1"},
+    {0, 1, -1, 0, 1, 1, BATTEN_BAD_ARGUMENT, "continuity -1, bulge 1"},
+    {0, 1, 3, 0, 1, 1, BATTEN_BAD_ARGUMENT, "continuity 3, bulge 1"},
+};
+
+TEST(ends_of_blends_out_of_bounds_are_named_with_their_numbers)
+{
+    const double knots[4] = {0, 0, 1, 1}, z[4] = {0, 1, 2, 3};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *a = make_dome(1, 0), *b = make_dome(1, 2), *function = NULL, *made = NULL;
+    const batten_surface *const pair[2] = {a, b};
+    batten_surface_blend_end ends[2];
+    for (int i = 0; i < COUNT(refused); i++) {
+        set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 2);
+        batten_surface_blend_end *end = &ends[refused[i].side];
+        end->edge = (batten_edge)refused[i].edge;
+        end->continuity = refused[i].continuity;
+        end->from = refused[i].from;
+        end->to = refused[i].to;
+        end->bulge = refused[i].bulge;
+        CHECK_STATUS(batten_surfaces_blend(pair, ends, 1e-6, NULL, &made), refused[i].status);
+        CHECK_MESSAGE(refused[i].message);
+    }
+    set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 2);
+    CHECK_OK(batten_surface_create(1, &axis, &axis, z, NULL, &function));
+    const batten_surface *const flat[2] = {a, function};
+    CHECK_STATUS(batten_surfaces_blend(flat, ends, 1e-6, NULL, &made), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("surface 2 is not in space");
+    CHECK(!made);
+    batten_surface_unref(function);
+    batten_surface_unref(a);
+    batten_surface_unref(b);
+}

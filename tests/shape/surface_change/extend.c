@@ -44,6 +44,17 @@ static void check_old_part(const batten_surface *surface, const batten_surface *
     }
 }
 
+/* The ends of the domain stand at both ends of the knots, degree + 1 times. */
+static void check_clamped(const batten_surface *surface, batten_direction direction)
+{
+    const batten_interval domain = batten_surface_domain(surface, direction);
+    const int p = batten_surface_degree(surface, direction);
+    const int n = batten_surface_point_count(surface, direction);
+    const double *knots = batten_surface_knots(surface, direction);
+    for (int i = 0; i <= p; i++)
+        CHECK(knots[i] == domain.a && knots[n + i] == domain.b);
+}
+
 TEST(every_edge_goes_on_straight_and_naturally)
 {
     const batten_extension kinds[] = {BATTEN_EXTEND_LINE, BATTEN_EXTEND_NATURAL,
@@ -69,6 +80,7 @@ TEST(every_edge_goes_on_straight_and_naturally)
             CHECK(report.error <= 1e-7 && report.curvature < 0.02);
         }
         const batten_direction across = i % 2 ? BATTEN_U : BATTEN_V;
+        check_clamped(longer, across);
         const batten_interval domain = batten_surface_domain(longer, across);
         CHECK(report.to == (edges[i % 4] == BATTEN_EDGE_U0 || edges[i % 4] == BATTEN_EDGE_V0
                                 ? domain.a
@@ -207,4 +219,70 @@ TEST(K7_huge_and_tiny_surfaces_go_on)
         batten_surface_unref(made);
         batten_surface_unref(dome);
     }
+}
+
+static const struct {
+    int edge, kind;
+    double length, tolerance;
+    batten_status status;
+    const char *message;
+} refused[] = {
+    {BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, INFINITY, 1, BATTEN_NOT_FINITE,
+     "an extension by inf within 1"},
+    {BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, 2, NAN, BATTEN_NOT_FINITE,
+     "an extension by 2 within nan"},
+    {BATTEN_EDGE_U0 + 1, BATTEN_EXTEND_LINE, 2, 1, BATTEN_BAD_ARGUMENT,
+     "there is no edge 4 or extension 0"},
+    {-1, BATTEN_EXTEND_LINE, 2, 1, BATTEN_BAD_ARGUMENT, "there is no edge -1 or extension 0"},
+    {BATTEN_EDGE_V1, BATTEN_EXTEND_NATURAL + 1, 2, 1, BATTEN_BAD_ARGUMENT,
+     "there is no edge 2 or extension "},
+    {BATTEN_EDGE_V1, -1, 2, 1, BATTEN_BAD_ARGUMENT, "there is no edge 2 or extension -1"},
+    {BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, 0, 1, BATTEN_BAD_ARGUMENT,
+     "an extension by 0 within 1: both must be above 0"},
+    {BATTEN_EDGE_V1, BATTEN_EXTEND_ARC, 2, 0, BATTEN_BAD_ARGUMENT,
+     "an extension by 2 within 0: both must be above 0"},
+    {BATTEN_EDGE_V1, BATTEN_EXTEND_SPIRAL, 2, 1, BATTEN_UNSUPPORTED,
+     "surfaces cannot be extended along spirals"},
+};
+
+TEST(requests_that_cannot_be_are_named_with_their_numbers)
+{
+    batten_surface *dome = make_dome(1), *made = NULL;
+    for (int i = 0; i < COUNT(refused); i++) {
+        CHECK_STATUS(
+            batten_surface_extend(
+                dome, (batten_edge)refused[i].edge,
+                (batten_lengthening){(batten_extension)refused[i].kind, refused[i].tolerance},
+                refused[i].length, NULL, &made),
+            refused[i].status);
+        CHECK_MESSAGE(refused[i].message);
+    }
+    /* Without arcs the tolerance does not matter. */
+    CHECK_OK(batten_surface_extend(
+        dome, BATTEN_EDGE_V1, (batten_lengthening){BATTEN_EXTEND_LINE, 0}, 0.1, NULL, &made));
+    batten_surface_unref(made);
+    batten_surface_unref(dome);
+}
+
+TEST(functions_and_periodic_edges_cannot_be_extended)
+{
+    const double knots[4] = {0, 0, 1, 1}, z[4] = {0, 1, 2, 3};
+    const double around[5] = {0, 1, 2, 3, 4},
+                 ring[18] = {1, 0, 0, 1, 0, 1, -1, 1, 0, -1, 1, 1, -1, -1, 0, -1, -1, 1};
+    const batten_axis axis = {1, 2, knots, false}, periodic = {2, 3, around, true};
+    const batten_lengthening line = {BATTEN_EXTEND_LINE, 1};
+    batten_surface *function = NULL, *tube = NULL, *made = NULL;
+    CHECK_OK(batten_surface_create(1, &axis, &axis, z, NULL, &function));
+    CHECK_STATUS(batten_surface_extend(function, BATTEN_EDGE_V1, line, 1, NULL, &made),
+                 BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("only NURBS surfaces in space can be extended");
+    CHECK_OK(batten_surface_create(3, &periodic, &axis, ring, NULL, &tube));
+    CHECK_STATUS(batten_surface_extend(tube, BATTEN_EDGE_U1, line, 1, NULL, &made),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("a periodic surface has no edge there");
+    CHECK_OK(batten_surface_extend(tube, BATTEN_EDGE_V1, line, 1, NULL, &made));
+    CHECK(batten_surface_is_periodic(made, BATTEN_U));
+    batten_surface_unref(made);
+    batten_surface_unref(tube);
+    batten_surface_unref(function);
 }

@@ -156,3 +156,47 @@ TEST(a_fillet_is_tangent_to_both_surfaces)
     batten_surface_unref(a);
     batten_surface_unref(b);
 }
+
+TEST(radii_and_starts_that_cannot_be_are_named_with_their_numbers)
+{
+    static const struct {
+        double radii[2], tolerance;
+        batten_status status;
+        const char *message;
+    } rows[] = {
+        {{NAN, 1}, 1e-3, BATTEN_NOT_FINITE, "radii nan and 1, within 0.001"},
+        {{1, INFINITY}, 1e-3, BATTEN_NOT_FINITE, "radii 1 and inf, within 0.001"},
+        {{1, 1}, NAN, BATTEN_NOT_FINITE, "radii 1 and 1, within nan"},
+        {{0, 0}, 1e-3, BATTEN_BAD_ARGUMENT, "radii 0 and 0, within 0.001: one radius and a"},
+        {{1, 2}, 1e-3, BATTEN_BAD_ARGUMENT, "radii 1 and 2, within 0.001: one radius and a"},
+        {{1, -1},
+         0,
+         BATTEN_BAD_ARGUMENT,
+         "radii 1 and -1, within 0: one radius and a tolerance"},
+    };
+    static const double knots[4] = {0, 0, 1, 1}, z[4] = {0, 1, 2, 3};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *a = make_plane(1, 0), *b = make_plane(0, 1), *function = NULL;
+    const batten_surface *const pair[2] = {a, b};
+    batten_surface_fillet fillet;
+    for (int i = 0; i < COUNT(rows); i++) {
+        CHECK_STATUS(
+            batten_surfaces_fillet(pair, rows[i].radii, NULL, rows[i].tolerance, &fillet),
+            rows[i].status);
+        CHECK_MESSAGE(rows[i].message);
+    }
+    const double radii[2] = {1, 1}, outside[4] = {0.5, 0.5, 0.5, 9}, before[4] = {-9, 0, 0, 0};
+    CHECK_OK(batten_surface_create(1, &axis, &axis, z, NULL, &function));
+    const batten_surface *const flat[2] = {a, function};
+    CHECK_STATUS(batten_surfaces_fillet(flat, radii, NULL, 1e-3, &fillet), BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("surface 2 is not a NURBS surface in space");
+    CHECK_STATUS(batten_surfaces_fillet(pair, radii, outside, 1e-3, &fillet),
+                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_MESSAGE("the start 9 on surface 2 is outside");
+    CHECK_STATUS(batten_surfaces_fillet(pair, radii, before, 1e-3, &fillet),
+                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_MESSAGE("the start -9 on surface 1 is outside");
+    batten_surface_unref(function);
+    batten_surface_unref(a);
+    batten_surface_unref(b);
+}

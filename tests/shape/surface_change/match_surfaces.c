@@ -201,3 +201,45 @@ TEST(what_cannot_be_matched_is_refused)
     batten_surface_unref(ball);
     batten_surface_unref(linear);
 }
+
+TEST(what_cannot_be_matched_is_named_with_its_numbers)
+{
+    const double corners[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, z[4] = {0, 1, 2, 3};
+    const double knots[4] = {0, 0, 1, 1};
+    const batten_axis axis = {1, 2, knots, false};
+    const batten_frame world = {.z = {0, 0, 1}, .x = {1, 0, 0}};
+    batten_surface *left = wavy(0, 0, 5), *ball = NULL, *linear = NULL, *function = NULL;
+    CHECK_OK(batten_surface_sphere(&world, 1, &ball));
+    CHECK_OK(batten_surface_create(3, &axis, &axis, corners, NULL, &linear));
+    CHECK_OK(batten_surface_create(1, &axis, &axis, z, NULL, &function));
+    const struct {
+        const batten_surface *first, *second;
+        int order;
+        batten_status status;
+        const char *message;
+    } rows[] = {
+        {ball, left, 1, BATTEN_UNSUPPORTED,
+         "the surface that moves must be a B-spline surface without weights"},
+        {left, left, -1, BATTEN_BAD_ARGUMENT, "the order is -1; it must be 0, 1 or 2"},
+        {left, left, 3, BATTEN_BAD_ARGUMENT, "the order is 3; it must be 0, 1 or 2"},
+        {left, function, 1, BATTEN_NOT_COMPATIBLE, "the surfaces have the dimensions 3 and 1"},
+        {function, left, 1, BATTEN_NOT_COMPATIBLE, "the surfaces have the dimensions 1 and 3"},
+        {linear, left, 2, BATTEN_BAD_DEGREE,
+         "the degree across the edge is 1; to join with order 2 it must be 2"},
+        {linear, left, 1, BATTEN_TOO_FEW_POINTS,
+         "2 rows of control points across the edge; 2 would move and the opposite edge must stay"},
+    };
+    batten_surface *made = NULL;
+    for (int i = 0; i < COUNT(rows); i++) {
+        CHECK_STATUS(batten_surface_match((batten_surface_edge){rows[i].first, BATTEN_EDGE_U0},
+                                          (batten_surface_edge){rows[i].second, BATTEN_EDGE_U1},
+                                          rows[i].order, 1e-9, NULL, &made),
+                     rows[i].status);
+        CHECK_MESSAGE(rows[i].message);
+    }
+    CHECK(!made);
+    batten_surface_unref(left);
+    batten_surface_unref(ball);
+    batten_surface_unref(linear);
+    batten_surface_unref(function);
+}

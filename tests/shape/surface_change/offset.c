@@ -354,3 +354,33 @@ TEST(an_offset_that_jumps_is_given_up_before_it_has_millions_of_points)
     CHECK_MESSAGE("at most 0 points");
     batten_surface_unref(folded);
 }
+
+TEST(offsets_that_cannot_be_are_named_with_their_numbers)
+{
+    static const struct {
+        double distance, tolerance;
+        int most;
+        batten_status status;
+        const char *message;
+    } rows[] = {
+        {NAN, 1e-3, 100, BATTEN_NOT_FINITE, "an offset by nan within 0.001"},
+        {2, INFINITY, 100, BATTEN_NOT_FINITE, "an offset by 2 within inf"},
+        {2, -1e-3, 100, BATTEN_BAD_ARGUMENT, "the tolerance is -0.001"},
+        {2, 1e-3, 0, BATTEN_BAD_ARGUMENT, "at most 0 points are asked for"},
+        {2, 1e-3, 100, BATTEN_UNSUPPORTED, "a surface in 1 dimension has no normal"},
+    };
+    static const double knots[4] = {0, 0, 1, 1}, z[4] = {0, 1, 2, 3};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *function = NULL, *made = NULL;
+    CHECK_OK(batten_surface_create(1, &axis, &axis, z, NULL, &function));
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_surface_offset_options options = batten_surface_offset_defaults();
+        options.tolerance = rows[i].tolerance;
+        options.most_points = rows[i].most;
+        CHECK_STATUS(batten_surface_offset(function, rows[i].distance, &options, NULL, &made),
+                     rows[i].status);
+        CHECK_MESSAGE(rows[i].message);
+    }
+    CHECK(!made);
+    batten_surface_unref(function);
+}

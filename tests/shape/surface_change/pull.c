@@ -133,3 +133,30 @@ TEST(pulls_that_cannot_be_are_refused)
     CHECK(none == NULL);
     batten_surface_unref(surface);
 }
+
+TEST(the_pull_that_is_not_finite_is_named_among_several)
+{
+    test_random random = test_random_begin("names");
+    batten_surface *surface = uneven(&random, false), *none = NULL;
+    for (int which = 0; which < 3; which++)
+        for (int number = 0; number < 5; number++) {
+            batten_surface_pull bad[3] = {pulls[0], pulls[1], pulls[2]};
+            double *numbers[5] = {&bad[which].u, &bad[which].v, &bad[which].by.x,
+                                  &bad[which].by.y, &bad[which].by.z};
+            char message[60];
+            *numbers[number] = number % 2 ? INFINITY : NAN;
+            snprintf(message, sizeof message, "pull %d has a number that is not finite",
+                     which + 1);
+            CHECK_STATUS(batten_surface_pulled(surface, 3, bad, 0, NULL, &none),
+                         BATTEN_NOT_FINITE);
+            CHECK_MESSAGE(message);
+        }
+    CHECK_STATUS(batten_surface_pulled(surface, 0, pulls, 0, NULL, &none),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("there is no place to move");
+    CHECK_STATUS(batten_surface_pulled(surface, 1, pulls, -2, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("-2 rows cannot be kept");
+    CHECK(!none);
+    batten_surface_unref(surface);
+}
