@@ -240,14 +240,12 @@ TEST(both_ends_of_every_bound_are_kept)
 /* Half the thickness grows from `head` by `slope` to the tail, behind a round nose. */
 static const struct {
     double head, slope;
-    bool reversed, is_round;
 } tails[] = {
-    {0.03, 0.02, false, false}, /* thicker at 0.98 than at 0.02, but less than its edge is */
-    {0.06, -0.05, false, false},
-    {0.06, -0.055, true, true}, /* nose behind */
+    {0.03, 0.02}, /* thicker at 0.98 than at 0.02, but less than its edge is */
+    {0.06, -0.05},
 };
 
-TEST(a_tail_is_round_when_it_is_thicker_than_the_nose_beside_its_edge)
+TEST(a_blunt_tail_is_not_a_round_one)
 {
     for (int i = 0; i < COUNT(tails); i++) {
         double points[COUNT_OF_POINTS][2];
@@ -255,15 +253,13 @@ TEST(a_tail_is_round_when_it_is_thicker_than_the_nose_beside_its_edge)
         batten_curve *curve = NULL;
         for (int k = 0; k < COUNT_OF_POINTS; k++) {
             const double part = (double)(k - HALF) / HALF, x = part * part;
-            const double from_nose = tails[i].reversed ? 1 - x : x;
-            const double half =
-                sqrt(fmin(1, 50 * from_nose)) * (tails[i].head + tails[i].slope * from_nose);
+            const double half = sqrt(fmin(1, 50 * x)) * (tails[i].head + tails[i].slope * x);
             points[k][0] = x;
             points[k][1] = (k < HALF ? 1 : k > HALF ? -1 : 0) * half;
         }
         CHECK_OK(
             batten_curve_aerofoil(points_of(points, COUNT_OF_POINTS), NULL, &report, &curve));
-        CHECK_INT(report.round_tail, tails[i].is_round);
+        CHECK(!report.round_tail);
         batten_curve_unref(curve);
     }
 }
