@@ -40,6 +40,14 @@ static batten_vec3 unit_normal(const place *p)
     return bat_vec3_scale(p->normal, 1 / bat_vec3_norm(p->normal));
 }
 
+/* The cosine of the angle between the normals of regular places, or what has its sign: their product where that is
+ * a number. */
+static double agreement(const place *a, const place *b)
+{
+    const double product = bat_vec3_dot(a->normal, b->normal);
+    return isnormal(product) ? product : bat_vec3_dot(unit_normal(a), unit_normal(b));
+}
+
 static void see_place(int d, const double *values, double sine, place *p)
 {
     p->point = bat_vec3_of(d, values);
@@ -68,9 +76,9 @@ static batten_status look_closely(const batten_surface *surface, int direction, 
         see_place(d, values, 1e-12, &m);
         if (!m.regular)
             break;
-        if (bat_vec3_dot(a.normal, m.normal) < 0)
+        if (agreement(&a, &m) < 0)
             b = m;
-        else if (bat_vec3_dot(m.normal, b.normal) < 0)
+        else if (agreement(&m, &b) < 0)
             a = m;
         else
             return BATTEN_OK;
@@ -87,7 +95,7 @@ static batten_status look_closely(const batten_surface *surface, int direction, 
 static batten_status compare(const batten_surface *surface, int direction, const place *a,
                              const place *b, batten_surface_fold *fold)
 {
-    if (fold->found || !a->regular || !b->regular || bat_vec3_dot(a->normal, b->normal) >= 0)
+    if (fold->found || !a->regular || !b->regular || agreement(a, b) >= 0)
         return BATTEN_OK;
     const batten_status status = look_closely(surface, direction, *a, *b, &fold->found);
     if (status == BATTEN_OK && fold->found)

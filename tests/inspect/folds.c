@@ -2,6 +2,7 @@
 #include "support/test.h"
 
 #include <batten/measure.h>
+#include <math.h>
 
 static batten_surface *bicubic_wave(double amplitude)
 {
@@ -89,4 +90,46 @@ TEST(a_fold_at_a_corner_is_seen_however_narrow)
         CHECK(!fold.found);
         batten_surface_unref(surface);
     }
+}
+
+/* x(u) has its turns at 1/2 -+ 1/sqrt(28); the place is one of twelve in the direction, the first beyond it. */
+TEST(the_place_of_a_fold_is_just_beyond_it_in_either_direction_at_any_size)
+{
+    const double turn = 0.5 - 1 / sqrt(28);
+    static const double sizes[] = {1, 1e-120, 1e120};
+    batten_surface *wave = bicubic_wave(0.5), *swapped = NULL;
+    CHECK_OK(batten_surface_swap(wave, &swapped));
+    for (int i = 0; i < 2 * COUNT(sizes); i++) {
+        const batten_affine map =
+            batten_affine_scaling(sizes[i / 2], sizes[i / 2], sizes[i / 2]);
+        batten_surface *surface = NULL;
+        batten_surface_fold fold = {.found = false};
+        double p[3];
+        CHECK_OK(batten_surface_transform(i % 2 ? swapped : wave, &map, &surface));
+        CHECK_OK(batten_surface_find_fold(surface, &fold));
+        CHECK(fold.found);
+        const double along = i % 2 ? fold.v : fold.u, across = i % 2 ? fold.u : fold.v;
+        CHECK(along > turn && along <= turn + 1. / 12);
+        CHECK_NEAR(across, 0, 0); /* on the rim, where the search begins */
+        CHECK_OK(batten_surface_evaluate(surface, fold.u, fold.v, 0, p));
+        CHECK_NEAR(fold.point.x, p[0], 0);
+        CHECK_NEAR(fold.point.y, p[1], 0);
+        CHECK_NEAR(fold.point.z, p[2], 0);
+        batten_surface_unref(surface);
+    }
+    batten_surface_unref(swapped);
+    batten_surface_unref(wave);
+}
+
+TEST(folds_of_functions_are_not_looked_for)
+{
+    const batten_axis axis = {1, 2, (const double[]){0, 0, 1, 1}, false};
+    batten_surface *heights = NULL;
+    batten_surface_fold fold = {.u = 42};
+    CHECK_OK(
+        batten_surface_create(1, &axis, &axis, (const double[]){0, 1, 1, 0}, NULL, &heights));
+    CHECK_STATUS(batten_surface_find_fold(heights, &fold), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("folds are looked for in 2 or 3 dimensions, and there are 1");
+    CHECK_NEAR(fold.u, 42, 0);
+    batten_surface_unref(heights);
 }
