@@ -151,6 +151,22 @@ TEST(a_straight_line_stays_bit_for_bit)
     }
 }
 
+/* One look at all of its ducks tells that none wants to move. */
+TEST(a_straight_line_costs_one_look_at_its_worst_duck)
+{
+    double points[N], t[N], z[N];
+    batten_job job = BATTEN_JOB;
+    batten_fair_options options = batten_fair_defaults(0.1);
+    options.order = BATTEN_FAIR_WORST_FIRST;
+    job.work_limit = 2 * N;
+    for (int i = 0; i < N; i++)
+        points[i] = t[i] = i;
+    CHECK_OK(batten_fair_points((batten_points){1, N, points}, t, &options, &job, NULL, z));
+    points[N / 2] += 1;
+    CHECK_STATUS(batten_fair_points((batten_points){1, N, points}, t, &options, &job, NULL, z),
+                 BATTEN_INCOMPLETE);
+}
+
 TEST(bounds_of_0_leave_the_data_bit_for_bit)
 {
     test_random random = test_random_begin("held");

@@ -190,3 +190,53 @@ TEST(the_lids_of_a_box_are_its_ends_and_its_deck)
     batten_hull_free(hull);
     batten_hull_free(NULL);
 }
+
+TEST(lids_of_a_side_alone_are_listed_by_direction_and_then_from_low_to_high)
+{
+    static const double side[][2] = {{1, 0}, {3, 2}};
+    batten_hull *hull = hull_of(half_prism(0, 4, 2, side));
+    int count;
+    const batten_hull_lid *lids = batten_hull_lids(hull, &count);
+    CHECK_INT(count, 4);
+    check_lid(&lids[0], BATTEN_U, false, (batten_box){{0, 1, 0}, {0, 3, 2}}, 8);
+    check_lid(&lids[1], BATTEN_U, true, (batten_box){{4, 1, 0}, {4, 3, 2}}, 8);
+    check_lid(&lids[2], BATTEN_V, false, (batten_box){{0, 1, 0}, {4, 1, 0}}, 8);
+    check_lid(&lids[3], BATTEN_V, true, (batten_box){{0, 3, 2}, {4, 3, 2}}, 24);
+    CHECK_NEAR(volume_of(hull, (batten_flotation){1, 0, 0}), 12, 1e-12);
+    batten_hull_free(hull);
+}
+
+/* Of other degrees in both directions, and of several patches each way, in either order. */
+TEST(a_box_is_the_same_of_any_degrees_and_patches)
+{
+    static const double section[][2] = {{0, 0}, {1, 0}, {1, 2}}, knots[] = {0.2, 0.7};
+    const oblique_box box = box_at(0.1, 0.2);
+    for (int way = 0; way < 8; way++) {
+        const batten_direction direction = way & 1 ? BATTEN_V : BATTEN_U;
+        batten_surface *half = half_prism(0, 4, 3, section), *high = NULL, *cut = NULL,
+                       *turned = NULL;
+        CHECK_OK(batten_surface_elevate(half, direction, 2, &high));
+        CHECK_OK(way & 2 ? batten_surface_refine(high, BATTEN_U, 2, knots, &cut)
+                         : (cut = batten_surface_ref(high), BATTEN_OK));
+        CHECK_OK(way & 4 ? batten_surface_swap(cut, &turned)
+                         : (turned = batten_surface_ref(cut), BATTEN_OK));
+        batten_hull *hull = hull_of(turned);
+        batten_hydrostatics v;
+        int count;
+        CHECK_OK(batten_hull_hydrostatics(hull, &box.at, 1e-11, NULL, &v));
+        CHECK_NEAR(v.volume, 7.2, 1e-10);
+        CHECK_NEAR(v.waterplane, box.waterplane, 1e-9);
+        CHECK_NEAR(v.along, box.second[0], 1e-8);
+        CHECK_NEAR(v.across, box.second[2], 1e-8);
+        CHECK_NEAR(v.wetted, 15.2, 1e-9);
+        CHECK_NEAR(v.lids, 3.6, 1e-9);
+        CHECK_NEAR(v.open[0] + v.open[1], 0, 1e-10);
+        const batten_hull_lid *lids = batten_hull_lids(hull, &count);
+        CHECK_INT(count, 3);
+        CHECK_NEAR(lids[0].area + lids[1].area + lids[2].area, 16, 1e-12);
+        batten_hull_free(hull);
+        batten_surface_unref(half);
+        batten_surface_unref(high);
+        batten_surface_unref(cut);
+    }
+}

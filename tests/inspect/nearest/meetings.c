@@ -3,6 +3,7 @@
 #include "support/test.h"
 
 #include <batten/interpolate.h>
+#include <batten/standard.h>
 
 /* A helix of the unit cylinder, or the line that goes through it. */
 static batten_curve *through(int count, void (*at)(double s, double *p))
@@ -114,4 +115,104 @@ TEST(curves_that_touch_end_to_end_meet_once)
     batten_curve_unref(high);
     batten_curve_unref(low);
     batten_curve_unref(a);
+}
+
+/* The segment from (0, 0, 0) to (4, 0, 0) and another, and where they are nearest, 0 to 1 on each. */
+static const struct {
+    double from[3], to[3];
+    double distance, at[2];
+} segments[] = {
+    {{1, -1, 1}, {1, 3, 1}, 1, {0.25, 0.25}}, /* inside both */
+    {{3, 2, -2}, {3, -6, -2}, 2, {0.75, 0.25}},
+    {{5, -1, 0}, {5, 3, 0}, 1, {1, 0.25}}, /* an end of the first */
+    {{-3, 3, 4}, {-3, -1, 4}, 5, {0, 0.75}},
+    {{1, 2, 0}, {1, 5, 0}, 2, {0.25, 0}}, /* an end of the second */
+    {{3, -7, 0}, {3, -3, 0}, 3, {0.75, 1}},
+    {{7, 4, 0}, {7, 9, 0}, 5, {1, 0}},       /* ends of both */
+    {{-9, 4, 0}, {-3, 4, 0}, 5, {0, 1}},     /* parallel, one after the other */
+    {{2, -3, 0}, {2, 1, 0}, 0, {0.5, 0.75}}, /* that meet */
+    {{4, 0, 0}, {4, 5, 0}, 0, {1, 0}},
+};
+
+TEST(segments_are_nearest_at_their_feet_or_ends)
+{
+    static const double origin[3] = {0, 0, 0}, end[3] = {4, 0, 0};
+    for (int i = 0; i < COUNT(segments); i++)
+        for (int swapped = 0; swapped < 2; swapped++) {
+            batten_curve *pair[2] = {NULL, NULL};
+            CHECK_OK(batten_curve_line(3, origin, end, &pair[swapped]));
+            CHECK_OK(
+                batten_curve_line(3, segments[i].from, segments[i].to, &pair[1 - swapped]));
+            const bat_meetings m = meet(pair[0], pair[1], 1e-9);
+            CHECK_INT(m.count, segments[i].distance == 0);
+            CHECK(!m.more);
+            CHECK_NEAR(m.nearest.distance, segments[i].distance, 1e-9);
+            for (int k = 0; k < 2; k++) {
+                const int own = swapped ? 1 - k : k;
+                double p[3];
+                CHECK_NEAR(m.nearest.at[own], segments[i].at[k], 1e-7);
+                CHECK_OK(batten_curve_evaluate(pair[own], m.nearest.at[own], 0, p));
+                for (int c = 0; c < 3; c++)
+                    CHECK_NEAR(m.nearest.point[own][c], p[c], 1e-15);
+            }
+            batten_curve_unref(pair[0]);
+            batten_curve_unref(pair[1]);
+        }
+}
+
+/* Up and down between -1 and 1 at x = 0, 1, 2 ... */
+static batten_curve *zigzag(int count)
+{
+    double points[3 * 12] = {0};
+    batten_curve *curve = NULL;
+    for (int i = 0; i < count; i++) {
+        points[3 * i] = i;
+        points[3 * i + 1] = i % 2 ? 1 : -1;
+    }
+    CHECK_OK(batten_curve_polyline((batten_points){3, count, points}, &curve));
+    return curve;
+}
+
+TEST(crossings_of_a_zigzag_come_in_order_until_there_are_too_many)
+{
+    static const double left[3] = {-1, 0, 0}, right[3] = {20, 0, 0};
+    for (int count = 2; count <= 8; count++)
+        for (int back = 0; back < 2; back++) {
+            batten_curve *a = NULL, *b = zigzag(count);
+            CHECK_OK(batten_curve_line(3, back ? right : left, back ? left : right, &a));
+            const bat_meetings m = meet(a, b, 1e-9);
+            const int crossings = count - 1;
+            CHECK_INT(m.more, crossings > BAT_MEETINGS);
+            if (!m.more)
+                CHECK_INT(m.count, crossings);
+            for (int i = 0; i < m.count; i++) {
+                const double x = m.found[i].point[0][0];
+                CHECK_NEAR(x - floor(x), 0.5, 1e-12);
+                CHECK_NEAR(m.found[i].point[1][0], x, 1e-12);
+                CHECK_NEAR(m.found[i].at[0], back ? (20 - x) / 21 : (x + 1) / 21, 1e-12);
+                CHECK(i == 0 || m.found[i].at[0] > m.found[i - 1].at[0]);
+            }
+            batten_curve_unref(a);
+            batten_curve_unref(b);
+        }
+}
+
+/* A radius that ends on a circle where it closes: there it has two parameters. */
+TEST(a_meeting_at_the_seam_of_a_closed_curve_is_found_at_both_of_its_ends)
+{
+    static const double middle[3] = {0, 0, 0}, seam[3] = {1, 0, 0};
+    batten_curve *flat = NULL, *circle = NULL, *radius = NULL;
+    CHECK_OK(batten_curve_circle(1, BATTEN_CIRCLE_SQUARE_9, &flat));
+    CHECK_OK(batten_curve_to_dimension(flat, 3, &circle));
+    CHECK_OK(batten_curve_line(3, middle, seam, &radius));
+    const batten_interval around = batten_curve_domain(circle);
+    CHECK_NEAR(around.b - around.a, 1, 0);
+    const bat_meetings m = meet(circle, radius, 1e-9);
+    CHECK_INT(m.count, 2);
+    CHECK_NEAR(m.found[0].at[0], around.a, 1e-12);
+    CHECK_NEAR(m.found[1].at[0], around.b, 1e-12);
+    CHECK_NEAR(m.found[0].at[1], 1, 1e-12);
+    batten_curve_unref(radius);
+    batten_curve_unref(circle);
+    batten_curve_unref(flat);
 }
