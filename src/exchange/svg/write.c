@@ -164,7 +164,16 @@ static batten_status distance(const batten_curve *curve, double a, double b,
     return BATTEN_OK;
 }
 
-/* Of an exact span a cubic differs by rounding alone. */
+/* How far points of the curve are off where its parameter is rounded: no halving mends that. */
+static double blur_of_parameter(double a, double b, const double points[4][2])
+{
+    const double speed =
+        3 / (b - a) *
+        bat_max(bat_distance(2, points[0], points[1]), bat_distance(2, points[2], points[3]));
+    return DBL_EPSILON * bat_max(fabs(a), fabs(b)) * speed;
+}
+
+/* Of an exact span a cubic differs by rounding alone, and is not halved. */
 static batten_status put_span(writing *w, const batten_curve *curve, double a, double b,
                               bool is_exact)
 {
@@ -176,7 +185,9 @@ static batten_status put_span(writing *w, const batten_curve *curve, double a, d
         status = cubic(curve, a, b, points);
         if (status == BATTEN_OK)
             status = distance(curve, a, b, (const double(*)[2])points, &off);
-        if (off > bat_max(w->tolerance, w->rounding) && waiting <= DEPTH) {
+        const double rounding =
+            bat_max(w->rounding, blur_of_parameter(a, b, (const double(*)[2])points));
+        if (!is_exact && off > bat_max(w->tolerance, rounding) && waiting <= DEPTH) {
             ends[waiting++] = a + (b - a) / 2;
             continue;
         }

@@ -335,3 +335,28 @@ TEST(svg_approximates_polynomials_of_degree_four)
     batten_release(data);
     batten_notes_free(notes);
 }
+
+/* How many cubics a curve of one span from parameter 3.2107 to 3.2107 + 6e-5 becomes; its points reach 4.9e9. */
+static int cubics_of_short_span(int degree)
+{
+    const double points[] = {21, 5, 21.5, 3e9, 21.6, 4.9e9, 21.7, -2e9, 21.8, 5};
+    double knots[10];
+    batten_curve *curve = NULL;
+    char *data = NULL;
+    for (int i = 0; i < 2 * (degree + 1); i++)
+        knots[i] = i <= degree ? 3.2107 : 3.2107 + 6e-5;
+    CHECK_OK(batten_curve_create((batten_points){2, degree + 1, points}, degree, NULL, knots,
+                                 &curve));
+    write_curves(1, &curve, BATTEN_OK, NULL, &data);
+    int cubics = 0;
+    for (const char *at = strstr(data, " d=\"M"); at && (at = strchr(at + 1, 'C'));)
+        cubics++;
+    batten_release(data);
+    return cubics;
+}
+
+TEST(svg_does_not_halve_where_the_parameter_has_no_digits_left)
+{
+    CHECK_INT(cubics_of_short_span(3), 1);
+    CHECK(cubics_of_short_span(4) < 2000);
+}
