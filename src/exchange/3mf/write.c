@@ -221,7 +221,6 @@ static batten_status put_colours(writing *w)
     if (w->colours)
         put_xml(w, "</basematerials>\n");
     w->colours = 0;
-    memset(w->shown, 0, (size_t)w->definitions.first[w->definitions.count] * sizeof *w->shown);
     return status;
 }
 
@@ -290,10 +289,7 @@ static batten_status put_definition(writing *w, int definition)
             w->is_surface[definition] = w->is_surface[definition] || w->is_surface[inner];
         } else if (object->mesh && batten_mesh_view(object->mesh)->triangle_count) {
             status = add_mesh(w, object, definition, k);
-        } else if (!object->mesh)
-            batten_notes_add(w->notes, "", 0, object->name,
-                             "left out: 3MF files are written of meshes, not of this %s",
-                             batten_object_kind_name(object->kind));
+        }
         any = any || *id;
     }
     if (status != BATTEN_OK || definition == 0 || !any)

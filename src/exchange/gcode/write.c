@@ -281,12 +281,14 @@ static batten_status put_paths(program *p, const batten_model *model, batten_not
 static batten_status check_options(const batten_write_gcode_options *o)
 {
     const bool lengths = o->feed >= 0 && o->plunge >= 0 && o->clearance >= 0 &&
-                         isfinite(o->feed) && isfinite(o->plunge) && isfinite(o->clearance) &&
-                         !isinf(o->depth);
+                         isfinite(o->feed) && isfinite(o->plunge) && isfinite(o->clearance);
     if (!lengths)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "feed %g, plunge %g and clearance %g must be 0 or more", o->feed,
                         o->plunge, o->clearance);
+    if (isinf(o->depth))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the depth is %g; it must be a finite height",
+                        o->depth);
     if (!(o->greatest_radius >= 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the greatest radius is %g; it must be 0 or more",
                         o->greatest_radius);
@@ -339,12 +341,13 @@ batten_status bat_write_gcode(const batten_model *model,
                      "a coordinate of %g is more than controls take: look at the unit of the "
                      "design, or scale and move what is cut",
                      p.largest);
-    batten_text_add(&p.text, "M2\n%%\n");
-    if (status == BATTEN_OK)
-        *text = p.text;
-    else
+    if (status != BATTEN_OK) {
         batten_text_free(&p.text);
-    return status;
+        return status;
+    }
+    batten_text_add(&p.text, "M2\n%%\n");
+    *text = p.text;
+    return BATTEN_OK;
 }
 
 batten_status batten_write_gcode(const batten_model *model,

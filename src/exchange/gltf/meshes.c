@@ -297,10 +297,6 @@ static batten_status put_object(bat_gltf_writing *w, const batten_object *object
 {
     if (object->mesh && batten_mesh_view(object->mesh)->triangle_count)
         return add_mesh(w, object, index);
-    if (!object->mesh && !object->definition)
-        batten_notes_add(w->notes, "", 0, object->name,
-                         "left out: glTF files are written of meshes, not of this %s",
-                         batten_object_kind_name(object->kind));
     return BATTEN_OK;
 }
 

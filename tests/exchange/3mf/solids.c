@@ -155,3 +155,55 @@ TEST(a_definition_with_an_open_part_is_a_surface_in_any_order)
         batten_model_unref(model);
     }
 }
+
+/* Two meshes by turns, one open and one closed, in the model and in a definition: each is written
+ * once, and all that look like it refer to it. */
+TEST(objects_that_look_alike_are_one_resource)
+{
+    batten_mesh *meshes[2] = {NULL, NULL};
+    batten_model *inner = NULL, *model = NULL;
+    batten_notes *notes = NULL;
+    for (int i = 0; i < 2; i++) {
+        batten_mesh_parts parts = tetrahedron();
+        parts.triangle_count = 4 - i;
+        CHECK_OK(batten_mesh_create(&parts, &meshes[i]));
+    }
+    CHECK_OK(batten_notes_create(9, &notes));
+    CHECK_OK(batten_model_create(0, &inner));
+    CHECK_OK(batten_model_create(0, &model));
+    for (int i = 0; i < 7; i++)
+        CHECK_OK(batten_model_add(i < 2 ? inner : model,
+                                  &(batten_object){.name = i % 2 ? "open" : "closed",
+                                                   .has_colour = i % 2,
+                                                   .colour = {0, 0, 1},
+                                                   .kind = BATTEN_OBJECT_MESH,
+                                                   .mesh = meshes[i % 2]}));
+    CHECK_OK(batten_model_add(model, &(batten_object){.name = "both",
+                                                      .kind = BATTEN_OBJECT_INSTANCE,
+                                                      .definition = inner,
+                                                      .place = batten_affine_identity()}));
+    const char *xml = xml_of(model, notes);
+    CHECK_INT(count_of(xml, "<mesh>"), 2);
+    CHECK_INT(count_of(xml, "<base displaycolor=\"#0000FF\" name=\"open\"/>"), 1);
+    CHECK_INT(count_of(xml, "<base "), 1);
+    CHECK_CONTAINS(xml, "<object id=\"2\" type=\"model\" name=\"closed\">");
+    CHECK_CONTAINS(xml,
+                   "<object id=\"3\" type=\"surface\" name=\"open\" pid=\"1\" pindex=\"0\">");
+    CHECK_CONTAINS(xml, "<object id=\"4\" type=\"surface\">\n<components>\n<component "
+                        "objectid=\"2\"/>\n<component objectid=\"3\"/>\n</components>");
+    CHECK_CONTAINS(xml,
+                   "<build>\n<item objectid=\"2\"/>\n<item objectid=\"3\"/>\n"
+                   "<item objectid=\"2\"/>\n<item objectid=\"3\"/>\n<item objectid=\"2\"/>\n"
+                   "<item objectid=\"4\" transform=\"1 0 0 0 1 0 0 0 1 0 0 0\"/>\n</build>");
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK_TEXT(batten_notes_at(notes, 0)->text,
+                   "the model has no unit; its numbers are taken as millimetres");
+        for (int i = 0; i < batten_notes_count(notes); i++)
+            CHECK_INT(batten_notes_at(notes, i)->line, 0);
+    }
+    batten_notes_free(notes);
+    for (int i = 0; i < 2; i++)
+        batten_mesh_unref(meshes[i]);
+    batten_model_unref(inner);
+    batten_model_unref(model);
+}

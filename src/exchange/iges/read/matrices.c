@@ -93,7 +93,7 @@ static batten_status read_triple(bat_iges_reading *reading, int id, int type, bo
 {
     const bat_iges_entry *entry = NULL;
     bat_iges_item item;
-    batten_affine map = batten_affine_identity();
+    batten_affine map;
     batten_status status = bat_iges_find_type(reading, id, type, &entry);
     if (status != BATTEN_OK)
         return status;
@@ -101,9 +101,10 @@ static batten_status read_triple(bat_iges_reading *reading, int id, int type, bo
     if (status == BATTEN_OK)
         status = bat_iges_reals(item.parameters, 1, 3, triple);
     bat_iges_close(&item);
-    if (status == BATTEN_OK && entry->transform)
-        status = bat_iges_transform(reading, entry->transform, &map);
     if (status != BATTEN_OK || !entry->transform)
+        return status;
+    status = bat_iges_transform(reading, entry->transform, &map);
+    if (status != BATTEN_OK)
         return status;
     if (!moves)
         memset(map.t, 0, sizeof map.t);

@@ -51,8 +51,8 @@ static const char *ship(bool swapped, bool crossed)
     box_placement(&text, 700, ZERO, Z, X);
     box_placement(&text, 710, bolt_at, Z, Y);
     box_placement(&text, 720, arm_at, Y, X);
-    box_add(&text, "#800=SHAPE_REPRESENTATION('ship',(#700,#720),#900);\n"
-                   "#801=SHAPE_REPRESENTATION('arm',(#700,#710),#900);\n"
+    box_add(&text, "#800=SHAPE_REPRESENTATION('ship',(#700,#720,#720),#900);\n"
+                   "#801=SHAPE_REPRESENTATION('arm',(#700,#710,#710),#900);\n"
                    "#802=SHAPE_REPRESENTATION('bolt',(#700),#920);\n"
                    "#803=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#1000),#920);\n"
                    "#804=SHAPE_REPRESENTATION_RELATIONSHIP('','',#802,#803);\n");
