@@ -244,6 +244,26 @@ BATTEN_API batten_status batten_write_gcode(const batten_model *model,
                                             const batten_write_gcode_options *options,
                                             batten_notes *notes, char **data, size_t *size);
 
+/**
+ * The way of the tool of the program that batten_write_gcode writes with the same options, in the
+ * program's unit and with its rounded coordinates, in order: curves on the layers "cut" (G1, G2,
+ * G3), "plunge" (down to the path) and "travel" (G0, above the paths), each named by its path, travel by
+ * the path it leads to.
+ * The way from where the tool stands at first is known with relative moves only, from the
+ * machine's origin; with absolute moves it is left out.
+ *
+ * @param model  looked at only
+ * @param options  NULL for the defaults
+ * @param notes  what was left out; may be NULL
+ * @param[out] out  give the reference back with batten_model_unref
+ * @return as batten_write_gcode
+ *
+ * Cost: that of batten_write_gcode, and linear in the moves.
+ */
+BATTEN_API batten_status batten_gcode_tool_path(const batten_model *model,
+                                                const batten_write_gcode_options *options,
+                                                batten_notes *notes, batten_model **out);
+
 #ifdef __cplusplus
 }
 #endif

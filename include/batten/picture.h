@@ -114,6 +114,23 @@ BATTEN_API batten_status batten_draw(const batten_model *model,
                                      size_t *size);
 
 /**
+ * Draw the way of a tool, as batten_gcode_tool_path makes it: what is cut solid, travel dashed,
+ * going down dotted, with a disc and a number where the tool goes down, in this order, and the
+ * length of each in the legend. It is seen from above unless a view is asked for.
+ *
+ * @param tool_path  curves on the layers "cut", "travel" and "plunge"; looked at only
+ * @param options  NULL for the defaults
+ * @param[out] data  release with batten_release
+ * @param[out] size  of the data, bytes
+ * @return as batten_draw; BAD_ARGUMENT when no curve is on the layer "cut"
+ *
+ * Cost: as batten_draw, and the length of each curve.
+ */
+BATTEN_API batten_status batten_draw_tool_path(const batten_model *tool_path,
+                                               const batten_draw_options *options, char **data,
+                                               size_t *size);
+
+/**
  * A line drawing of surfaces: edges, creases, isoparametric lines, silhouettes and contours,
  * each where it can be seen; curves are drawn with them, points as crosses. Surfaces hide what
  * lies behind them, themselves and each other. Edges in which two surfaces meet are drawn once.

@@ -23,7 +23,7 @@ static batten_status write_gcode(const batten_model *model, const batten_write_o
                                  batten_notes *notes, batten_text *text)
 {
     (void)options;
-    return bat_write_gcode(model, NULL, notes, text);
+    return bat_write_gcode(model, NULL, notes, text, NULL);
 }
 
 static size_t past_comment(const bat_input *input, size_t at)

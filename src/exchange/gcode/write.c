@@ -1,4 +1,5 @@
 /* Writes paths as G-code: moves of lines and arcs. */
+#include "base/list.h"
 #include "exchange/gcode/gcode.h"
 #include "exchange/shapes/path.h"
 #include "numeric/vector.h"
@@ -22,9 +23,12 @@ typedef struct {
     int paths;
     int flat;       /* arcs of the path that are written as lines, for their radius */
     double largest; /* number written */
+    const char *path;
+    bat_tool_moves *moves; /* or NULL: nobody asks */
+    batten_status listed;  /* whether there was memory for them */
 } program;
 
-static const double inch = 0.0254;
+static const double inch = 0.0254, millimetre = 0.001;
 
 /* ---- words ---- */
 
@@ -49,27 +53,44 @@ static void put_axis(program *p, char letter, int axis, double to)
     p->at[axis] = to;
 }
 
+/* A move from where the tool was to where it is. */
+static void list_move(program *p, bat_tool_does does, const double from[3], double bulge)
+{
+    bat_tool_move move = {.does = does, .bulge = bulge, .path = p->path};
+    if (!p->moves || memcmp(from, p->at, sizeof p->at) == 0 || p->listed != BATTEN_OK)
+        return;
+    memcpy(move.from, from, sizeof move.from);
+    memcpy(move.to, p->at, sizeof move.to);
+    p->listed = BAT_LIST_ADD(p->moves->items, p->moves->count, p->moves->room, move);
+}
+
 static void move_up(program *p)
 {
+    const double from[3] = {p->at[0], p->at[1], p->at[2]};
     batten_text_add(&p->text, "G0");
     put_axis(p, 'Z', 2, p->top);
     batten_text_add(&p->text, "\n");
+    list_move(p, BAT_TOOL_TRAVELS, from, 0);
 }
 
 static void travel(program *p, double x, double y)
 {
+    const double from[3] = {p->at[0], p->at[1], p->at[2]};
     batten_text_add(&p->text, "G0");
     put_axis(p, 'X', 0, x);
     put_axis(p, 'Y', 1, y);
     batten_text_add(&p->text, "\n");
+    list_move(p, BAT_TOOL_TRAVELS, from, 0);
 }
 
 static void plunge(program *p, double z)
 {
+    const double from[3] = {p->at[0], p->at[1], p->at[2]};
     batten_text_add(&p->text, "G1");
     put_axis(p, 'Z', 2, z);
     put_word(p, 'F', p->options.plunge);
     batten_text_add(&p->text, "\n");
+    list_move(p, BAT_TOOL_PLUNGES, from, 0);
 }
 
 static void put_feed(program *p, bool first)
@@ -81,15 +102,18 @@ static void put_feed(program *p, bool first)
 
 static void cut_line(program *p, double x, double y, bool first)
 {
+    const double from[3] = {p->at[0], p->at[1], p->at[2]};
     batten_text_add(&p->text, "G1");
     put_axis(p, 'X', 0, x);
     put_axis(p, 'Y', 1, y);
     put_feed(p, first);
+    list_move(p, BAT_TOOL_CUTS, from, 0);
 }
 
 /* The centre belongs to the rounded ends. */
 static void cut_arc(program *p, const bat_vertex *from, double x, double y, bool first)
 {
+    const double start[3] = {p->at[0], p->at[1], p->at[2]};
     double cx, cy, radius;
     bat_path_centre(from, x, y, &cx, &cy, &radius);
     batten_text_add(&p->text, from->bulge > 0 ? "G3" : "G2");
@@ -98,6 +122,7 @@ static void cut_arc(program *p, const bat_vertex *from, double x, double y, bool
     put_word(p, 'I', p->options.absolute_centres ? cx : cx - from->x);
     put_word(p, 'J', p->options.absolute_centres ? cy : cy - from->y);
     put_feed(p, first);
+    list_move(p, BAT_TOOL_CUTS, start, from->bulge);
 }
 
 /* So many chords that each is beside the arc by no more than `off`. */
@@ -187,6 +212,7 @@ static batten_status put_path(program *p, const batten_object *object, const bat
     const bat_vertex start = vertex_of(p, path, 0);
     const int moves = path->closed ? path->count : path->count - 1;
     put_comment(p, object->name);
+    p->path = object->name;
     travel(p, start.x, start.y);
     plunge(p, z);
     double bulge = start.bulge;
@@ -297,19 +323,24 @@ static batten_status check_options(const batten_write_gcode_options *o)
     return BATTEN_OK;
 }
 
-/* Lengths of the options in the machine's unit, with the usual values for 0. */
-static void settle(program *p, double unit_metres)
+double bat_gcode_unit_metres(const batten_model *model)
 {
-    const bool inches = fabs(unit_metres - inch) < 1e-9 * inch;
-    const double millimetre = inches ? 1 / 25.4 : 1;
+    return fabs(batten_model_unit_metres(model) - inch) < 1e-9 * inch ? inch : millimetre;
+}
+
+/* Lengths of the options in the machine's unit, with the usual values for 0. */
+static void settle(program *p, const batten_model *model)
+{
+    const double unit_metres = batten_model_unit_metres(model);
+    const bool inches = bat_gcode_unit_metres(model) == inch;
+    const double mm = inches ? 1 / 25.4 : 1;
     batten_write_gcode_options *o = &p->options;
     p->scale = inches || unit_metres == 0 ? 1 : unit_metres * 1000;
-    o->feed = o->feed > 0 ? o->feed * p->scale : 1000 * millimetre;
+    o->feed = o->feed > 0 ? o->feed * p->scale : 1000 * mm;
     o->plunge = o->plunge > 0 ? o->plunge * p->scale : o->feed / 4;
-    o->clearance = o->clearance > 0 ? o->clearance * p->scale : 5 * millimetre;
+    o->clearance = o->clearance > 0 ? o->clearance * p->scale : 5 * mm;
     /* Ten metres, as the manual says of the default. */
-    o->greatest_radius =
-        o->greatest_radius > 0 ? o->greatest_radius * p->scale : 1e4 * millimetre;
+    o->greatest_radius = o->greatest_radius > 0 ? o->greatest_radius * p->scale : 1e4 * mm;
     if (o->decimals < 0)
         o->decimals = inches ? 5 : 4;
     batten_text_add(&p->text, "%%\n%s (%s)\nG17\n%s\n%s\n", inches ? "G20" : "G21",
@@ -321,19 +352,23 @@ static void settle(program *p, double unit_metres)
 
 batten_status bat_write_gcode(const batten_model *model,
                               const batten_write_gcode_options *options, batten_notes *notes,
-                              batten_text *text)
+                              batten_text *text, bat_tool_moves *moves)
 {
     program p = {.options = options ? *options : batten_write_gcode_defaults(),
-                 .text = BATTEN_TEXT};
+                 .text = BATTEN_TEXT,
+                 .path = "",
+                 .moves = moves};
     batten_status status = check_options(&p.options);
     if (status == BATTEN_OK) {
-        settle(&p, batten_model_unit_metres(model));
+        settle(&p, model);
         status = find_top(&p, model);
     }
     if (status == BATTEN_OK && isfinite(p.top))
         move_up(&p);
     if (status == BATTEN_OK)
         status = put_paths(&p, model, notes);
+    if (status == BATTEN_OK)
+        status = p.listed;
     /* No machine is a million metres long: the unit is wrong. */
     if (status == BATTEN_OK && !(p.largest < 1e9))
         status =
@@ -360,7 +395,7 @@ batten_status batten_write_gcode(const batten_model *model,
     if (status != BATTEN_OK)
         return status;
     batten_text text = BATTEN_TEXT;
-    status = bat_write_gcode(model, &chosen, notes, &text);
+    status = bat_write_gcode(model, &chosen, notes, &text, NULL);
     if (status == BATTEN_OK)
         status = batten_text_take(&text, data, size);
     batten_text_free(&text);

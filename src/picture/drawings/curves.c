@@ -8,19 +8,11 @@
 
 /* ---- drawing ---- */
 
-static void to_sheet(const bat_drawing *d, const double point[3], double xy[2])
-{
-    double projected[3];
-    bat_view_project(&d->view, point, projected);
-    xy[0] = bat_plot_x(&d->plot, projected[0]);
-    xy[1] = bat_plot_y(&d->plot, projected[1]);
-}
-
 static void draw_stroke(bat_canvas *canvas, const bat_drawing *d, bat_pen pen,
                         const bat_stroke *stroke)
 {
     for (size_t i = 0; i < stroke->count; i++)
-        to_sheet(d, stroke->points + 3 * i, d->xy + 2 * i);
+        bat_drawing_to_sheet(d, stroke->points + 3 * i, d->xy + 2 * i);
     bat_canvas_line(canvas, pen, stroke->count, d->xy);
 }
 
@@ -43,8 +35,8 @@ static void draw_comb(bat_canvas *canvas, const bat_drawing *d, const bat_shape 
         const batten_vec3 foot = s->teeth[i].foot;
         double tip[3], from[2], *to = d->xy + 2 * i;
         bat_drawing_comb_tip(&s->teeth[i], d->comb_scale, tip);
-        to_sheet(d, (double[3]){foot.x, foot.y, foot.z}, from);
-        to_sheet(d, tip, to);
+        bat_drawing_to_sheet(d, (double[3]){foot.x, foot.y, foot.z}, from);
+        bat_drawing_to_sheet(d, tip, to);
         const bool stands = bat_hypot(from[0] - last[0], from[1] - last[1]) >= apart ||
                             bat_hypot(to[0] - last[2], to[1] - last[3]) >= apart;
         if (!stands && i + 1 < s->tooth_count)
@@ -62,7 +54,7 @@ static void draw_polygon(bat_canvas *canvas, const bat_drawing *d, const bat_sha
     for (int i = 0; i < count; i++) {
         double point[3];
         bat_drawing_control_point(s->object, i, point);
-        to_sheet(d, point, d->xy + 2 * i);
+        bat_drawing_to_sheet(d, point, d->xy + 2 * i);
     }
     bat_canvas_line(canvas, (bat_pen){bat_grey, 0.7, BAT_DASHED}, (size_t)count, d->xy);
     double radius = 0; /* a vertex that repeats is a larger dot */
@@ -87,8 +79,8 @@ static bool is_crowded(const bat_drawing *d, const bat_shape *s, double arm)
     int close = 0;
     for (int i = 1; i < count; i++) {
         double from[2], to[2];
-        to_sheet(d, s->object->points + 3 * (size_t)(i - 1), from);
-        to_sheet(d, s->object->points + 3 * (size_t)i, to);
+        bat_drawing_to_sheet(d, s->object->points + 3 * (size_t)(i - 1), from);
+        bat_drawing_to_sheet(d, s->object->points + 3 * (size_t)i, to);
         close += bat_hypot(to[0] - from[0], to[1] - from[1]) < 2 * arm;
     }
     return 4 * close > count;
@@ -102,7 +94,7 @@ static void draw_points(bat_canvas *canvas, const bat_drawing *d, const bat_shap
     const bat_pen pen = point_pen(s);
     for (int i = 0; i < s->object->point_count; i++) {
         double xy[2];
-        to_sheet(d, s->object->points + 3 * (size_t)i, xy);
+        bat_drawing_to_sheet(d, s->object->points + 3 * (size_t)i, xy);
         if (crowded)
             bat_canvas_disc(canvas, pen.colour, xy[0], xy[1], BAT_DOT * canvas->em);
         else
@@ -123,9 +115,11 @@ static double line_width(const bat_drawing *d, const bat_shape *s, size_t line)
 
 static void draw_lines(bat_canvas *canvas, const bat_drawing *d, const bat_shape *s)
 {
-    for (size_t i = 0; i < s->lines.count; i++)
-        draw_stroke(canvas, d, (bat_pen){s->colour, line_width(d, s, i), BAT_SOLID},
-                    &s->lines.strokes[i]);
+    for (size_t i = 0; i < s->lines.count; i++) {
+        const bat_pen pen = d->tool ? bat_tool_pen(s->object)
+                                    : (bat_pen){s->colour, line_width(d, s, i), BAT_SOLID};
+        draw_stroke(canvas, d, pen, &s->lines.strokes[i]);
+    }
 }
 
 static void draw_name(bat_canvas *canvas, const bat_drawing *d, const bat_shape *s)
@@ -134,7 +128,7 @@ static void draw_name(bat_canvas *canvas, const bat_drawing *d, const bat_shape 
         return;
     const bat_stroke *line = &s->lines.strokes[0];
     double end[2];
-    to_sheet(d, line->points + 3 * (line->count - 1), end);
+    bat_drawing_to_sheet(d, line->points + 3 * (line->count - 1), end);
     bat_canvas_name(canvas, (bat_lettering){s->colour, 0.8 * canvas->em, true}, 1, end,
                     s->object->name);
 }
@@ -151,7 +145,9 @@ void bat_drawing_draw(bat_canvas *canvas, const bat_drawing *d)
     for (int i = 0; i < d->shape_count; i++)
         if (bat_drawing_shows_points(d, d->shapes[i].object))
             draw_points(canvas, d, &d->shapes[i]);
-    for (int i = 0; d->shape_count > BAT_COLOURED && i < d->shape_count; i++)
+    if (d->tool)
+        bat_tool_draw_starts(canvas, d);
+    for (int i = 0; !d->tool && d->shape_count > BAT_COLOURED && i < d->shape_count; i++)
         draw_name(canvas, d, &d->shapes[i]);
 }
 
@@ -196,9 +192,11 @@ static void fill_legend(const bat_drawing *d, double em, bat_legend *legend)
                 mark = BAT_SAMPLE_CROSS;
         }
         comb |= s->tooth_count > 0 && d->comb_scale > 0;
-        if (d->shape_count <= BAT_COLOURED)
+        if (d->shape_count <= BAT_COLOURED && !d->tool)
             add_name(d, s, em, legend);
     }
+    if (d->tool)
+        bat_tool_legend(d->tool, unit_of(d), legend);
     char length[BATTEN_NUMBER_SIZE];
     bat_digits_text(d->comb_scale, 3, length);
     if (polygon)
@@ -310,17 +308,13 @@ void bat_drawing_free(bat_drawing *d)
     bat_release(d->xy);
 }
 
-batten_status batten_draw(const batten_model *model, const batten_draw_options *options,
-                          char **data, size_t *size)
+/* The way of `tool`, when it is not NULL. */
+static batten_status draw_model(const batten_model *model, const batten_draw_options *options,
+                                const bat_tool *tool, char **data, size_t *size)
 {
-    batten_draw_options chosen = batten_draw_defaults();
-    batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &chosen);
-    if (status != BATTEN_OK)
-        return status;
-    options = &chosen;
-    bat_drawing d = {.options = options};
+    bat_drawing d = {.options = options, .tool = tool};
     batten_model *flat = NULL;
-    status = bat_size_check(options);
+    batten_status status = bat_size_check(options);
     if (status == BATTEN_OK)
         status = bat_picture_model(model, options, NULL, &flat);
     d.model = flat;
@@ -331,4 +325,28 @@ batten_status batten_draw(const batten_model *model, const batten_draw_options *
     bat_drawing_free(&d);
     batten_model_unref(flat);
     return status;
+}
+
+batten_status batten_draw(const batten_model *model, const batten_draw_options *options,
+                          char **data, size_t *size)
+{
+    batten_draw_options chosen = batten_draw_defaults();
+    const batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &chosen);
+    return status == BATTEN_OK ? draw_model(model, &chosen, NULL, data, size) : status;
+}
+
+batten_status batten_draw_tool_path(const batten_model *tool_path,
+                                    const batten_draw_options *options, char **data,
+                                    size_t *size)
+{
+    batten_draw_options chosen = batten_draw_defaults();
+    bat_tool tool = {0};
+    batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &chosen);
+    if (status == BATTEN_OK)
+        status = bat_tool_measure(tool_path, &tool);
+    if (status != BATTEN_OK)
+        return status;
+    if (chosen.view == BATTEN_VIEW_AUTO)
+        chosen.view = BATTEN_VIEW_TOP;
+    return draw_model(tool_path, &chosen, &tool, data, size);
 }

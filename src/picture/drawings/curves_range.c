@@ -200,3 +200,11 @@ batten_status bat_drawing_make_room(bat_drawing *d)
     d->xy = bat_array3(longest, 2, sizeof *d->xy);
     return d->xy ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
+
+void bat_drawing_to_sheet(const bat_drawing *d, const double point[3], double xy[2])
+{
+    double projected[3];
+    bat_view_project(&d->view, point, projected);
+    xy[0] = bat_plot_x(&d->plot, projected[0]);
+    xy[1] = bat_plot_y(&d->plot, projected[1]);
+}

@@ -16,6 +16,8 @@ typedef struct {
     double sharpest;     /* largest |curvature| */
 } bat_shape;
 
+typedef struct bat_tool bat_tool;
+
 typedef struct {
     const batten_model *model;
     const batten_draw_options *options;
@@ -26,7 +28,8 @@ typedef struct {
     double comb_scale;
     double low[2], high[2]; /* what the picture shows, in its plane */
     bat_plot plot;
-    double *xy; /* room for the longest line */
+    double *xy;           /* room for the longest line */
+    const bat_tool *tool; /* whose way this is; NULL for other drawings */
 } bat_drawing;
 
 /* Everything of the model, in the view and at the scale of its comb that the options ask for.
@@ -38,7 +41,25 @@ batten_status bat_drawing_find_range(bat_drawing *drawing);
 /* Into its plot, which must have been fitted. */
 void bat_drawing_draw(bat_canvas *canvas, const bat_drawing *drawing);
 
+/* ---- tool_path.c ---- */
+
+/* How the tool moves on this layer, and how far in all. */
+enum { BAT_TOOL_LAYERS = 3 };
+struct bat_tool {
+    int count[BAT_TOOL_LAYERS];
+    double length[BAT_TOOL_LAYERS];
+};
+/* BAD_ARGUMENT when nothing is cut, or a curve is on no layer of a tool. */
+batten_status bat_tool_measure(const batten_model *tool_path, bat_tool *out);
+bat_pen bat_tool_pen(const batten_object *object);
+void bat_tool_legend(const bat_tool *tool, const char *unit, bat_legend *legend);
+/* Where it goes down, numbered in this order. */
+void bat_tool_draw_starts(bat_canvas *canvas, const bat_drawing *drawing);
+
 /* ---- what the parts of a drawing share ---- */
+
+/* Where a point in space is on the sheet. */
+void bat_drawing_to_sheet(const bat_drawing *drawing, const double point[3], double xy[2]);
 
 /* This many objects are told apart by colour; more are named where they end. */
 enum { BAT_COLOURED = 8 };
