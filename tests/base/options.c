@@ -145,6 +145,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     ROW(batten_write_prepare, batten_write, (s->model, o, NULL, &model)) \
     ROW(batten_write_file, batten_write, (s->model, "no.such", o, NULL)) \
     ROW(batten_write_gcode, batten_write_gcode, (s->model, o, NULL, &data, &size)) \
+    ROW(batten_gcode_tool_path, batten_write_gcode, (s->model, o, NULL, &model)) \
     ROW(batten_surface_coons_grid, batten_surface_coons_network, (no_grid, o, no_uv, &surface)) \
     ROW(batten_surface_coons_network, batten_surface_coons_network, (&net, o, NULL, &surface)) \
     ROW(batten_surface_catmull_rom, batten_curve_catmull_rom, (no_grid, no_directions, along, NULL, NULL, &surface)) \

@@ -86,6 +86,7 @@ static void default_cubic_plane(void *options)
         return status;                                                 \
     }
 CALL(draw, batten_draw(empty, o, &data, &size))
+CALL(tool_path, batten_draw_tool_path(empty, o, &data, &size))
 CALL(surface_lines, batten_draw_surface_lines(empty, o, NULL, &data, &size))
 CALL(panels, batten_draw_panels(0, &(batten_panel){0}, o, &data, &size))
 CALL(lines_plan, batten_draw_lines_plan(empty, NULL, o, NULL, &data, &size))
@@ -100,6 +101,7 @@ CALL(plane_of_cubics, batten_draw_cubic_plane(empty, o, NULL, &data, &size))
     }
 static const options_taker takers[] = {
     DRAW(draw),
+    DRAW(tool_path),
     DRAW(surface_lines),
     DRAW(panels),
     DRAW(lines_plan),
