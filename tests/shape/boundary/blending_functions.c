@@ -103,3 +103,42 @@ TEST(a_function_that_breaks_an_axiom_is_named)
     batten_curve_unref(bent);
     release(functions, 4);
 }
+
+static const struct {
+    int family, order;
+    batten_status status;
+    const char *message;
+} refused[] = {
+    {BATTEN_BLENDING_COONS, 0, BATTEN_BAD_ARGUMENT, "the order is 0, not 1 to 3"},
+    {BATTEN_BLENDING_COONS, 4, BATTEN_BAD_ARGUMENT, "the order is 4, not 1 to 3"},
+    {-1, 1, BATTEN_BAD_ARGUMENT, "there is no family -1 of blending functions"},
+    {BATTEN_BLENDING_COONS + 1, 1, BATTEN_BAD_ARGUMENT,
+     "there is no family 4 of blending functions"},
+    {BATTEN_BLENDING_LINEAR, 2, BATTEN_UNSUPPORTED,
+     "linear blending functions have no G: order 1 at most"},
+    {BATTEN_BLENDING_CUBIC, 3, BATTEN_UNSUPPORTED,
+     "cubic blending functions have no H: order 2 at most"},
+};
+
+TEST(orders_and_families_of_blending_functions_are_checked_with_their_numbers)
+{
+    batten_curve *functions[6] = {NULL};
+    for (int i = 0; i < COUNT(refused); i++) {
+        CHECK_STATUS(batten_blending_functions((batten_blending)refused[i].family,
+                                               refused[i].order, functions),
+                     refused[i].status);
+        CHECK_MESSAGE(refused[i].message);
+        CHECK(!functions[0]);
+    }
+    CHECK_OK(batten_blending_functions(BATTEN_BLENDING_CUBIC, 2, functions));
+    const batten_curve *const *made = (const batten_curve *const *)functions;
+    CHECK_STATUS(batten_blending_check(0, made, 1), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the order is 0, not 1 to 3");
+    CHECK_STATUS(batten_blending_check(4, made, 1), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the order is 4, not 1 to 3");
+    CHECK_STATUS(batten_blending_check(2, made, 3), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("3 derivatives cannot be looked at, only 0 to 2");
+    CHECK_STATUS(batten_blending_check(2, made, -1), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("-1 derivatives cannot be looked at, only 0 to 2");
+    release(functions, 4);
+}

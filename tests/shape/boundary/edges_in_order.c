@@ -1,4 +1,5 @@
 #include <batten/coons.h>
+#include <batten/standard.h>
 
 #include "support/faults.h"
 #include "support/test.h"
@@ -136,4 +137,22 @@ TEST(G7_boundaries_in_any_order_and_direction_make_a_loop_or_their_gap_is_named)
     CHECK_STATUS(batten_curves_loop(5, given, 0.4, places), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("corner 3, between curves 3 and 4, is open by 0.5");
     release(5, curves);
+}
+
+TEST(loops_of_one_curve_negative_tolerances_and_mixed_dimensions_are_refused)
+{
+    const double ends[6] = {0, 0, 0, 1, 0, 0};
+    batten_curve *space = NULL, *plane = NULL;
+    batten_loop_place places[2];
+    CHECK_OK(batten_curve_line(3, ends, ends + 3, &space));
+    CHECK_OK(batten_curve_line(2, ends, ends + 3, &plane));
+    const batten_curve *mixed[2] = {space, plane};
+    CHECK_STATUS(batten_curves_loop(1, mixed, 1e-6, places), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("a loop has 2 curves or more, not 1");
+    CHECK_STATUS(batten_curves_loop(2, mixed, -1, places), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the tolerance is -1, below 0");
+    CHECK_STATUS(batten_curves_loop(2, mixed, 1e-6, places), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("curves 1 and 2 have 3 and 2 dimensions");
+    batten_curve_unref(space);
+    batten_curve_unref(plane);
 }

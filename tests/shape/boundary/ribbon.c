@@ -130,3 +130,27 @@ TEST(a_ribbon_of_too_high_a_degree_is_met_within_a_tolerance)
                  BATTEN_BAD_ARGUMENT);
     batten_surface_unref(surface);
 }
+
+TEST(orders_edges_and_tolerances_of_ribbons_are_checked_with_their_numbers)
+{
+    const double corners[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, knots[4] = {0, 0, 1, 1};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *square = NULL;
+    batten_curve *made[3] = {NULL};
+    const struct {
+        int edge, order;
+        const char *message;
+    } rows[] = {{0, 0, "the order of a ribbon is 0, not 1 or 2"},
+                {0, 3, "the order of a ribbon is 3, not 1 or 2"},
+                {-1, 1, "a surface has no edge -1"},
+                {4, 1, "a surface has no edge 4"}};
+    CHECK_OK(batten_surface_create(3, &axis, &axis, corners, NULL, &square));
+    for (int i = 0; i < COUNT(rows); i++) {
+        CHECK_STATUS(batten_edge_ribbon(square, (batten_edge)rows[i].edge, rows[i].order, 1e-6,
+                                        NULL, made),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(rows[i].message);
+        CHECK(!made[0]);
+    }
+    batten_surface_unref(square);
+}

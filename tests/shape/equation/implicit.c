@@ -250,3 +250,39 @@ TEST(points_where_branches_meet_are_named_with_their_place_and_their_branches)
         end_trace(&t);
     }
 }
+
+/* Cubics with the circle's tangents at their ends miss it by about 2/27 (angle / 4)^6; the bound
+ * that is proved is of the fourth order, so a hundredth of the tolerance asks for 3.2 times as many
+ * pieces, or 4 times where they are halved. */
+TEST(smooth_curves_have_few_pieces_with_common_tangents_and_corners_are_kept)
+{
+    static const double tolerances[] = {1e-4, 1e-6, 1e-8};
+    int before = 0;
+    for (int i = 0; i < COUNT(tolerances); i++) {
+        const row circle = {{"x^2 + y^2 = 1"}, 2, tolerances[i], 1, 0, 0, 0, 0, 0};
+        traced t;
+        CHECK_OK(trace(&circle, &t));
+        const batten_curve *curve = t.made.curves[0];
+        const int pieces = batten_curve_spans(curve, NULL) - 1;
+        const double angle = 4 * pow(13.5 * tolerances[i], 1.0 / 6);
+        CHECK_INT(batten_curve_degree(curve), 3);
+        CHECK_INT(batten_curve_point_count(curve), 2 * pieces + 2);
+        CHECK(pieces >= 6.28 / angle && pieces <= (i > 0 ? 4 * before : 32));
+        before = pieces;
+        end_trace(&t);
+    }
+    const row bent = {{"y = abs(x)"}, 1, 1e-6, 1, 0, 0, 0, 0, 0};
+    traced t;
+    double left[4], right[4];
+    CHECK_OK(trace(&bent, &t));
+    const batten_curve *curve = t.made.curves[0];
+    const int pieces = batten_curve_spans(curve, NULL) - 1;
+    const batten_interval domain = batten_curve_domain(curve);
+    CHECK_INT(batten_curve_point_count(curve), 3 * pieces + 1);
+    const double quarter = (domain.b - domain.a) / 4;
+    CHECK_OK(batten_curve_evaluate(curve, domain.a + quarter, 1, left));
+    CHECK_OK(batten_curve_evaluate(curve, domain.b - quarter, 1, right));
+    CHECK_NEAR(fabs(left[3] / left[2]), 1, 1e-6);
+    CHECK_NEAR(left[3] / left[2], -right[3] / right[2], 2e-6);
+    end_trace(&t);
+}

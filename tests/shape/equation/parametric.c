@@ -143,3 +143,37 @@ TEST(quintics_join_with_two_derivatives)
     batten_equation_free(read[0]);
     batten_equation_free(read[1]);
 }
+
+TEST(coordinates_ranges_and_tolerances_are_checked_with_their_numbers)
+{
+    static const char *const two[] = {"t", "s"};
+    const batten_equation_names plane = {2, 0, two, NULL};
+    batten_equation *one = NULL, *both = NULL;
+    batten_equation_curves made = {0};
+    CHECK_OK(batten_equation_read("t", &names, &one));
+    CHECK_OK(batten_equation_read("t*s", &plane, &both));
+    const batten_equation *const mixed[] = {one, both, one, one};
+    const struct {
+        int dimension;
+        batten_interval range;
+        double tolerance;
+        batten_status status;
+        const char *says;
+    } refused[] = {
+        {0, {0, 1}, 1, BATTEN_BAD_ARGUMENT, "0 coordinates; a curve has 1 to 3"},
+        {4, {0, 1}, 1, BATTEN_BAD_ARGUMENT, "4 coordinates; a curve has 1 to 3"},
+        {2, {0, 1}, 1, BATTEN_BAD_ARGUMENT, "coordinate 2 has 2 variables, expected 1"},
+        {1, {NAN, 1}, 1, BATTEN_NOT_FINITE, "the range or the tolerance is not finite"},
+        {1, {0, 1}, INFINITY, BATTEN_NOT_FINITE, "the range or the tolerance is not finite"},
+        {1, {2, 1}, 1, BATTEN_BAD_ARGUMENT, "the range from 2 to 1 is empty"},
+        {1, {0, 1}, -1, BATTEN_BAD_ARGUMENT, "the tolerance must be above 0, not -1"},
+    };
+    for (int i = 0; i < COUNT(refused); i++) {
+        CHECK_STATUS(batten_curve_parametric(refused[i].dimension, mixed, refused[i].range,
+                                             refused[i].tolerance, NULL, &made),
+                     refused[i].status);
+        CHECK_MESSAGE(refused[i].says);
+    }
+    batten_equation_free(one);
+    batten_equation_free(both);
+}

@@ -109,3 +109,70 @@ TEST(values_that_are_not_there_are_out_of_domain)
         batten_equation_free(equation);
     }
 }
+
+/* Every function at x = 0.5, y = 0.25, and what it says of one value too many. */
+static const struct {
+    const char *name, *arguments;
+    double value;
+    const char *says;
+} functions[] = {
+    {"sin", "x", 0.479425538604203, "sin takes 1 value, not 2"},
+    {"cos", "x", 0.877582561890373, "cos takes 1 value, not 2"},
+    {"tan", "x", 0.546302489843790, "tan takes 1 value, not 2"},
+    {"asin", "x", 0.523598775598299, "asin takes 1 value, not 2"},
+    {"acos", "x", 1.047197551196598, "acos takes 1 value, not 2"},
+    {"atan", "x", 0.463647609000806, "atan takes 1 value, not 2"},
+    {"sinh", "x", 0.521095305493747, "sinh takes 1 value, not 2"},
+    {"cosh", "x", 1.127625965206381, "cosh takes 1 value, not 2"},
+    {"tanh", "x", 0.462117157260010, "tanh takes 1 value, not 2"},
+    {"exp", "x", 1.648721270700128, "exp takes 1 value, not 2"},
+    {"ln", "x", -0.693147180559945, "ln takes 1 value, not 2"},
+    {"log10", "x", -0.301029995663981, "log10 takes 1 value, not 2"},
+    {"sqrt", "y", 0.5, "sqrt takes 1 value, not 2"},
+    {"abs", "-x", 0.5, "abs takes 1 value, not 2"},
+    {"min", "x, y", 0.25, "min takes 2 values, not 3"},
+    {"max", "x, y", 0.5, "max takes 2 values, not 3"},
+};
+
+TEST(every_function_has_its_value_and_its_number_of_arguments)
+{
+    const double at[] = {0.5, 0.25};
+    for (int i = 0; i < COUNT(functions); i++) {
+        batten_equation *equation = NULL, *none = NULL;
+        char text[40];
+        double value = 0;
+        snprintf(text, sizeof text, "%s(%s)", functions[i].name, functions[i].arguments);
+        CHECK_OK(batten_equation_read(text, &names, &equation));
+        CHECK_OK(batten_equation_value(equation, at, &value, NULL));
+        CHECK_NEAR(value, functions[i].value, 2e-15);
+        snprintf(text, sizeof text, "%s(%s, 1)", functions[i].name, functions[i].arguments);
+        CHECK_STATUS(batten_equation_read(text, &names, &none), BATTEN_BAD_FORMAT);
+        CHECK_MESSAGE(functions[i].says);
+        CHECK(!none);
+        batten_equation_free(equation);
+    }
+}
+
+TEST(places_of_mistakes_are_quoted)
+{
+    static const struct {
+        const char *text;
+        batten_status status;
+        const char *says;
+    } rows[] = {
+        {"x + *y", BATTEN_BAD_FORMAT, "a number or a name is expected at \"*y\""},
+        {"x = .", BATTEN_BAD_FORMAT, "a number or a name is expected at \".\""},
+        {"x = y = 0", BATTEN_BAD_FORMAT, "there is more than one '='"},
+        {"1, 2", BATTEN_BAD_FORMAT,
+         "a ',' is allowed only in min( ) and max( ); the decimal mark is '.'"},
+        {"endless*x", BATTEN_NOT_FINITE, "endless is not finite"},
+    };
+    static const batten_equation_constant endless[] = {{"endless", INFINITY}};
+    const batten_equation_names with = {2, 1, variables, endless};
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_equation *none = NULL;
+        CHECK_STATUS(batten_equation_read(rows[i].text, &with, &none), rows[i].status);
+        CHECK_MESSAGE(rows[i].says);
+        CHECK(!none);
+    }
+}

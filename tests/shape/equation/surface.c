@@ -69,3 +69,49 @@ TEST(surfaces_are_within_the_error_that_was_proved_or_refused)
             batten_equation_free(read[k]);
     }
 }
+
+TEST(coordinates_and_ranges_of_surfaces_are_checked_with_their_numbers)
+{
+    static const char *const one[] = {"u"};
+    const batten_equation_names line = {1, 0, one, NULL};
+    batten_equation *good = NULL, *bad = NULL;
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_equation_read("u + v", &names, &good));
+    CHECK_OK(batten_equation_read("u", &line, &bad));
+    const struct {
+        const batten_equation *third;
+        batten_interval range[2];
+        double tolerance;
+        batten_status status;
+        const char *says;
+    } refused[] = {
+        {bad,
+         {{0, 1}, {0, 1}},
+         1,
+         BATTEN_BAD_ARGUMENT,
+         "coordinate 3 has 1 variables, expected 2"},
+        {good, {{0, INFINITY}, {0, 1}}, 1, BATTEN_NOT_FINITE, "the range of u is not finite"},
+        {good, {{0, 1}, {NAN, 1}}, 1, BATTEN_NOT_FINITE, "the range of v is not finite"},
+        {good, {{0, 1}, {3, 2}}, 1, BATTEN_BAD_ARGUMENT, "the range of v from 3 to 2 is empty"},
+        {good,
+         {{0, 1}, {0, 1}},
+         0,
+         BATTEN_BAD_ARGUMENT,
+         "the tolerance must be above 0, not 0"},
+        {good,
+         {{0, 1}, {0, 1}},
+         INFINITY,
+         BATTEN_BAD_ARGUMENT,
+         "the tolerance must be above 0, not inf"},
+    };
+    for (int i = 0; i < COUNT(refused); i++) {
+        const batten_equation *const three[] = {good, good, refused[i].third};
+        CHECK_STATUS(batten_surface_parametric(three, refused[i].range, refused[i].tolerance,
+                                               NULL, NULL, &surface),
+                     refused[i].status);
+        CHECK_MESSAGE(refused[i].says);
+    }
+    CHECK(!surface);
+    batten_equation_free(good);
+    batten_equation_free(bad);
+}

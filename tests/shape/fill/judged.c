@@ -90,3 +90,99 @@ TEST(G7_a_fill_that_folds_over_is_refused_unless_it_may)
     CHECK(h.report.folded && h.patches[3] != NULL);
     hole_free(&h);
 }
+
+static const struct {
+    double tolerance, angle;
+    const char *message;
+} refused[] = {
+    {-1, 0.1, "the tolerance of a fill is 0 or more, not -1"},
+    {INFINITY, 0.1, "the tolerance of a fill is 0 or more, not inf"},
+    {NAN, 0.1, "the tolerance of a fill is 0 or more, not nan"},
+    {0, 0, "the angle of a fill is above 0, not 0"},
+    {0, INFINITY, "the angle of a fill is above 0, not inf"},
+};
+
+/* Three sides of a plane triangle. */
+static void add_triangle(hole *h)
+{
+    static const double corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}};
+    memset(h, 0, sizeof *h);
+    for (int i = 0; i < 3; i++)
+        hole_add(h, 1, corners[i], 0, NULL);
+}
+
+TEST(bounds_of_fills_and_sheets_are_checked_with_their_numbers)
+{
+    hole h;
+    batten_fill_sheet sheet = {0};
+    add_triangle(&h);
+    for (int i = 0; i < COUNT(refused); i++) {
+        batten_surface_fill_options options = batten_surface_fill_defaults();
+        batten_fill_sheet_options over = batten_fill_sheet_defaults();
+        options.tolerance = over.tolerance = refused[i].tolerance;
+        options.angle = over.angle = refused[i].angle;
+        CHECK_STATUS(batten_surface_fill(3, h.ribbons, &options, NULL, h.patches),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(refused[i].message);
+        CHECK_STATUS(batten_surface_fill_sheet(3, h.ribbons, &over, NULL, &sheet),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(refused[i].message);
+    }
+    CHECK(!h.patches[0]);
+    hole_free(&h);
+}
+
+TEST(what_a_sheet_goes_through_lies_in_space)
+{
+    static const double flat[4] = {0.1, 0.1, 0.2, 0.1}, knots[4] = {0, 0, 1, 1};
+    hole h;
+    batten_fill_sheet sheet = {0};
+    batten_curve *inner[2] = {NULL, NULL};
+    batten_fill_sheet_options options = batten_fill_sheet_defaults();
+    add_triangle(&h);
+    options.most_curvature = -0.5;
+    CHECK_STATUS(batten_surface_fill_sheet(3, h.ribbons, &options, NULL, &sheet),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the difference of curvatures of a fill is 0 or more, not -0.5");
+    options.most_curvature = 0;
+    options.points = (batten_points){2, 2, flat};
+    CHECK_STATUS(batten_surface_fill_sheet(3, h.ribbons, &options, NULL, &sheet),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("points inside a fill have dimension 3, these have 2");
+    options.points = (batten_points){0};
+    CHECK_OK(batten_curve_create((batten_points){2, 2, flat}, 1, NULL, knots, &inner[1]));
+    CHECK_OK(batten_curve_to_dimension(inner[1], 3, &inner[0]));
+    options.curves = (batten_curve_row){2, (const batten_curve *const *)inner};
+    CHECK_STATUS(batten_surface_fill_sheet(3, h.ribbons, &options, NULL, &sheet),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("inner curve 2 has dimension 2: what a fill goes through lies in space");
+    batten_curve_unref(inner[0]);
+    batten_curve_unref(inner[1]);
+    hole_free(&h);
+}
+
+TEST(holes_of_one_point_and_without_area_are_refused)
+{
+    static const double nothing[2][3] = {{1, 2, 3}, {1, 2, 3}};
+    static const double there[2][3] = {{0, 0, 0}, {1, 0, 0}},
+                        back[2][3] = {{1, 0, 0}, {0, 0, 0}};
+    hole h;
+    batten_fill_sheet sheet = {0};
+    memset(&h, 0, sizeof h);
+    for (int i = 0; i < 3; i++)
+        hole_add(&h, 1, nothing[0], 0, NULL);
+    CHECK_STATUS(batten_surface_fill(3, h.ribbons, NULL, NULL, h.patches), BATTEN_COINCIDENT);
+    CHECK_MESSAGE("all sides of the hole are one point");
+    CHECK_STATUS(batten_surface_fill_sheet(3, h.ribbons, NULL, NULL, &sheet),
+                 BATTEN_COINCIDENT);
+    CHECK_MESSAGE("curve 1 has no length");
+    hole_free(&h);
+    memset(&h, 0, sizeof h);
+    hole_add(&h, 1, there[0], 0, NULL);
+    hole_add(&h, 1, back[0], 0, NULL);
+    CHECK_STATUS(batten_surface_fill_sheet(2, h.ribbons, NULL, NULL, &sheet),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("the sides go around no area: a sheet needs a hole that can be seen from one "
+                  "side");
+    hole_free(&h);
+}
