@@ -6,6 +6,8 @@
 #include <string.h>
 #include <strings.h>
 
+/* The first options are for files of shapes alone. */
+enum { OF_FILES = 3 };
 static const option options[] = {
     {"within", 0, OPTION_VALUE, "TOL",
      "how far data points may lie from the shape, and edges of bodies from faces, as 2 mm"},
@@ -58,18 +60,18 @@ static int check_design(batten_design *design, bool json, batten_notes *notes)
     return EXIT_FAILED;
 }
 
-/* Options that are for files of shapes. */
+/* Those of the operation, and the first of the command's own, are for files of shapes. */
 static bool has_idle_option(const arguments *given)
 {
-    static const char *const of_files[] = {"within", "angle", "curvature", "unit",
-                                           "from-format"};
-    for (int i = 0; i < 5; i++)
-        if (arguments_has(given, of_files[i])) {
-            complain("batten check: --%s is for files of shapes; '%s' is a design, which says "
-                     "so itself",
-                     of_files[i], given->files[0]);
-            return true;
-        }
+    for (int i = 0; i < given->given_count; i++) {
+        const int at = given->given[i].option;
+        if (at >= OF_FILES && at < (int)(sizeof options / sizeof options[0]))
+            continue;
+        complain("batten check: --%s is for files of shapes; '%s' is a design, which says so "
+                 "itself",
+                 given->options[at].name, given->files[0]);
+        return true;
+    }
     return false;
 }
 

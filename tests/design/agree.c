@@ -111,3 +111,64 @@ void agree_rows(const char *before, const agree_made *data, const agree_row *row
         check_row(before, data, &rows[i]);
     CHECK_INT(wrong, 0);
 }
+
+/* ---- surfaces ---- */
+
+const batten_curve *agree_input(const batten_design *design, const char *feature)
+{
+    return batten_model_object(batten_design_result(design, feature)->value, 0)->curve;
+}
+
+static void compare_surfaces(const char *feature, const batten_surface *actual,
+                             const batten_surface *expected)
+{
+    enum { STEPS = 8 };
+    for (int k = 0; k < 2; k++) {
+        const batten_direction along = k ? BATTEN_V : BATTEN_U;
+        compare(feature, "start of a domain", batten_surface_domain(actual, along).a,
+                batten_surface_domain(expected, along).a);
+        compare(feature, "end of a domain", batten_surface_domain(actual, along).b,
+                batten_surface_domain(expected, along).b);
+    }
+    const batten_interval u = batten_surface_domain(expected, BATTEN_U),
+                          v = batten_surface_domain(expected, BATTEN_V);
+    for (int i = 0; i <= STEPS; i++)
+        for (int j = 0; j <= STEPS; j++) {
+            double found[3], wanted[3];
+            const double s = i == STEPS ? u.b : u.a + (u.b - u.a) * i / STEPS,
+                         t = j == STEPS ? v.b : v.a + (v.b - v.a) * j / STEPS;
+            CHECK_OK(batten_surface_evaluate(actual, s, t, 0, found));
+            CHECK_OK(batten_surface_evaluate(expected, s, t, 0, wanted));
+            for (int k = 0; k < 3; k++)
+                compare(feature, "coordinate", found[k], wanted[k]);
+        }
+}
+
+static void check_surface_row(const char *before, const agree_surface_row *row)
+{
+    char text[4000];
+    batten_design *design = NULL;
+    agree_surface made = {NULL, (double)NAN};
+    snprintf(text, sizeof text, "batten: 1\nunits: m\ntolerance: 0.001\nfeatures:\n%s  a: %s\n",
+             before, row->feature);
+    CHECK_OK(evaluate_design(text, "a", NULL, &design));
+    CHECK_OK(row->call(design, &made));
+    const batten_feature_result *result = batten_design_result(design, "a");
+    CHECK_INT(batten_model_count(result->value), 1);
+    compare_surfaces(row->feature, batten_model_object(result->value, 0)->surface,
+                     made.surface);
+    if (!isnan(made.error)) {
+        CHECK(result->has_error);
+        compare(row->feature, "largest error", result->error_max, made.error);
+    }
+    batten_design_free(design);
+    batten_surface_unref(made.surface);
+}
+
+void agree_surfaces(const char *before, const agree_surface_row *rows, int count)
+{
+    wrong = 0;
+    for (int i = 0; i < count; i++)
+        check_surface_row(before, &rows[i]);
+    CHECK_INT(wrong, 0);
+}

@@ -30,4 +30,20 @@ typedef struct {
 void agree_rows(const char *before, const agree_made *data, const agree_row *rows, int count);
 #define AGREE(before, data, rows) agree_rows(before, data, rows, COUNT(rows))
 
+/* Of surfaces: the call takes what other features of the design have made. */
+typedef struct {
+    batten_surface *surface;
+    double error; /* NaN: none is reported */
+} agree_surface;
+
+typedef struct {
+    const char *feature;
+    batten_status (*call)(const batten_design *design, agree_surface *made);
+} agree_surface_row;
+
+/* The curve that a feature of the design has made. */
+const batten_curve *agree_input(const batten_design *design, const char *feature);
+void agree_surfaces(const char *before, const agree_surface_row *rows, int count);
+#define AGREE_SURFACES(before, rows) agree_surfaces(before, rows, COUNT(rows))
+
 #endif

@@ -67,6 +67,11 @@ static int function_of(const char *name, size_t length)
     return -1;
 }
 
+bool bat_expression_has_word(const char *name, size_t length)
+{
+    return function_of(name, length) >= 0 || (length == 2 && memcmp(name, "pi", 2) == 0);
+}
+
 static int precedence(operation op)
 {
     switch (op) {
@@ -288,7 +293,7 @@ static batten_status take_name(yard *y, bool *wants_value)
         return status == BATTEN_OK ? push_pending(y, CALL_OPEN) : status;
     }
     *wants_value = false;
-    if (length == 2 && memcmp(name, "pi", 2) == 0)
+    if (bat_expression_has_word(name, length)) /* no function, so pi */
         return push_value(y, (bat_quantity){BAT_PI, 0, 0});
     const bat_names *names = y->read.names;
     const bat_quantity *found = names->find ? names->find(names->user, name, length) : NULL;
@@ -374,8 +379,7 @@ bool bat_expression_next_name(const char *text, size_t *position, const char **n
     bool after_number = false;
     for (const char *at = text + *position; *at;) {
         const size_t letters = bat_name_length(at);
-        const bool is_name = letters && !after_number && function_of(at, letters) < 0 &&
-                             !(letters == 2 && memcmp(at, "pi", 2) == 0);
+        const bool is_name = letters && !after_number && !bat_expression_has_word(at, letters);
         if (is_name) {
             *name = at;
             *length = letters;

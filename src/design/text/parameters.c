@@ -45,13 +45,9 @@ static bool is_plain_name(const char *name)
 
 static void list_parameter(bat_document *d, int node)
 {
-    static const char *const taken[] = {"pi", "sin", "cos", "tan", "sqrt", "abs", "min", "max"};
     const bat_node *at = &d->tree.nodes[node];
     const char *name = d->tree.nodes[at->key].word;
-    bool ok = is_plain_name(name);
-    for (int i = 0; i < (int)(sizeof taken / sizeof taken[0]); i++)
-        ok &= strcmp(name, taken[i]) != 0;
-    if (!ok)
+    if (!is_plain_name(name) || bat_expression_has_word(name, strlen(name)))
         bat_complain(
             d, at->key,
             "'%s' cannot name a parameter; use letters, digits and '_', and no function", name);

@@ -33,6 +33,8 @@ batten_status bat_count_read(const char *text, int *out);
 /* "a length", "a number", "an area" ...; `text` [48] is used for those without a name. */
 const char *bat_dimension_name(int length, int angle, char *text);
 
+/* Is this pi or a function, and so no name for a parameter? */
+bool bat_expression_has_word(const char *name, size_t length);
 /* Go through the names of an expression that are not functions. `*position` begins at 0.
  * @return false at the end */
 bool bat_expression_next_name(const char *text, size_t *position, const char **name,
