@@ -130,3 +130,87 @@ TEST(a_design_read_from_a_file_is_its_text)
     CHECK_TEXT(batten_design_text(design, NULL), text);
     batten_design_free(design);
 }
+
+/* Whatever becomes of a value, the result that it reaches is gone, and no other one. */
+static const struct {
+    const char *path, *value;
+    bool kept; /* the result of 'a' */
+} edits[] = {
+    {"features.a.points", "[[0, 0], [1, 0], [2, 1]]", false}, /* one more */
+    {"features.a.points", "[[0, 0]]", false},                 /* one less */
+    {"features.a.points", "[[0, 0], [2, 0]]", false},         /* another number */
+    {"features.a.points", "[[0, 0], [1, 0]]", true},          /* the same */
+    {"features.a.points", "[ [0.0, 0], [1000 mm, 0] ]", true},
+    {"features.a.columns", "2", false}, /* given, though it is the default */
+    {"features.b.function", "y = 2*x", true},
+    {"parameters.free", "7", true},
+    {"tolerance", "1 mm", true},
+    {"tolerance", "2 mm", false},
+    {"units", "mm", false},
+};
+
+TEST(results_stay_exactly_when_no_argument_of_theirs_differs)
+{
+    static const char given[] = "batten: 1\nunits: m\ntolerance: 0.001\nparameters: {free: 1}\n"
+                                "features:\n  a: {points: [[0, 0], [1, 0]]}\n"
+                                "  b: {function: y = x, x: [0, 1]}\n"
+                                "  c: {interpolate: a, degree: 1}\n  d: {reverse: c}\n";
+    for (int i = 0; i < COUNT(edits); i++) {
+        batten_design *design = NULL;
+        CHECK_OK(parse(given, &design));
+        CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
+        CHECK_INT(batten_design_result_count(design), 4);
+        CHECK_OK(batten_design_set(design, edits[i].path, edits[i].value, NULL));
+        CHECK_INT(batten_design_result(design, "a") != NULL, edits[i].kept);
+        CHECK_INT(batten_design_result(design, "d") != NULL, edits[i].kept);
+        CHECK_INT(batten_design_result(design, "b") != NULL,
+                  strcmp(edits[i].path, "features.b.function") != 0 &&
+                      (edits[i].kept || strncmp(edits[i].path, "features.a", 10) == 0));
+        batten_design_free(design);
+    }
+}
+
+TEST(features_that_are_evaluated_again_are_listed_once)
+{
+    batten_design *design = NULL;
+    CHECK_OK(parse(text, &design));
+    CHECK_OK(batten_design_evaluate(design, "b", NULL, NULL));
+    CHECK_OK(batten_design_evaluate(design, "all", NULL, NULL));
+    CHECK_OK(batten_design_evaluate(design, "all", NULL, NULL));
+    CHECK_OK(batten_design_evaluate(design, "b", NULL, NULL));
+    CHECK_INT(batten_design_result_count(design), 3);
+    CHECK_TEXT(batten_design_result_at(design, 0)->name, "b");
+    CHECK_TEXT(batten_design_result_at(design, 1)->name, "a");
+    CHECK_TEXT(batten_design_result_at(design, 2)->name, "all");
+    CHECK_OK(batten_design_set(design, "parameters.x", "3 m", NULL));
+    CHECK_OK(batten_design_evaluate(design, "a", NULL, NULL));
+    CHECK_INT(batten_design_result_count(design), 2);
+    batten_design_free(design);
+}
+
+TEST(the_files_that_features_name_are_counted_and_lie_beside_the_design)
+{
+    static const char *const names[] = {"one.csv", "sub/two.step", "three.xyz"};
+    batten_design *design = NULL;
+    batten_design_options options = batten_design_defaults();
+    static const char reading[] =
+        "batten: 1\nfeatures:\n  a: {read: one.csv}\n  p: {points: [[0, 0]]}\n"
+        "  b: {read: sub/two.step}\n  c: {read: three.xyz}\n";
+    options.file_name = "folder/d.yaml";
+    options.allow_outside = true; /* nothing is looked up */
+    CHECK_OK(batten_design_parse(reading, strlen(reading), &options, NULL, &design));
+    CHECK_INT(batten_design_file_count(design), 3);
+    for (int i = 0; i < 3; i++) {
+        char *path = NULL, expected[40];
+        snprintf(expected, sizeof expected, "folder/%s", names[i]);
+        CHECK_OK(batten_design_file_path(design, i, &path));
+        CHECK_TEXT(path, expected);
+        batten_release(path);
+    }
+    CHECK_NEAR(batten_design_unit_metres(design), 1, 0);
+    batten_design_free(design);
+    design = NULL;
+    CHECK_OK(parse(text, &design));
+    CHECK_INT(batten_design_file_count(design), 0);
+    batten_design_free(design);
+}

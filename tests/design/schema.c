@@ -85,3 +85,22 @@ TEST(the_schema_is_JSON_and_names_every_parameter)
     }
     batten_release(schema);
 }
+
+/* Operations stand under "operation" and outputs under "output", each once. */
+TEST(the_schema_has_operations_and_outputs_in_their_places)
+{
+    char *schema = NULL;
+    CHECK_OK(batten_design_schema(&schema));
+    const char *operations = strstr(schema, "    \"operation\": {\"anyOf\": ["),
+               *outputs = strstr(schema, "    \"output\": {\"anyOf\": [");
+    CHECK(operations && outputs && operations < outputs);
+    for (int i = 0; i < batten_feature_count(); i++) {
+        const batten_feature *f = batten_feature_at(i);
+        char required[120];
+        snprintf(required, sizeof required, "\"required\": [\"%s\"", f->name);
+        const char *at = strstr(operations, required);
+        CHECK(at != NULL);
+        CHECK_INT(at > outputs, f->is_output);
+    }
+    batten_release(schema);
+}

@@ -15,6 +15,10 @@ static const char shapes[] =
     "  bend: {arc: 2, angle: 180 deg}\n"
     "  corner: {polyline: [[0, 0], [4, 0], [4, 3]]}\n"
     "  one: {line: [[0, 0], [4, 0]]}\n"
+    "  c1: {line: [[0, 0], [2, 0]]}\n  c2: {line: [[2, 0], [2, 1]]}\n  c3: {line: [[2, 1], [1, 1]]}\n"
+    "  c4: {line: [[1, 1], [1, 2]]}\n  c5: {line: [[1, 2], [0, 2]]}\n  c6: {line: [[0, 2], [0, 0]]}\n"
+    "  hole: {fill: [c1, c2, c3, c4, c5, c6], form: sheet}\n"
+    "  raised: {move: slope, by: [0, 0, 1]}\n"
     "  lines: {collect: [one, corner]}\n";
 
 TEST(curves_of_surfaces_lie_at_their_parameters)
@@ -51,6 +55,16 @@ TEST(contours_have_equal_heights)
          "degree 3;within 1e-6;on 0 0 1 1;distance 2 0 0 0;closed 1"},
         {"{contours: three, levels: [0.5]}", BATTEN_OK, "on 0 0 1 0.5;length 0.5"},
         {"{contours: three, levels: [0.5], within: 1e-8}", BATTEN_OK, "on 0 0 1 0.5"},
+        {"{contours: raised, spacing: 7}", BATTEN_NOT_FOUND,
+         "the field runs from 1 to 4: no level 7 apart lies between"},
+        {"{contours: raised, spacing: 4}", BATTEN_OK, "objects 1;on 0 0 1 4;named a"},
+        {"{contours: slope, levels: [1, 9]}", BATTEN_OK, "objects 1;named a;on 0 0 1 1"},
+        {"{contours: [slope, level], levels: [1]}", BATTEN_OK,
+         "objects 1;notes 'level' meets none of the levels"},
+        {"{contours: slope, levels: [7, 8]}", BATTEN_NOT_FOUND,
+         "no level from 7 to 8 is met by the field, which runs from 0 to 3"},
+        {"{contours: level, levels: [5]}", BATTEN_NOT_FOUND,
+         "the field is 5 everywhere: no lines lie at its levels"},
         {"{contours: level}", BATTEN_NOT_FOUND, "the field is 5 everywhere: it has no levels"},
         {"{contours: slope, levels: [7]}", BATTEN_NOT_FOUND,
          "no level from 7 to 7 is met by the field"},
@@ -103,9 +117,18 @@ TEST(edges_and_faces_of_bodies_are_curves_and_surfaces)
          "objects 2;within 1e-6;length 6.283185307179586;object 1;length 6.283185307179586"},
         {"{edges: tube, which: shared}", BATTEN_OK, "objects 1;within 1e-6;length 4"},
         {"{edges: tube}", BATTEN_OK, "objects 3"},
+        {"{edges: [slope, tube], which: shared}", BATTEN_OK,
+         "objects 1;named a;within 1e-6;length 4;notes 'slope' has no such edges"},
+        {"{edges: [tube, slope]}", BATTEN_OK, "objects 7;silent"},
+        /* Its four meridians are one and its poles have no length. */
+        {"{edges: ball, which: free}", BATTEN_NOT_FOUND, "there are no such edges"},
+        {"{edges: hole}", BATTEN_OK, "objects 6;within 1e-3;length 2"},
         {"{edges: one}", BATTEN_BAD_ARGUMENT, "one"},
         {"{faces: slope}", BATTEN_OK, "objects 1;area 6.324555320336759;silent"},
         {"{faces: [slope, level]}", BATTEN_OK, "objects 2;named slope;object 1;named level"},
+        {"{faces: hole}", BATTEN_OK,
+         "objects 1;kind surface;named a;notes 1 of 1 faces of 'hole' end elsewhere than their "
+         "surfaces, which are whole here"},
         {"{faces: one}", BATTEN_BAD_ARGUMENT, "one"},
     };
     EXPECT(shapes, rows);
@@ -150,6 +173,9 @@ TEST(meshes_have_the_area_of_their_shape)
         {"{mesh: ball, chord: 1, angle: 20 deg}", BATTEN_OK,
          "within 0.03;area 50.26548245743669;finer 400;error 0.05"},
         {"{mesh: level, longest: 0.1}", BATTEN_OK, "area 2;finer 400"},
+        {"{mesh: level}", BATTEN_OK, "notes 'level': 2 triangles, at most 0 from the shape"},
+        {"{mesh: three}", BATTEN_OK, "notes 'three': 1 triangle, at most 0 from the shape"},
+        {"{mesh: hole}", BATTEN_OK, "objects 1;kind mesh;within 1e-3;area 3"},
         {"{mesh: ball, most: 10}", BATTEN_TOO_LARGE, "'ball': "},
         {"{mesh: ball, chord: -1}", BATTEN_BAD_ARGUMENT, "'ball': "},
         {"{mesh: one}", BATTEN_BAD_ARGUMENT, "one"},
