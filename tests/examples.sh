@@ -4,7 +4,7 @@
 set -euo pipefail
 batten=$1 source=$2 out=$3
 failures=0 count=0
-for design in hull/hull wing/wing; do
+for design in hull/hull sharpie/sharpie wing/wing; do
     count=$((count + 1))
     folder=$out/${design%/*}
     rm -rf "$folder" && mkdir -p "$folder"

@@ -258,6 +258,8 @@ typedef struct batten_loft_options {
     double
         height; /**< bulges of sections up to this are not seen as inflections; 0: a millionth
                         of the breadth */
+    int knuckle_count;           /**< lines at which the hull has an edge; 0 */
+    const char *const *knuckles; /**< [knuckle_count], their names in the table, in any order */
 } batten_loft_options;
 /**
  * The defaults of a lofting.
@@ -273,7 +275,8 @@ typedef enum batten_loft_family {
     BATTEN_LOFT_BUTTOCK,   /**< y = const */
     BATTEN_LOFT_DIAGONAL, /**< through a line of the centre plane, falling by 30 or 45 degrees */
     BATTEN_LOFT_PROFILE,  /**< the lower edge, from the side */
-    BATTEN_LOFT_SHEER     /**< the upper edge, from the side and from above */
+    BATTEN_LOFT_SHEER,    /**< the upper edge, from the side and from above */
+    BATTEN_LOFT_KNUCKLE   /**< the lower edge of a panel above the first, likewise */
 } batten_loft_family;
 
 /** A cut of the surface, and what the table asks of it. */
@@ -284,6 +287,7 @@ typedef struct batten_loft_cut {
     int needed; /**< inflections that the points require within their bounds; of cuts without
                      points those of the cuts beside them, or of the surface of least energy */
     int found;  /**< those of the surface, between bulges above the height */
+    int panel;  /**< which surface, from below and 0; a knuckle counts with the panel above it */
 } batten_loft_cut;
 
 typedef struct batten_loft_report {
@@ -300,6 +304,8 @@ typedef struct batten_loft_report {
     int rounds;        /**< programs with conditions on the sign of curvature */
     double enough; /**< with NOT_COMPATIBLE: a bound with which a surface exists; 0 when none
                             was found */
+    int panel_count; /**< surfaces: one more than knuckles */
+    int ruled_count; /**< of these, without points between their lines: straight across */
 } batten_loft_report;
 /**
  * Release the cuts and moves of a report.
@@ -330,7 +336,8 @@ BATTEN_API void batten_loft_report_release(batten_loft_report *report);
  * What is returned has what is reported: distances and inflections are measured on it. A surface
  * with cuts in excess is returned as well; `cuts_in_excess` tells.
  *
- * One surface has no knuckles: a table whose stations turn at a chine is refused.
+ * One surface has no knuckles: a table whose stations turn at a chine is refused, unless the chine is
+ * declared to batten_hull_loft.
  *
  * @param table  stations from aft to forward, points from the profile to the sheer or back
  * @param options  never NULL, for the bound has no default
@@ -341,7 +348,8 @@ BATTEN_API void batten_loft_report_release(batten_loft_report *report);
  * half-breadth; the height; no half-breadth above 0); TOO_FEW_POINTS (3 stations of 3 points,
  * 2 points at each); COINCIDENT; NOT_INCREASING (a station beyond an end of
  * the hull); UNSUPPORTED (knuckles); NOT_COMPATIBLE when no
- * smooth surface was found that keeps the bound; INCOMPLETE, CANCELLED, OUT_OF_MEMORY
+ * smooth surface was found that keeps the bound: the message has one that can be kept, to a tenth,
+ * and the points that hold it; INCOMPLETE, CANCELLED, OUT_OF_MEMORY
  *
  * Cost: 15 to 30 programs, each 10 to 20 times n b^2 for n = 2 or 3 (stations + 2) (points + 2) unknowns
  * in a band b of three rows of control points across: one or two seconds for 100 points
@@ -351,6 +359,39 @@ BATTEN_API batten_status batten_surface_loft(const batten_offset_table *table,
                                              const batten_loft_options *options,
                                              const batten_job *job, batten_loft_report *report,
                                              batten_surface **out);
+
+/**
+ * The surfaces of one half of a hull with chines and knuckles: panels that share their lines.
+ *
+ * The profile, each knuckle and the sheer are made fair first, in space: x linear in u, y and z the
+ * functions f in the knots of the panels which are within the bound of the points and have the least
+ *
+ *     sum (distance / bound)^2 + lambda integral (d^3 f / du^3)^2 du
+ *
+ * with no more inflections over x than the points require; y and z have the bound over the square root
+ * of 2 each, and lambda makes the mean distance at most a quarter of it. Panels on both sides of a line have the same control points there. A panel with
+ * nothing between its lines is ruled: of degree 1 across, so that its frames are straight; it is judged by
+ * its lines, for its other sections turn where its twist makes them. One with points between them is
+ * found as by batten_surface_loft, with its edges held. Lines of the table beyond the profile or the sheer
+ * are left out before, by batten_offset_table_select.
+ *
+ * @param table  stations from aft to forward; every line that is named has a point at each
+ * @param options  never NULL; without knuckles as batten_surface_loft
+ * @param job  progress, cancelling; NULL for no questions
+ * @param[out] report  of all panels; may be NULL. With NOT_COMPATIBLE `enough` is filled in
+ * @param[out] out  [knuckle_count + 1], from below
+ * @return as batten_surface_loft; NOT_FOUND (a line that the table does not have, or not at each
+ * station); BAD_ARGUMENT (a line named twice; lines that change places from station to station, or may
+ * within the bound); TOO_FEW_POINTS (3 stations)
+ *
+ * Cost: a few programs of twice as many unknowns as stations for each line; of panels with points
+ * as batten_surface_loft
+ * Source: as batten_surface_loft.
+ */
+BATTEN_API batten_status batten_hull_loft(const batten_offset_table *table,
+                                          const batten_loft_options *options,
+                                          const batten_job *job, batten_loft_report *report,
+                                          batten_surface **out);
 
 #ifdef __cplusplus
 }

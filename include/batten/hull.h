@@ -121,12 +121,14 @@ typedef struct batten_offset_table_selection {
         z;            /**< keep the points inside, in the new numbers; infinite by default */
     bool trim_centre; /**< of a run of points on the centre line at the lower end of a station
                            keep only the highest: what is below is keel or air */
+    int line_count;           /**< keep the points on these lines; 0: on all and on none */
+    const char *const *lines; /**< [line_count], names of the table */
 } batten_offset_table_selection;
 /** The selection that keeps the whole table as it is. */
 BATTEN_API batten_offset_table_selection batten_offset_table_everything(void);
 /**
  * Stations and lines that are left without points are left out. NOT_FOUND when nothing is
- * left.
+ * left, or the table does not have a line that is named.
  *
  * @param offsets  looked at only
  * @param selection  what is kept, in which numbers; NULL for everything

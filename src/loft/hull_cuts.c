@@ -202,28 +202,56 @@ static batten_status add_edges(cuts *c)
     return status;
 }
 
-batten_status bat_hull_cuts(const batten_offset_table *table, int count,
-                            const bat_hull_station *stations, bat_loft *loft)
+/* An edge that is faired already, from the side and from above. */
+static batten_status add_rail(cuts *c, bat_cut_kind kind, const bat_hull_rail *rail)
 {
-    cuts c = {table, count, stations, loft, 0, NULL, HUGE_VAL, -HUGE_VAL};
-    int most = count;
+    batten_status status = BATTEN_OK;
+    for (int axis = 1; axis <= 2 && status == BATTEN_OK; axis++) {
+        bat_loft_cut cut = {.kind = kind, .needed = rail->needed[axis == 1]};
+        cut.m[axis] = 1;
+        status = add_cut(c, cut);
+    }
+    return status;
+}
+
+static batten_status add_rails(cuts *c, const bat_hull_edges *edges)
+{
+    batten_status status = add_rail(c, BAT_CUT_PROFILE, edges->low);
+    return status == BATTEN_OK && edges->is_top ? add_rail(c, BAT_CUT_SHEER, edges->high)
+                                                : status;
+}
+
+static batten_status add_sections(cuts *c)
+{
+    batten_status status = add_stations(c);
+    if (status == BATTEN_OK)
+        status = add_waterlines(c);
+    if (status == BATTEN_OK)
+        status = add_buttocks(c);
+    if (status == BATTEN_OK)
+        status = add_diagonals(c, BAT_PI / 6);
+    if (status == BATTEN_OK)
+        status = add_diagonals(c, BAT_PI / 4);
+    return status;
+}
+
+batten_status bat_hull_cuts(const bat_hull_table *table, const bat_hull_edges *edges,
+                            bat_loft *loft)
+{
+    const int count = table->station_count;
+    cuts c = {table->table, count, table->stations, loft, 0, NULL, HUGE_VAL, -HUGE_VAL};
+    const int most = bat_max_int(count, table->most_points);
     for (int k = 0; k < count; k++) {
-        most = bat_max_int(most, stations[k].count);
-        c.low = bat_min(c.low, stations[k].points[0].z);
-        c.high = bat_max(c.high, stations[k].points[stations[k].count - 1].z);
+        const bat_hull_station *s = table->stations + k;
+        c.low = bat_min(c.low, s->points[0].z);
+        c.high = bat_max(c.high, s->points[s->count - 1].z);
     }
     c.row = bat_array((size_t)most, 2 * sizeof *c.row);
-    batten_status status = c.row ? add_stations(&c) : BATTEN_OUT_OF_MEMORY;
+    batten_status status = c.row ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK && (!edges || loft->datum_count > 0))
+        status = add_sections(&c);
     if (status == BATTEN_OK)
-        status = add_waterlines(&c);
-    if (status == BATTEN_OK)
-        status = add_buttocks(&c);
-    if (status == BATTEN_OK)
-        status = add_diagonals(&c, BAT_PI / 6);
-    if (status == BATTEN_OK)
-        status = add_diagonals(&c, BAT_PI / 4);
-    if (status == BATTEN_OK)
-        status = add_edges(&c);
+        status = edges ? add_rails(&c, edges) : add_edges(&c);
     bat_release(c.row);
     return status;
 }

@@ -131,7 +131,7 @@ static batten_status move_patch(bat_loft *loft, step_kind kind, double trust,
 
 /* The inflections of each cut; where the points do not say how many are needed, those that the
  * patch has before its signs are shaped, of bulges above a quarter of the bound. */
-static batten_status judge(bat_loft *loft, bat_loft_reached *r)
+batten_status bat_loft_judge(bat_loft *loft, bat_loft_reached *r)
 {
     bat_cut_tracer tracer;
     batten_status status = bat_cut_tracer_make(&loft->patch, 0, SAMPLES_JUDGED, &tracer);
@@ -226,7 +226,7 @@ static batten_status choose_smoothness(bat_loft *loft, kept_patch *kept, bat_lof
         loft->smooth = sqrt(low * high);
         batten_status status = move_patch(loft, FIT, 3 * loft->within, r);
         if (status == BATTEN_OK && r->moves.largest_part <= 1)
-            status = judge(loft, r);
+            status = bat_loft_judge(loft, r);
         if (status != BATTEN_OK && status != BATTEN_NOT_COMPATIBLE)
             return status;
         const bool keeps = status == BATTEN_OK && keeps_bounds(loft, r);
@@ -256,7 +256,7 @@ static batten_status fit_as_smooth(bat_loft *loft, double smooth, bat_loft_reach
         status = move_patch(loft, FIT, k < FITS ? HUGE_VAL : far, r);
         r->lowest = -HUGE_VAL; /* not known */
         if (status == BATTEN_OK && k >= FITS && r->moves.largest_part <= 1)
-            status = judge(loft, r);
+            status = bat_loft_judge(loft, r);
         if (status == BATTEN_OK && keeps_bounds(loft, r))
             break;
     }
@@ -307,7 +307,7 @@ static batten_status find_start(bat_loft *loft, kept_patch *kept, bat_loft_reach
     for (int k = 0; k < loft->cut_count; k++)
         if (loft->cuts[k].is_asked)
             loft->cuts[k].needed = -1;
-    return judge(loft, r);
+    return bat_loft_judge(loft, r);
 }
 
 static batten_status improve(bat_loft *loft, kept_patch *best, bat_loft_reached *best_reached)
@@ -323,7 +323,7 @@ static batten_status improve(bat_loft *loft, kept_patch *best, bat_loft_reached 
         if (status == BATTEN_NOT_COMPATIBLE) /* what was reached before stays */
             return BATTEN_OK;
         if (status == BATTEN_OK)
-            status = judge(loft, &r);
+            status = bat_loft_judge(loft, &r);
         r.rounds = k;
         if (status == BATTEN_OK && is_better(loft, &r, best_reached)) {
             keep_patch(loft, best);
@@ -345,7 +345,7 @@ static batten_status loft_patch(bat_loft *loft, kept_patch *best, bat_loft_reach
         return status;
     return_to(best, loft);
     bat_loft_find_feet(&loft->patch, loft->datum_count, loft->data, &r->moves);
-    status = judge(loft, r);
+    status = bat_loft_judge(loft, r);
     return status == BATTEN_OK && !keeps_bounds(loft, r) ? refuse_bounds(r) : status;
 }
 

@@ -33,6 +33,8 @@ typedef struct {
 /* The patch comes with feet of the data, and with the held coordinates of its control points;
  * the others are found. NOT_COMPATIBLE when the bounds cannot be met. */
 batten_status bat_loft_run(bat_loft *loft, bat_loft_reached *reached);
+/* The cuts of the patch as it stands. */
+batten_status bat_loft_judge(bat_loft *loft, bat_loft_reached *reached);
 /* Is there a patch that keeps the bounds, whatever its cuts? */
 batten_status bat_loft_fits(bat_loft *loft);
 

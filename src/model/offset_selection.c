@@ -1,6 +1,7 @@
 /* The part of a table of offsets inside a box, moved and scaled. */
 #include "model/offset_table.h"
 
+#include <stdio.h>
 #include <string.h>
 
 batten_offset_table_selection batten_offset_table_everything(void)
@@ -32,6 +33,13 @@ static batten_status check_selection(const batten_offset_table_selection *select
         status = check_interval(selection->y, "y");
     if (status == BATTEN_OK)
         status = check_interval(selection->z, "z");
+    if (status == BATTEN_OK &&
+        (selection->line_count < 0 || (selection->line_count > 0 && !selection->lines)))
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "%d lines are to be kept; their number must be 0 or above, and each has "
+            "a name",
+            selection->line_count);
     return status;
 }
 
@@ -39,6 +47,7 @@ static batten_status check_selection(const batten_offset_table_selection *select
 typedef struct {
     const batten_offset_table_selection *selection;
     int line_count, station_count;
+    bool *is_kept;     /* [lines of the old table] */
     int *line_numbers; /* from old lines to new ones; -1 for a line without points */
     batten_table_line *lines;
     batten_table_station *stations;
@@ -82,7 +91,9 @@ static int keep_points(const selected *work, const batten_table_station *station
     int count = 0;
     for (int i = 0; i < station->point_count; i++) {
         const batten_table_point point = moved_point(work, station->points[i]);
-        if (is_selected(work->selection, &point))
+        const bool kept_line =
+            point.line >= 0 ? work->is_kept[point.line] : work->selection->line_count == 0;
+        if (kept_line && is_selected(work->selection, &point))
             kept[count++] = point;
     }
     return count;
@@ -142,10 +153,52 @@ static void select_lines(const batten_offset_table *offsets, selected *work)
         }
 }
 
+/* The names of the first lines, for a message. */
+static void list_names(const batten_offset_table *offsets, size_t size, char *out)
+{
+    size_t used = 0;
+    out[0] = 0;
+    for (int k = 0; k < offsets->line_count && used < size; k++)
+        used += (size_t)snprintf(out + used, size - used, "%s'%.30s'", k ? ", " : "",
+                                 offsets->lines[k].name);
+}
+
+batten_status bat_offset_table_find_line(const batten_offset_table *offsets, const char *name,
+                                         int *out)
+{
+    char names[200];
+    for (int k = 0; k < offsets->line_count; k++)
+        if (strcmp(offsets->lines[k].name, name) == 0) {
+            *out = k;
+            return BATTEN_OK;
+        }
+    list_names(offsets, sizeof names, names);
+    return bat_fail(BATTEN_NOT_FOUND, "the table has no line '%.60s'; %s%s", name,
+                    names[0] ? "its lines are " : "its points are on no lines", names);
+}
+
+static batten_status mark_kept(const batten_offset_table *offsets, selected *work)
+{
+    const int count = work->selection->line_count;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < offsets->line_count; i++)
+        work->is_kept[i] = count == 0;
+    for (int k = 0; k < count && status == BATTEN_OK; k++) {
+        int line;
+        status = bat_offset_table_find_line(offsets, work->selection->lines[k], &line);
+        if (status == BATTEN_OK)
+            work->is_kept[line] = true;
+    }
+    return status;
+}
+
 static batten_status select_into(const batten_offset_table *offsets, selected *work,
                                  batten_offset_table **out)
 {
     const size_t point_count = bat_offset_table_points(offsets);
+    const batten_status status = mark_kept(offsets, work);
+    if (status != BATTEN_OK)
+        return status;
     /* Places that no point comes to keep a zero: line 0, which is harmless below. */
     select_stations(offsets, work);
     if (work->station_count == 0)
@@ -171,16 +224,18 @@ batten_status batten_offset_table_select(const batten_offset_table *offsets,
     if (status != BATTEN_OK)
         return status;
     selected work = {.selection = &chosen};
+    work.is_kept = bat_array((size_t)offsets->line_count, sizeof *work.is_kept);
     work.line_numbers = bat_array((size_t)offsets->line_count, sizeof *work.line_numbers);
     work.lines = bat_array((size_t)offsets->line_count, sizeof *work.lines);
     work.stations = bat_array((size_t)offsets->station_count, sizeof *work.stations);
     work.points = bat_array(bat_offset_table_points(offsets), sizeof *work.points);
     status = BATTEN_OUT_OF_MEMORY;
-    if (work.line_numbers && work.lines && work.stations && work.points)
+    if (work.is_kept && work.line_numbers && work.lines && work.stations && work.points)
         status = select_into(offsets, &work, out);
     bat_release(work.points);
     bat_release(work.stations);
     bat_release(work.lines);
     bat_release(work.line_numbers);
+    bat_release(work.is_kept);
     return status;
 }

@@ -17,4 +17,8 @@ struct batten_offset_table {
 /* How many points all stations have together. */
 size_t bat_offset_table_points(const batten_offset_table *offsets);
 
+/* The line of this name. NOT_FOUND: the message has the names that there are. */
+batten_status bat_offset_table_find_line(const batten_offset_table *offsets, const char *name,
+                                         int *out);
+
 #endif

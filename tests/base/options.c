@@ -270,6 +270,15 @@ static batten_status call_batten_surface_loft(const void *set, const void *optio
     return status;
 }
 
+static batten_status call_batten_hull_loft(const void *set, const void *options)
+{
+    const stage *s = set;
+    batten_surface *out = NULL;
+    const batten_status status = batten_hull_loft(s->table, options, NULL, NULL, &out);
+    batten_surface_unref(out);
+    return status;
+}
+
 static batten_status call_batten_fair_points(const void *set, const void *options)
 {
     (void)set;
@@ -304,6 +313,8 @@ static const options_taker takers[] = {
      sizeof(batten_fill_sheet_options), default_sheet, call_batten_surface_fill_sheet},
     {"batten_surface_loft", "batten_loft_options", sizeof(batten_loft_options), default_loft,
      call_batten_surface_loft},
+    {"batten_hull_loft", "batten_loft_options", sizeof(batten_loft_options), default_loft,
+     call_batten_hull_loft},
     {"batten_fair_offset_table", "batten_fair_options", sizeof(batten_fair_options),
      default_fair, call_batten_fair_offset_table},
     {"batten_offset_table_select", "batten_offset_table_selection",

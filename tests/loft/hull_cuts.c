@@ -47,7 +47,11 @@ static void release_cuts(hull *h)
 
 static batten_status find_cuts(hull *h)
 {
-    const batten_status status = bat_hull_cuts(h->table, STATIONS, h->stations, &h->loft);
+    const bat_hull_table taken = {.table = h->table,
+                                  .station_count = STATIONS,
+                                  .stations = h->stations,
+                                  .most_points = MOST};
+    const batten_status status = bat_hull_cuts(&taken, NULL, &h->loft);
     if (status != BATTEN_OK) /* those that there are belong to the lofting */
         release_cuts(h);
     return status;

@@ -119,7 +119,7 @@ TEST(a_hull_with_a_chine_is_refused_and_the_knuckle_named)
     CHECK_STATUS(batten_surface_loft(table, &options, NULL, NULL, &surface),
                  BATTEN_UNSUPPORTED);
     CHECK_MESSAGE("5 of 5 stations have a knuckle: station 1 (x = 0) turns by");
-    CHECK_MESSAGE("at point 3");
+    CHECK_MESSAGE("at point 3; what is smooth has none: give its points a line");
     CHECK(!surface);
     batten_offset_table_unref(table);
 }
@@ -180,6 +180,7 @@ TEST(a_bound_that_no_surface_keeps_is_refused_with_one_that_does)
     CHECK(report.enough > 2e-4 && report.enough < 2e-2);
     CHECK_MESSAGE(
         "no smooth surface was found within 0.0002 of every point of the table; one was");
+    CHECK_MESSAGE("held there by station ");
     CHECK(!surface);
     batten_offset_table_unref(table);
 }

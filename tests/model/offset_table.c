@@ -163,6 +163,40 @@ TEST(of_a_run_on_the_centre_line_the_highest_point_stays)
     batten_offset_table_unref(offsets);
 }
 
+TEST(points_on_the_lines_that_are_named_are_kept)
+{
+    static const char *const names[] = {"sheer", "keel"}, *const wrong[] = {"keel", "chine"};
+    static const batten_table_line given[] = {{"keel", false, 0}, {"wl", true, 1}, {"sheer", false, 0}};
+    static const batten_table_point row[] = {
+        {0, 0, 0, 0}, {0, 1, 1, 1}, {0, 1.5, 1.5, -1}, {0, 2, 2, 2}};
+    const batten_table_station one[] = {{"a", 0, 4, row}, {"b", 1, 2, row + 1}};
+    batten_offset_table_selection selection = batten_offset_table_everything();
+    batten_offset_table *offsets = NULL, *out = NULL;
+    CHECK_OK(batten_offset_table_create(0, 3, given, 2, one, &offsets));
+    selection.line_count = 2;
+    selection.lines = wrong;
+    CHECK_STATUS(batten_offset_table_select(offsets, &selection, &out), BATTEN_NOT_FOUND);
+    CHECK_MESSAGE("the table has no line 'chine'; its lines are 'keel', 'wl', 'sheer'");
+    selection.lines = NULL;
+    CHECK_STATUS(batten_offset_table_select(offsets, &selection, &out), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("2 lines are to be kept");
+    selection.line_count = -1;
+    CHECK_STATUS(batten_offset_table_select(offsets, &selection, &out), BATTEN_BAD_ARGUMENT);
+    CHECK(!out);
+    selection.line_count = 2;
+    selection.lines = names;
+    CHECK_OK(batten_offset_table_select(offsets, &selection, &out));
+    CHECK_INT(batten_offset_table_line_count(out), 2);
+    CHECK_TEXT(batten_offset_table_line(out, 1)->name, "sheer");
+    CHECK_INT(batten_offset_table_station_count(out), 1); /* the other has neither */
+    const batten_table_station *s = batten_offset_table_station(out, 0);
+    CHECK_INT(s->point_count, 2);
+    CHECK(s->points[0].y == 0 && s->points[0].line == 0);
+    CHECK(s->points[1].y == 2 && s->points[1].line == 1);
+    batten_offset_table_unref(offsets);
+    batten_offset_table_unref(out);
+}
+
 TEST(selections_that_make_no_sense_are_refused)
 {
     batten_offset_table *offsets = NULL, *out = NULL;

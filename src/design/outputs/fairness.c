@@ -131,10 +131,29 @@ bool bat_check_is_fair(const bat_check *check)
            u->unbounded == 0 && u->creases == 0 && u->edge_jumps == 0 && u->folds == 0;
 }
 
-/* Of whole edges of surfaces. A knuckle that the bound allows has no common curvature. */
-static void judge_join(bat_check *check, const bat_join *join)
+/* Panels of one lofting meet where the designer declared a knuckle: the upper edge of one and the
+ * lower of the next, all along. */
+static bool is_declared(const bat_check *check, const bat_join *join)
+{
+    const bat_checked *a = check->objects + join->object[0],
+                      *b = check->objects + join->object[1];
+    const int v_low = 2, v_high = 3; /* sides, as of bat_side_name */
+    const int low = bat_min_int(join->side[0], join->side[1]),
+              high = bat_max_int(join->side[0], join->side[1]);
+    return a != b && a->panels_of >= 0 && a->panels_of == b->panels_of && join->part < 0 &&
+           low == v_low && high == v_high;
+}
+
+/* Of whole edges of surfaces. A knuckle that the bound allows, or that is declared, has no common
+ * curvature. */
+static void judge_join(bat_check *check, bat_join *join)
 {
     bat_unfairness *u = &check->unfairness;
+    join->is_knuckle = is_declared(check, join);
+    if (join->is_knuckle) {
+        check->judged_count++;
+        return;
+    }
     if (check->objects[join->object[0]].object->kind != BATTEN_OBJECT_SURFACE ||
         !isfinite(join->g1))
         return;

@@ -44,6 +44,7 @@ typedef struct {
     const batten_object *object;
     int given, faired; /* the features that its data are from, or -1 */
     bool is_hull;      /* its data are a table of offsets */
+    int panels_of;     /* the lofting with knuckles that it comes from; -1 for none */
     double moved_by;   /* how far fairing may have moved its points: the sum of the bounds */
     bool has_fairness;
     batten_fairness fairness;              /* of a curve, in its plane */
@@ -71,6 +72,7 @@ typedef struct {
                     one */
     double g3;   /* difference of the rates of curvature of curves, 1 / length^2 */
     int parametric, geometric; /* of curves: C and G of the join; -1 of surfaces */
+    bool is_knuckle;           /* between panels of one lofting: declared to be sharp */
 } bat_join;
 
 /* What keeps a result from being fair, over all that was judged. */

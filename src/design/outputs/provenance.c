@@ -84,6 +84,17 @@ static double sum_moves(const bat_check *check, const bool *upstream)
     return sum;
 }
 
+/* The lofting upstream that makes several panels; -1 for none. */
+static int find_panels(const bat_check *check, const bool *upstream)
+{
+    for (int i = 0; i < check->run->document->feature_count; i++) {
+        const batten_feature_result *result = &check->run->results[i].shown;
+        if (upstream[i] && result->loft && result->loft->panel_count > 1)
+            return i;
+    }
+    return -1;
+}
+
 /* The data of the objects that come of one feature of the argument: the `count` from `first`
  * on.
  */
@@ -104,6 +115,7 @@ static batten_status trace_feature(bat_check *check, bat_graph *graph, int featu
         check->objects[i].faired = faired;
         check->objects[i].is_hull = given >= 0 && has_table(check, upstream);
         check->objects[i].moved_by = sum_moves(check, upstream);
+        check->objects[i].panels_of = find_panels(check, upstream);
     }
     bat_release(upstream);
     return status;

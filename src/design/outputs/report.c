@@ -246,7 +246,7 @@ static void text_join(batten_text *out, const bat_check *check, const bat_join *
     }
     if (join->parametric >= 0)
         batten_text_add(out, ": C%d, G%d", join->parametric, join->geometric);
-    batten_text_add(out, "\n");
+    batten_text_add(out, "%s\n", join->is_knuckle ? ": a declared knuckle" : "");
 }
 
 /* What is judged: the demands on a hull are others than those on a curve. */

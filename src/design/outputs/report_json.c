@@ -228,7 +228,7 @@ static void json_joins(batten_text *out, const bat_check *check)
             batten_text_add(out, ", \"part\": \"%c\"", join->part ? 'b' : 'a');
         if (check->objects[join->object[0]].object->kind == BATTEN_OBJECT_CURVE)
             batten_text_add(out, ", \"c\": %d, \"g\": %d", join->parametric, join->geometric);
-        batten_text_add(out, "}");
+        batten_text_add(out, "%s}", join->is_knuckle ? ", \"knuckle\": true" : "");
     }
 }
 

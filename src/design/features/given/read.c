@@ -21,6 +21,8 @@ static const batten_parameter parameters[] = {
     {"z", BATTEN_VALUE_RANGE, false, false, NULL, NULL, "offsets: keep these heights"},
     {"trim-centre", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "offsets: of the points on the centre line keep only the highest of each station"},
+    {"lines", BATTEN_VALUE_TEXT, true, false, NULL, NULL,
+     "offsets: keep the points on these lines"},
 };
 
 static void take_range(const bat_run *run, const char *parameter, batten_interval *range)
@@ -28,6 +30,20 @@ static void take_range(const bat_run *run, const char *parameter, batten_interva
     const bat_argument *given = bat_argument_of(run, parameter);
     if (given->count)
         *range = (batten_interval){given->items[0].number[0], given->items[0].number[1]};
+}
+
+/* The names of the lines to keep, to be released; NULL for all. */
+static batten_status take_lines(const bat_run *run, const char ***out, int *count)
+{
+    const bat_argument *given = bat_argument_of(run, "lines");
+    const char **names = bat_array((size_t)given->count, sizeof *names);
+    if (!names)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int k = 0; k < given->count; k++)
+        names[k] = given->items[k].text;
+    *count = given->count;
+    *out = names;
+    return BATTEN_OK;
 }
 
 static batten_status add_offsets(bat_run *run, const batten_object *object, double factor)
@@ -43,8 +59,12 @@ static batten_status add_offsets(bat_run *run, const batten_object *object, doub
     take_range(run, "x", &selection.x);
     take_range(run, "y", &selection.y);
     take_range(run, "z", &selection.z);
-    batten_status status =
-        batten_offset_table_select(object->offset_table, &selection, &offsets);
+    const char **names = NULL;
+    batten_status status = take_lines(run, &names, &selection.line_count);
+    selection.lines = names;
+    if (status == BATTEN_OK)
+        status = batten_offset_table_select(object->offset_table, &selection, &offsets);
+    bat_release(names);
     made.offset_table = offsets;
     if (status == BATTEN_OK)
         status = bat_add(run, &made);

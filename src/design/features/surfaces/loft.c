@@ -1,8 +1,10 @@
 /* The feature 'loft': a fair hull straight from its table of offsets. */
+#include "base/arena.h"
 #include "base/plural.h"
 #include "design/shared/place.h"
 
 #include <batten/fair.h>
+#include <stdio.h>
 
 /* So many cuts with inflections in excess are named one by one. */
 #define MOST_CUTS 10
@@ -13,22 +15,33 @@ static const batten_parameter parameters[] = {
      "the surface passes every point within this, in the plane of its station"},
     {"height", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
      "bulges of sections up to this are not inflections; 0: a millionth of the breadth"},
+    {"knuckles", BATTEN_VALUE_TEXT, true, false, NULL, NULL,
+     "lines of the table at which the hull has an edge: chines, wales"},
 };
 
-static void note_cut(const bat_run *run, const batten_loft_cut *cut)
+/* " of panel 2", where there are several. */
+static void name_panel(const batten_loft_report *found, int panel, size_t size, char *out)
+{
+    out[0] = 0;
+    if (found->panel_count > 1)
+        snprintf(out, size, " of panel %d", panel + 1);
+}
+
+static void note_cut(const bat_run *run, const batten_loft_report *found,
+                     const batten_loft_cut *cut)
 {
     static const char *const families[] = {
-        "the station at x =",    "the waterline at z =",   "the buttock at y =",
-        "the diagonal from z =", "the profile from below", "the sheer"};
-    const bool edge = cut->family == BATTEN_LOFT_PROFILE || cut->family == BATTEN_LOFT_SHEER;
-    if (edge)
-        bat_note(run, "%s has %d inflection%s where %d %s needed", families[cut->family],
-                 cut->found, bat_plural(cut->found), cut->needed,
-                 bat_one_or_many(cut->needed, "is", "are"));
-    else
-        bat_note(run, "%s %g has %d inflection%s where %d %s needed", families[cut->family],
-                 cut->at, cut->found, bat_plural(cut->found), cut->needed,
-                 bat_one_or_many(cut->needed, "is", "are"));
+        "the station at x =",     "the waterline at z =",   "the buttock at y =",
+        "the diagonal from z =",  "the profile from below", "the sheer",
+        "the knuckle at the foot"};
+    const bool edge = cut->family >= BATTEN_LOFT_PROFILE;
+    char at[40] = "", panel[40];
+    name_panel(found, cut->panel, sizeof panel, panel);
+    if (!edge)
+        snprintf(at, sizeof at, " %g", cut->at);
+    bat_note(run, "%s%s%s has %d inflection%s where %d %s needed", families[cut->family], at,
+             panel, cut->found, bat_plural(cut->found), cut->needed,
+             bat_one_or_many(cut->needed, "is", "are"));
 }
 
 static void report_loft(const bat_run *run, const batten_loft_report *found)
@@ -42,7 +55,7 @@ static void report_loft(const bat_run *run, const batten_loft_report *found)
         found->rms_move);
     for (int k = 0; k < found->cut_count && named < MOST_CUTS; k++)
         if (found->cuts[k].found > found->cuts[k].needed) {
-            note_cut(run, found->cuts + k);
+            note_cut(run, found, found->cuts + k);
             named++;
         }
     if (found->cuts_in_excess > named)
@@ -52,26 +65,73 @@ static void report_loft(const bat_run *run, const batten_loft_report *found)
         bat_note(run, "%d point%s on the centre plane below the hull %s left out",
                  found->trimmed_count, bat_plural(found->trimmed_count),
                  bat_one_or_many(found->trimmed_count, "was", "were"));
+    if (found->panel_count > 1)
+        bat_note(run, "%d panels from the keel up, %d of them straight across",
+                 found->panel_count, found->ruled_count);
+}
+
+/* The names of an argument; in the arena, which the caller frees. */
+static batten_status take_knuckles(const bat_run *run, bat_arena *arena,
+                                   batten_loft_options *options)
+{
+    const bat_argument *names = bat_argument_of(run, "knuckles");
+    const char **knuckles = bat_arena_array(arena, (size_t)names->count, sizeof *knuckles);
+    if (!knuckles)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int k = 0; k < names->count; k++)
+        knuckles[k] = names->items[k].text;
+    options->knuckle_count = names->count;
+    options->knuckles = knuckles;
+    return BATTEN_OK;
+}
+
+/* One surface has the name of the feature; several are numbered from 1, from below. */
+static batten_status put_panels(bat_run *run, batten_status status, int count,
+                                batten_surface *const *surfaces)
+{
+    for (int k = 0; k < count; k++) {
+        char name[220];
+        batten_object like = {.name = run->name, .layer = ""};
+        if (count > 1) {
+            snprintf(name, sizeof name, "%.200s %d", run->name, k + 1);
+            like.name = name;
+        }
+        status = bat_put_surface_like(run, status, surfaces[k], &like);
+    }
+    return status;
+}
+
+static batten_status loft_table(bat_run *run, const batten_offset_table *table,
+                                bat_arena *arena)
+{
+    batten_loft_options options = batten_loft_defaults(bat_number(run, "within"));
+    options.height = bat_number(run, "height");
+    batten_status status = take_knuckles(run, arena, &options);
+    const int count = options.knuckle_count + 1;
+    batten_surface **surfaces = bat_arena_array(arena, (size_t)count, sizeof *surfaces);
+    if (status != BATTEN_OK || !surfaces)
+        return BATTEN_OUT_OF_MEMORY;
+    status = bat_expect(run, count);
+    if (status == BATTEN_OK)
+        status = batten_hull_loft(table, &options, run->job, &run->result->loft, surfaces);
+    return status == BATTEN_OK ? put_panels(run, status, count, surfaces) : status;
 }
 
 static batten_status run_loft(bat_run *run)
 {
     bat_objects objects;
-    batten_surface *surface = NULL;
-    batten_loft_report *found = &run->result->loft;
+    bat_arena arena = {0};
+    const batten_loft_report *found = &run->result->loft;
     batten_status status = bat_gather(run, "loft", BAT_OFFSETS, &objects);
     if (status != BATTEN_OK)
         return status;
-    batten_loft_options options = batten_loft_defaults(bat_number(run, "within"));
-    options.height = bat_number(run, "height");
     if (objects.count > 1)
         status = bat_fail(BATTEN_BAD_ARGUMENT,
                           "one table of offsets is lofted at a time, not %d", objects.count);
     if (status == BATTEN_OK)
-        status = batten_surface_loft(objects.at[0]->offset_table, &options, run->job, found,
-                                     &surface);
+        status = loft_table(run, objects.at[0]->offset_table, &arena);
     bat_objects_release(&objects);
-    status = bat_put_surface(run, status, surface);
+    bat_arena_free(&arena);
     if (status == BATTEN_OK) {
         report_loft(run, found);
         run->result->shown.loft = found;
@@ -90,17 +150,26 @@ const bat_feature bat_feature_loft = {
          "cross it. A note names each section that has inflections in excess all the same, and a\n"
          "bound that no surface can keep is refused with one that can be kept.\n\n"
          "The table describes one half: stations in order, points from the profile to the sheer.\n"
-         "One surface has no knuckles: tables of hulls with chines are refused.",
+         "Where the hull has an edge, name its line in 'knuckles'; a chine that is not named is\n"
+         "refused, with the name of its line. Profile, knuckles and sheer are then made fair first,\n"
+         "each in space; they bound panels, numbered from the keel up, that share their lines point\n"
+         "for point. A panel with nothing between its lines is straight across; others are found as\n"
+         "above, with their edges held.",
          "features:\n"
          "  table: {read: offsets.csv}\n"
-         "  hull: {loft: table, within: 3 mm}\n",
-         "[SL section VII.3] [EH95] [NW06]", "batten_surface_loft", BAT_PARAMETERS(parameters),
+         "  hull: {loft: table, within: 3 mm}\n"
+         "  boat: {read: sharpie.csv, lines: [bottom, chine, sheer]}\n"
+         "  planks: {loft: boat, within: 3 mm, knuckles: chine}\n",
+         "[SL section VII.3] [EH95] [NW06]", "batten_hull_loft", BAT_PARAMETERS(parameters),
          false,
          .also =
-             "lofting, fair hull, hull surface, table of offsets, lines fairing, convex program, ship hull, mould loft",
+             "lofting, fair hull, hull surface, table of offsets, lines fairing, convex program, ship hull, mould loft, "
+             "hard chine, knuckle, plank, strake, plywood hull",
          .formula =
              "    Σ (d_k / within)² + λ Σ_a C(3, a) ∫∫ |∂³S / ∂u^a ∂v^(3−a)|² du dv → minimum,  |d_k| ≤ within,\n"
-             "    σ II(T, T) ≥ 0 along sections, σ = ±1 with as many changes as the points require",
+             "    σ II(T, T) ≥ 0 along sections, σ = ±1 with as many changes as the points require;\n"
+             "    of lines: Σ (d_k / w)² + λ ∫ f‴(u)² du → minimum,  |d_k| ≤ w = within / √2 in y and in z",
          .promise =
-             "No point is farther than the bound, in the plane of its station; inflections are counted on the surface."},
+             "No point is farther than the bound, in the plane of its station; inflections are counted on the surface; "
+             "panels have the same control points on the line between them."},
     .run = run_loft};

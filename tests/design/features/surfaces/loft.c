@@ -50,3 +50,62 @@ TEST(a_loft_of_what_is_no_table_is_refused_by_name)
     CHECK_MESSAGE("'p'");
     batten_design_free(design);
 }
+
+/* The design of the example's sharpie with these arguments of `read` and `loft`, and one output. */
+static void open_sharpie(const char *read, const char *loft, batten_design **out)
+{
+    char text[1000];
+    snprintf(text, sizeof text,
+             "batten: 1\nunits: in\ntolerance: 0.005 in\nfeatures:\n  table: {read: '%s'%s}\n"
+             "  hull: {loft: table, within: 0.125 in%s}\noutputs:\n"
+             "  report.json: {check: hull, within: 0.125 in}\n",
+             test_source("examples/sharpie/offsets.csv"), read, loft);
+    batten_design_options options = batten_design_defaults();
+    options.allow_outside = true;
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, out));
+}
+
+TEST(a_declared_chine_makes_two_panels_that_the_check_finds_fair)
+{
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size;
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
+    open_sharpie("", ", knuckles: chine", &design);
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
+    const batten_feature_result *hull = batten_design_result(design, "hull");
+    CHECK_INT(hull->loft->panel_count, 2);
+    CHECK_INT(hull->loft->ruled_count, 2);
+    CHECK_INT(hull->loft->cuts_in_excess, 0);
+    CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
+    CHECK_CONTAINS(data, "\"name\": \"hull 1\"");
+    CHECK_CONTAINS(data, "\"name\": \"hull 2\"");
+    CHECK_CONTAINS(data, "\"knuckle\": true");
+    CHECK_CONTAINS(data, "\"fair\": true");
+    batten_release(data);
+    batten_design_free(design);
+}
+
+TEST(a_chine_that_is_not_declared_or_not_read_is_refused_by_name)
+{
+    static const struct {
+        const char *read, *loft;
+        batten_status status;
+        const char *message;
+    } cases[] = {
+        {"", "", BATTEN_UNSUPPORTED, "on the line 'chine'"},
+        {"", ", knuckles: [chine, wale]", BATTEN_NOT_FOUND, "the table has no line 'wale'"},
+        {", lines: [bottom, sheer]", ", knuckles: chine", BATTEN_NOT_FOUND,
+         "the table has no line 'chine'; its lines are 'bottom', 'sheer'"},
+        {", lines: keel", ", knuckles: chine", BATTEN_NOT_FOUND,
+         "the table has no line 'keel'"},
+    };
+    for (int k = 0; k < COUNT(cases); k++) {
+        batten_design *design = NULL;
+        open_sharpie(cases[k].read, cases[k].loft, &design);
+        CHECK_STATUS(batten_design_evaluate(design, "hull", NULL, NULL), cases[k].status);
+        CHECK_MESSAGE(cases[k].message);
+        batten_design_free(design);
+    }
+}

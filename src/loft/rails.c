@@ -1,0 +1,339 @@
+/*
+ * The lines along which a hull is cut into panels. Each is found in the table by its name, and
+ * made fair as two functions of u, which runs linearly with x: the panels on both sides take the
+ * same coefficients.
+ */
+#include "loft/rails.h"
+#include "fair/fairness.h"
+#include "loft/line.h"
+#include "model/offset_table.h"
+
+#include <string.h>
+
+void bat_hull_rails_free(bat_hull_rails *rails)
+{
+    bat_arena_free(&rails->of.arena);
+    *rails = (bat_hull_rails){0};
+}
+
+const batten_table_point *bat_hull_rail_point(const bat_hull_rails *rails, int rail,
+                                              int station)
+{
+    return rails->of.stations[station].points +
+           rails->at[rail * rails->of.station_count + station];
+}
+
+/* ---- which lines ---- */
+
+static const char *line_name(const bat_hull_rails *r, int rail)
+{
+    const int line = r->line[rail];
+    return line >= 0   ? batten_offset_table_line(r->of.table, line)->name
+           : rail == 0 ? "profile"
+                       : "sheer";
+}
+
+/* The lines as they are declared: the lower edge, the knuckles, the upper edge. */
+static batten_status find_lines(const batten_loft_options *options, bat_hull_rails *r)
+{
+    const int last = r->count - 1;
+    batten_status status = BATTEN_OK;
+    r->line[0] = r->line[last] = -1;
+    for (int k = 0; k < options->knuckle_count && status == BATTEN_OK; k++)
+        status = bat_offset_table_find_line(r->of.table, options->knuckles[k], &r->line[k + 1]);
+    for (int k = 1; k < r->count && status == BATTEN_OK; k++)
+        for (int i = 0; i < k; i++)
+            if (r->line[k] >= 0 && r->line[k] == r->line[i])
+                return bat_fail(BATTEN_BAD_ARGUMENT, "the line '%.60s' is declared twice",
+                                line_name(r, k));
+    return status;
+}
+
+/* ---- where they are ---- */
+
+static batten_status place_at(bat_hull_rails *r, int rail, int k)
+{
+    const bat_hull_station *s = r->of.stations + k;
+    int at = rail == 0 ? 0 : s->count - 1;
+    if (r->line[rail] >= 0) {
+        at = 0;
+        while (at < s->count && s->points[at].line != r->line[rail])
+            at++;
+    }
+    if (at == s->count)
+        return bat_fail(BATTEN_NOT_FOUND,
+                        "the line '%.60s' has no point at station %d (x = %g); a line that "
+                        "bounds a panel has one at every station",
+                        line_name(r, rail), k + 1, s->x);
+    r->at[rail * r->of.station_count + k] = at;
+    return BATTEN_OK;
+}
+
+/* Knuckles may be declared in any order: the first station sorts them. */
+static void sort_knuckles(bat_hull_rails *r)
+{
+    const int n = r->of.station_count;
+    for (int k = 2; k + 1 < r->count; k++)
+        for (int i = k; i > 1 && r->at[i * n] < r->at[(i - 1) * n]; i--) {
+            const int line = r->line[i], at = r->at[i * n];
+            r->line[i] = r->line[i - 1];
+            r->at[i * n] = r->at[(i - 1) * n];
+            r->line[i - 1] = line;
+            r->at[(i - 1) * n] = at;
+        }
+}
+
+static batten_status refuse_crossing(const bat_hull_rails *r, int rail, int k)
+{
+    const bat_hull_station *s = r->of.stations + k;
+    return bat_fail(BATTEN_BAD_ARGUMENT,
+                    "the line '%.60s' is not above the line '%.60s' at station %d (x = %g)%s",
+                    line_name(r, rail), line_name(r, rail - 1), k + 1, s->x,
+                    k > 0 && rail > 1 && rail + 1 < r->count ? ", as it is at the first"
+                    : rail == 1 || rail + 1 == r->count
+                        ? ": a knuckle lies between the profile and the sheer"
+                        : "");
+}
+
+static batten_status place_lines(bat_hull_rails *r)
+{
+    batten_status status = BATTEN_OK;
+    const int n = r->of.station_count;
+    for (int rail = 0; rail < r->count && status == BATTEN_OK; rail++)
+        status = place_at(r, rail, 0);
+    sort_knuckles(r);
+    for (int rail = 0; rail < r->count && status == BATTEN_OK; rail++)
+        for (int k = 1; k < n && status == BATTEN_OK; k++)
+            status = place_at(r, rail, k);
+    for (int rail = 1; rail < r->count && status == BATTEN_OK; rail++)
+        for (int k = 0; k < n; k++)
+            if (r->at[rail * n + k] <= r->at[(rail - 1) * n + k])
+                return refuse_crossing(r, rail, k);
+    return status;
+}
+
+/* What lies beyond the edges does not belong to the hull. */
+static void trim_stations(bat_hull_rails *r)
+{
+    const int n = r->of.station_count, last = r->count - 1;
+    for (int k = 0; k < n; k++) {
+        bat_hull_station *s = r->of.stations + k;
+        const int first = r->at[k], count = r->at[last * n + k] - first + 1;
+        r->of.trimmed += s->count - count;
+        s->points += first;
+        s->from += first;
+        s->count = count;
+        for (int rail = 0; rail < r->count; rail++)
+            r->at[rail * n + k] -= first;
+    }
+    bat_hull_count(&r->of);
+}
+
+/* ---- their knots ---- */
+
+static double u_of(const bat_hull_rails *r, int rail, int k)
+{
+    const double aft = bat_hull_rail_point(r, rail, 0)->x,
+                 fore = bat_hull_rail_point(r, rail, r->of.station_count - 1)->x;
+    return (bat_hull_rail_point(r, rail, k)->x - aft) / (fore - aft);
+}
+
+/* At the stations of the sheer; few stations want knots halfway too, to bend between them. */
+static batten_status set_knots(bat_hull_rails *r)
+{
+    enum { MANY = 14 };
+    const int n = r->of.station_count, top = r->count - 1;
+    r->inner = bat_arena_array(&r->of.arena, 2 * (size_t)n, sizeof *r->inner);
+    if (!r->inner)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int rail = 0; rail <= top; rail++)
+        for (int k = 1; k < n; k++)
+            if (!(u_of(r, rail, k) > u_of(r, rail, k - 1)))
+                return bat_fail(BATTEN_NOT_INCREASING,
+                                "the line '%.60s' does not run forward from station %d to "
+                                "station %d (x = %g)",
+                                line_name(r, rail), k, k + 1,
+                                bat_hull_rail_point(r, rail, k)->x);
+    for (int k = 1; k < n; k++) {
+        if (n < MANY)
+            r->inner[r->inner_count++] = (u_of(r, top, k - 1) + u_of(r, top, k)) / 2;
+        if (k + 1 < n)
+            r->inner[r->inner_count++] = u_of(r, top, k);
+    }
+    return BATTEN_OK;
+}
+
+/* ---- fairing ---- */
+
+/* The numbers of a line of which one coordinate is made fair. */
+typedef struct {
+    double within, height;
+    double *t, *values, *knots;
+} line_numbers;
+
+static bool is_constant(int count, const double *values)
+{
+    int k = 1;
+    while (k < count && values[k] == values[0])
+        k++;
+    return k == count;
+}
+
+/* Do all points of an end lie at one half-breadth, as on a stem? */
+static bool is_stem(const bat_hull_station *s)
+{
+    int i = 1;
+    while (i < s->count && s->points[i].y == s->points[0].y)
+        i++;
+    return i == s->count;
+}
+
+static void take_values(const bat_hull_rails *r, int rail, int axis, double *values)
+{
+    for (int k = 0; k < r->of.station_count; k++) {
+        const batten_table_point *p = bat_hull_rail_point(r, rail, k);
+        values[k] = axis == 0 ? p->y : p->z;
+    }
+}
+
+/* One coordinate, y or z, of a rail. `bound` of it alone. */
+static batten_status fair_coordinate(bat_hull_rails *r, int rail, int axis, double bound,
+                                     const line_numbers *numbers)
+{
+    const int n = r->of.station_count;
+    bat_hull_rail *made = r->rails + rail;
+    bat_loft_line line = {.count = r->inner_count + BAT_LOFT_SUPPORT,
+                          .knots = numbers->knots,
+                          .datum_count = n,
+                          .t = numbers->t,
+                          .values = numbers->values,
+                          .within = bound,
+                          .length = fabs(made->x[1] - made->x[0]),
+                          .height = numbers->height};
+    take_values(r, rail, axis, numbers->values);
+    if (axis == 0) {
+        line.one_side = r->of.least > -numbers->within; /* as of a patch */
+        line.pinned[0] = is_stem(r->of.stations);
+        line.pinned[1] = is_stem(r->of.stations + n - 1);
+    }
+    batten_status status =
+        bat_required_within(1, n, numbers->t, numbers->values, bound, &line.changes);
+    made->needed[axis] = line.changes;
+    if (status == BATTEN_OK)
+        status = bat_loft_line_fair(&line, made->yz[axis], &made->found[axis]);
+    return status;
+}
+
+/* Both coordinates share the bound, unless one of them is the same at all stations. */
+static batten_status fair_rail(bat_hull_rails *r, int rail, const line_numbers *numbers)
+{
+    const int n = r->of.station_count;
+    bat_hull_rail *made = r->rails + rail;
+    batten_status status = BATTEN_OK;
+    bool constant = false;
+    made->x[0] = bat_hull_rail_point(r, rail, 0)->x;
+    made->x[1] = bat_hull_rail_point(r, rail, n - 1)->x;
+    for (int axis = 0; axis < 2; axis++) {
+        take_values(r, rail, axis, numbers->values);
+        constant |= is_constant(n, numbers->values);
+        made->yz[axis] = bat_arena_array(
+            &r->of.arena, (size_t)r->inner_count + BAT_LOFT_SUPPORT, sizeof *made->yz[axis]);
+        if (!made->yz[axis])
+            return BATTEN_OUT_OF_MEMORY;
+    }
+    for (int k = 0; k < n; k++)
+        numbers->t[k] = u_of(r, rail, k);
+    const double bound = numbers->within * (constant ? 1 : sqrt(0.5));
+    for (int axis = 0; axis < 2 && status == BATTEN_OK; axis++)
+        status = fair_coordinate(r, rail, axis, bound, numbers);
+    return status;
+}
+
+static batten_status fair_rails(bat_hull_rails *r, double within, double height)
+{
+    const size_t n = (size_t)r->of.station_count, d = sizeof(double);
+    const line_numbers numbers = {
+        within, height, bat_arena_array(&r->of.arena, n, d),
+        bat_arena_array(&r->of.arena, n, d),
+        bat_arena_array(&r->of.arena, (size_t)r->inner_count + 2 * BAT_LOFT_SUPPORT, d)};
+    batten_status status = bat_arena_status(&r->of.arena);
+    if (status != BATTEN_OK)
+        return status;
+    bat_loft_knots(r->inner_count, r->inner, numbers.knots);
+    for (int rail = 0; rail < r->count && status == BATTEN_OK; rail++)
+        status = fair_rail(r, rail, &numbers);
+    return status;
+}
+
+/* Neighbours that the bound lets change places make a panel that is turned over. */
+static batten_status refuse_turned(const bat_hull_rails *r, double within)
+{
+    const int count = r->inner_count + BAT_LOFT_SUPPORT;
+    double *knots = bat_array((size_t)count + BAT_LOFT_SUPPORT, sizeof *knots);
+    batten_status status = knots ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    const bat_loft_line line = {.count = count, .knots = knots};
+    if (knots)
+        bat_loft_knots(r->inner_count, r->inner, knots);
+    for (int rail = 1; rail < r->count && status == BATTEN_OK; rail++)
+        for (int k = 0; k < r->of.station_count && status == BATTEN_OK; k++) {
+            const bat_hull_rail *low = r->rails + rail - 1, *high = r->rails + rail;
+            const batten_table_point *a = bat_hull_rail_point(r, rail - 1, k),
+                                     *b = bat_hull_rail_point(r, rail, k);
+            const double u = u_of(r, rail, k), w = u_of(r, rail - 1, k);
+            const double y = bat_loft_line_at(&line, high->yz[0], u, 0) -
+                             bat_loft_line_at(&line, low->yz[0], w, 0);
+            const double z = bat_loft_line_at(&line, high->yz[1], u, 0) -
+                             bat_loft_line_at(&line, low->yz[1], w, 0);
+            if (!(y * (b->y - a->y) + z * (b->z - a->z) > 0))
+                status = bat_fail(
+                    BATTEN_BAD_ARGUMENT,
+                    "the lines '%.60s' and '%.60s' are %.3g apart at station %d (x = %g), so "
+                    "near that within %g they change places: choose a smaller bound",
+                    line_name(r, rail - 1), line_name(r, rail),
+                    bat_hypot(b->y - a->y, b->z - a->z), k + 1, r->of.stations[k].x, within);
+        }
+    bat_release(knots);
+    return status;
+}
+
+/* ---- the whole ---- */
+
+static batten_status take_stations(const batten_offset_table *table,
+                                   const batten_loft_options *options, bat_hull_rails *r)
+{
+    const int stations = batten_offset_table_station_count(table);
+    r->count = options->knuckle_count + 2;
+    r->line = bat_arena_array(&r->of.arena, (size_t)r->count, sizeof *r->line);
+    r->at = bat_arena_array(&r->of.arena, (size_t)r->count, (size_t)stations * sizeof *r->at);
+    r->rails = bat_arena_array(&r->of.arena, (size_t)r->count, sizeof *r->rails);
+    if (!r->line || !r->at || !r->rails)
+        return BATTEN_OUT_OF_MEMORY;
+    if (stations < BAT_HULL_FEWEST_STATIONS)
+        return bat_fail(BATTEN_TOO_FEW_POINTS,
+                        "a lofting with knuckles needs at least %d stations; the table has %d",
+                        BAT_HULL_FEWEST_STATIONS, stations);
+    r->of.table = table;
+    const batten_status status = find_lines(options, r);
+    return status == BATTEN_OK ? bat_hull_take_stations(table, &r->of) : status;
+}
+
+batten_status bat_hull_rails_make(const batten_offset_table *table,
+                                  const batten_loft_options *options, bat_hull_rails *out)
+{
+    bat_hull_rails *r = out;
+    *r = (bat_hull_rails){0};
+    batten_status status = take_stations(table, options, r);
+    if (status == BATTEN_OK)
+        status = place_lines(r);
+    if (status == BATTEN_OK)
+        trim_stations(r);
+    if (status == BATTEN_OK)
+        status = set_knots(r);
+    if (status == BATTEN_OK)
+        status = bat_hull_check_bound(&r->of, options->within);
+    /* of the breadth: as of a patch */
+    const double height = options->height > 0 ? options->height : 1e-6 * 2 * r->of.breadth;
+    if (status == BATTEN_OK)
+        status = fair_rails(r, options->within, height);
+    return status == BATTEN_OK ? refuse_turned(r, options->within) : status;
+}

@@ -1,0 +1,105 @@
+/* What a lofting reports of its panels: the cuts, and how far the points are from the surfaces. */
+#include "loft/report.h"
+
+#include <string.h>
+
+void batten_loft_report_release(batten_loft_report *report)
+{
+    bat_release(report->cuts);
+    bat_release(report->moves);
+    *report = (batten_loft_report){0};
+}
+
+/* The lower edge of a panel above the first is a knuckle. */
+static batten_loft_cut cut_of(const bat_loft_cut *cut, int panel)
+{
+    static const batten_loft_family families[] = {
+        [BAT_CUT_STATION] = BATTEN_LOFT_STATION, [BAT_CUT_WATERLINE] = BATTEN_LOFT_WATERLINE,
+        [BAT_CUT_BUTTOCK] = BATTEN_LOFT_BUTTOCK, [BAT_CUT_DIAGONAL] = BATTEN_LOFT_DIAGONAL,
+        [BAT_CUT_PROFILE] = BATTEN_LOFT_PROFILE, [BAT_CUT_SHEER] = BATTEN_LOFT_SHEER};
+    const bool knuckle = cut->kind == BAT_CUT_PROFILE && panel > 0;
+    return (batten_loft_cut){.family = knuckle ? BATTEN_LOFT_KNUCKLE : families[cut->kind],
+                             .at =
+                                 cut->kind == BAT_CUT_DIAGONAL ? cut->at / cut->m[2] : cut->at,
+                             .needed = cut->needed,
+                             .found = cut->found,
+                             .panel = panel};
+}
+
+static batten_status report_cuts(const bat_hull_panels *panels, batten_loft_report *report)
+{
+    int count = 0;
+    for (int p = 0; p < panels->count; p++)
+        count += panels->at[p].cut_count;
+    report->cuts = bat_array((size_t)count, sizeof *report->cuts);
+    if (!report->cuts)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int p = 0; p < panels->count; p++) {
+        const bat_loft *loft = panels->at + p;
+        for (int k = 0; k < loft->cut_count; k++)
+            report->cuts[report->cut_count++] = cut_of(loft->cuts + k, p);
+    }
+    return BATTEN_OK;
+}
+
+/* What moved by less than this part of its bound did not move but for rounding. */
+static const double least_move = 1e-9;
+
+static void report_move(const bat_loft *loft, const bat_loft_datum *d,
+                        batten_loft_report *report)
+{
+    bat_loft_place place;
+    if (d->move > report->max_move) {
+        report->max_move = d->move;
+        report->worst_station = d->station;
+        report->worst_index = d->index;
+    }
+    if (d->move <= least_move * d->within)
+        return;
+    batten_fair_move *move = report->moves + report->move_count++;
+    *move = (batten_fair_move){.set = d->station, .index = d->index};
+    bat_loft_place_at(&loft->patch, d->u, d->v, &place);
+    memcpy(move->from, d->point, sizeof move->from);
+    memcpy(move->to, place.s[0][0], sizeof move->to);
+}
+
+static batten_status report_moves(const bat_hull_panels *panels, batten_loft_report *report)
+{
+    int count = 0;
+    double squares = 0;
+    for (int p = 0; p < panels->count; p++)
+        count += panels->at[p].datum_count;
+    report->moves = bat_array((size_t)count, sizeof *report->moves);
+    if (!report->moves)
+        return BATTEN_OUT_OF_MEMORY;
+    report->max_move = -1; /* below all */
+    for (int p = 0; p < panels->count; p++)
+        for (int k = 0; k < panels->at[p].datum_count; k++) {
+            const bat_loft_datum *d = panels->at[p].data + k;
+            report_move(panels->at + p, d, report);
+            squares += d->move * d->move;
+        }
+    report->rms_move = sqrt(squares / count);
+    return BATTEN_OK;
+}
+
+batten_status bat_loft_fill_report(const bat_hull_panels *panels, batten_loft_report *out)
+{
+    batten_loft_report report = {.height = panels->at[0].height,
+                                 .trimmed_count = panels->at[0].trimmed,
+                                 .panel_count = panels->count};
+    for (int p = 0; p < panels->count; p++) {
+        report.cuts_in_excess += panels->reached[p].cuts_in_excess;
+        report.excess_inflections += panels->reached[p].excess;
+        report.rounds += panels->reached[p].rounds;
+        report.ruled_count += bat_hull_is_ruled(panels->at + p);
+    }
+    batten_status status = report_cuts(panels, &report);
+    if (status == BATTEN_OK)
+        status = report_moves(panels, &report);
+    if (status == BATTEN_OK)
+        *out = report;
+    else
+        batten_loft_report_release(&report);
+    return status;
+}
