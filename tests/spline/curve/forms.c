@@ -223,3 +223,56 @@ TEST(breaks_that_do_not_rise_are_named_from_1)
     CHECK_MESSAGE("0 pieces; at least 1 is needed");
     CHECK(!curve);
 }
+
+/* A function of two pieces over [2, 5], of uneven weights: its graph has u beside every value. */
+TEST(the_graph_of_a_function_is_its_argument_beside_its_value)
+{
+    static const double knots[] = {2, 2, 2, 3, 5, 5, 5}, values[] = {1, -2, 4, 0.5};
+    static const double weights[] = {1, 3, 0.5, 2};
+    for (int rational = 0; rational < 2; rational++) {
+        batten_curve *function = NULL, *graph = NULL;
+        CHECK_OK(batten_curve_create((batten_points){1, 4, values}, 2,
+                                     rational ? weights : NULL, knots, &function));
+        CHECK_OK(batten_curve_from_function(function, &graph));
+        CHECK_INT(batten_curve_dimension(graph), 2);
+        CHECK_INT(batten_curve_degree(graph), rational ? 3 : 2);
+        CHECK(batten_curve_domain(graph).a == 2 && batten_curve_domain(graph).b == 5);
+        CHECK_INT(batten_curve_is_rational(graph), rational);
+        for (int i = 0; i <= 24; i++) {
+            double value, point[2];
+            CHECK_OK(batten_curve_evaluate(function, 2 + i / 8.0, 0, &value));
+            CHECK_OK(batten_curve_evaluate(graph, 2 + i / 8.0, 0, point));
+            CHECK_NEAR(point[0], 2 + i / 8.0, 4e-15);
+            CHECK_NEAR(point[1], value, 4e-15);
+        }
+        batten_curve_unref(graph);
+        batten_curve_unref(function);
+    }
+    batten_curve *plane = NULL, *none = NULL;
+    CHECK_OK(batten_curve_create((batten_points){2, 2, values}, 1, NULL,
+                                 (const double[]){0, 0, 1, 1}, &plane));
+    CHECK_STATUS(batten_curve_from_function(plane, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("a graph is of a function, not of 2 dimensions");
+    CHECK(!none);
+    batten_curve_unref(plane);
+}
+
+TEST(powers_have_one_to_three_coordinates)
+{
+    static const double breaks[] = {0, 1}, coefficients[8] = {0};
+    static const int dimensions[] = {-1, 0, 4};
+    batten_curve *curve = NULL;
+    for (int i = 0; i < COUNT(dimensions); i++) {
+        CHECK_STATUS(batten_curve_from_power(dimensions[i], (batten_pieces){1, 1, breaks},
+                                             coefficients, 0, &curve),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("it must be 1, 2 or 3");
+        CHECK(!curve);
+    }
+    for (int d = 1; d <= 3; d++) {
+        CHECK_OK(
+            batten_curve_from_power(d, (batten_pieces){1, 1, breaks}, coefficients, 0, &curve));
+        CHECK_INT(batten_curve_dimension(curve), d);
+        batten_curve_unref(curve);
+    }
+}

@@ -444,3 +444,64 @@ TEST(a_conic_goes_through_no_point_beyond_any_side_of_its_triangle)
                  BATTEN_SINGULAR_SYSTEM);
     CHECK(none == NULL);
 }
+
+/* Five points of the circle of radius 5 with one number changed, and what is said. */
+static const struct {
+    int place;
+    double value[2];
+    batten_status status;
+    const char *words;
+} spoilt[] = {
+    {0, {NAN, 0}, BATTEN_NOT_FINITE, "coordinate 1 of point 1 is nan"},
+    {2, {4, INFINITY}, BATTEN_NOT_FINITE, "coordinate 2 of point 3 is inf"},
+    {4, {-INFINITY, 0}, BATTEN_NOT_FINITE, "coordinate 1 of point 5 is -inf"},
+    {1, {5, 0}, BATTEN_COINCIDENT, "points 1 and 2 coincide at (5, 0)"},
+    {4, {0, 5}, BATTEN_COINCIDENT, "points 4 and 5 coincide at (0, 5)"},
+    {3, {5, 0}, BATTEN_COINCIDENT, "points 1 and 4 coincide at (5, 0)"},
+    {4, {5, 0.25}, BATTEN_SINGULAR_SYSTEM, "the five points do not follow each other"},
+};
+
+TEST(G2_of_five_points_the_bad_ones_are_named)
+{
+    batten_curve *none = NULL;
+    for (int i = 0; i < COUNT(spoilt); i++) {
+        double points[10] = {5, 0, 4, 3, 3, 4, 0, 5, -3, 4};
+        memcpy(points + 2 * spoilt[i].place, spoilt[i].value, sizeof spoilt[i].value);
+        CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, points}, &none),
+                     spoilt[i].status);
+        CHECK_MESSAGE(spoilt[i].words);
+    }
+    const double line[10] = {0, 0, 1, 1, 2, 2, 3, 3, 4, 4};
+    CHECK_STATUS(batten_curve_conic_five((batten_points){2, 5, line}, &none),
+                 BATTEN_SINGULAR_SYSTEM);
+    CHECK_MESSAGE("too many of the five points lie on a line");
+    CHECK(!none);
+}
+
+/* Arcs, their angles and sizes refused by name. */
+static const struct {
+    double a, b, start, angle;
+    const char *words;
+} shapes[] = {
+    {0, 0, 0, 1, "the radius is 0; it must be positive"},
+    {-2, -2, 0, 1, "the radius is -2; it must be positive"},
+    {-1, 2, 0, 1, "the first half axis is -1; it must be positive"},
+    {1, 0, 0, 1, "the second half axis is 0; it must be positive"},
+    {INFINITY, 1, 0, 1, "the first half axis is inf"},
+    {1, 2, NAN, 1, "the start angle is nan"},
+    {1, 2, 0, INFINITY, "the angle is inf"},
+    {1, 2, 0, 0, "the angle is 0; it must be in (0, 2 pi]"},
+    {1, 2, 0, -1, "the angle is -1; it must be in (0, 2 pi]"},
+    {1, 2, 0, 6.5, "the angle is 6.5; it must be in (0, 2 pi]"},
+};
+
+TEST(N1_what_makes_no_ellipse_is_named)
+{
+    batten_curve *none = NULL;
+    for (int i = 0; i < COUNT(shapes); i++) {
+        CHECK(batten_curve_ellipse(shapes[i].a, shapes[i].b, shapes[i].start, shapes[i].angle,
+                                   &none) != BATTEN_OK);
+        CHECK_MESSAGE(shapes[i].words);
+    }
+    CHECK(!none);
+}

@@ -283,3 +283,106 @@ TEST(normals_of_closed_shapes_point_outwards_and_profiles_start_outside)
     batten_surface_unref(sphere);
     batten_surface_unref(torus);
 }
+
+/* Profiles in a plane with the axis and how far they reach to both sides, in the message. */
+static const struct {
+    int degree, count;
+    double points[15], knots[9];
+    const char *words; /* NULL: it is a surface */
+} profiles[] = {
+    {1,
+     3,
+     {2, 0, 0, 1, 0, 1, -0.25, 0, 2},
+     {0, 0, 1, 2, 2},
+     "it reaches from -0.25 to 2 across it"},
+    {1,
+     3,
+     {-0.5, 0, 0, 1, 0, 1, 3, 0, 2},
+     {0, 0, 1, 2, 2},
+     "it reaches from -0.5 to 3 across it"},
+    {1, 3, {1, 0, 0, -4, 0, 1, 3, 0, 2}, {0, 0, 1, 2, 2}, "it reaches from -3 to 4 across it"},
+    {2,
+     3,
+     {1, 0, 0, -3, 0, 1, 1, 0, 2},
+     {0, 0, 0, 1, 1, 1},
+     "it reaches from -1 to 1 across it"},
+    {2,
+     5,
+     {1, 0, 0, 1, 0, 1, 1, 0, 2, -2, 0, 3, 1, 0, 4},
+     {0, 0, 0, 1, 1, 2, 2, 2},
+     "it reaches from -1 to 0.5 across it"},
+    {1, 2, {0, 0, 5, 0, 0, 7}, {0, 0, 1, 1}, "the profile lies on the axis"},
+    {1, 3, {2, 0, 0, 0, 0, 1, 3, 0, 2}, {0, 0, 1, 2, 2}, NULL},
+    {1, 3, {2, 0, 0, 1e-16, 0, 1, 3, 0, 2}, {0, 0, 1, 2, 2}, NULL},
+    {1, 3, {2, 1, 0, -1, 0, 1, 3, 0, 2}, {0, 0, 1, 2, 2}, NULL}, /* in no plane with the axis */
+};
+
+TEST(a_profile_that_crosses_the_axis_is_measured_on_both_sides)
+{
+    for (int i = 0; i < COUNT(profiles); i++) {
+        batten_surface *surface = NULL;
+        CHECK_STATUS(revolve(profiles[i].degree, profiles[i].count, profiles[i].points,
+                             profiles[i].knots, &surface),
+                     profiles[i].words ? BATTEN_BAD_ARGUMENT : BATTEN_OK);
+        if (profiles[i].words)
+            CHECK_MESSAGE(profiles[i].words);
+        CHECK((surface != NULL) == !profiles[i].words);
+        batten_surface_unref(surface);
+    }
+}
+
+typedef batten_status (*shape_maker)(const batten_frame *frame, const double *v,
+                                     batten_surface **out);
+
+static batten_status make_cone(const batten_frame *frame, const double *v, batten_surface **out)
+{
+    return batten_surface_cone(frame, v[0], v[1], v[2], out);
+}
+
+static batten_status make_cylinder(const batten_frame *frame, const double *v,
+                                   batten_surface **out)
+{
+    return batten_surface_cylinder(frame, v[0], v[1], out);
+}
+
+static batten_status make_torus(const batten_frame *frame, const double *v,
+                                batten_surface **out)
+{
+    return batten_surface_torus(frame, v[0], v[1], out);
+}
+
+static const struct {
+    shape_maker make;
+    double sizes[3];
+    const char *words; /* NULL: it is a surface */
+} sizes[] = {
+    {make_cone, {0, 1, 2}, NULL},
+    {make_cone, {1, 0, 2}, NULL},
+    {make_cone, {0, 0, 2}, "the radius at the height is 0; it must be positive"},
+    {make_cone, {-1, 1, 2}, "the radius at the origin is -1; it must be positive"},
+    {make_cone, {1, -2, 2}, "the radius at the height is -2; it must be positive"},
+    {make_cone, {1, INFINITY, 2}, "the radius at the height is inf"},
+    {make_cone, {1, 1, 0}, "the height is 0; it must be positive"},
+    {make_cone, {1, 1, -3}, "the height is -3; it must be positive"},
+    {make_cylinder, {0, 1}, "the radius is 0; it must be positive"},
+    {make_cylinder, {2, 0}, "the height is 0; it must be positive"},
+    {make_cylinder, {2, 1}, NULL},
+    {make_torus, {0, 1}, "the major radius is 0; it must be positive"},
+    {make_torus, {2, 0}, "the minor radius is 0; it must be positive"},
+    {make_torus, {2, 2}, "the major radius is 2, not above the minor one, 2"},
+    {make_torus, {2, 1.99}, NULL},
+};
+
+TEST(a_size_that_cannot_be_is_named)
+{
+    const batten_frame world = batten_frame_world();
+    for (int i = 0; i < COUNT(sizes); i++) {
+        batten_surface *surface = NULL;
+        const batten_status status = sizes[i].make(&world, sizes[i].sizes, &surface);
+        CHECK((status == BATTEN_OK) == !sizes[i].words);
+        if (sizes[i].words)
+            CHECK_MESSAGE(sizes[i].words);
+        CHECK((surface != NULL) == !sizes[i].words);
+        batten_surface_unref(surface);
+    }
+}

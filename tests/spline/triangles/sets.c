@@ -135,3 +135,76 @@ TEST(graphs_of_triangles_take_polynomial_values_over_a_domain)
     batten_triangles_unref(bare);
     batten_triangles_unref(rational);
 }
+
+TEST(the_box_of_triangles_holds_their_control_points_in_each_coordinate)
+{
+    const double points[18] = {1, -2, 3, 4, 5, -6, 2, 7, 0, -3, 1, 1, 0, 0, 9, 2, -8, 2};
+    for (int d = 1; d <= 3; d++) {
+        batten_triangles *made = NULL;
+        CHECK_OK(batten_triangles_create(
+            &(batten_triangles_parts){d, 1, 6 / d, points, NULL, NULL}, &made));
+        const batten_box box = batten_triangles_box(made);
+        const double low[3] = {box.low.x, box.low.y, box.low.z},
+                     high[3] = {box.high.x, box.high.y, box.high.z};
+        for (int k = 0; k < 3; k++) {
+            double least = k < d ? points[k] : 0, most = least;
+            for (int i = k; k < d && i < 18 / d / 3 * 3 * d; i += d) {
+                least = fmin(least, points[i]);
+                most = fmax(most, points[i]);
+            }
+            CHECK(low[k] == least && high[k] == most);
+        }
+        batten_triangles_unref(made);
+    }
+}
+
+/* Vertices and corners of two triangles over a square that are wrong in some way. */
+static const struct {
+    double vertices[8];
+    int corners[6];
+    batten_status status;
+    const char *words;
+} domains[] = {
+    {{0, 0, 1, 0, 0, NAN, 1, 1},
+     {0, 1, 2, 3, 2, 1},
+     BATTEN_NOT_FINITE,
+     "coordinate 2 of vertex 3 is nan"},
+    {{0, 0, 1, 0, 0, 1, INFINITY, 1},
+     {0, 1, 2, 3, 2, 1},
+     BATTEN_NOT_FINITE,
+     "coordinate 1 of vertex 4 is inf"},
+    {{0, 0, 1, 0, 0, 1, 1, 1},
+     {0, 1, 2, 3, 1, 2},
+     BATTEN_BAD_ARGUMENT,
+     "triangle 2 of the domain, at vertices 4, 2 and 3, goes round clockwise"},
+    {{0, 0, 1, 0, 0, 1, 1, 1},
+     {0, 2, 1, 3, 2, 1},
+     BATTEN_BAD_ARGUMENT,
+     "triangle 1 of the domain, at vertices 1, 3 and 2, goes round clockwise"},
+    {{0, 0, 1, 0, 2, 0, 1, 1},
+     {0, 1, 2, 3, 2, 1},
+     BATTEN_SINGULAR_HERE,
+     "triangle 1 of the domain, at vertices 1, 2 and 3, has no area"},
+    {{0, 0, 1, 0, 0, 1, 1, 1},
+     {0, 1, 4, 3, 2, 1},
+     BATTEN_BAD_ARGUMENT,
+     "corner 3 of triangle 1 is vertex 5; there are 4"},
+    {{0, 0, 1, 0, 0, 1, 1, 1},
+     {0, 1, 2, 3, -1, 1},
+     BATTEN_BAD_ARGUMENT,
+     "corner 2 of triangle 2 is vertex 0; there are 4"},
+};
+
+TEST(a_domain_that_cannot_be_is_refused_with_its_triangle)
+{
+    const double values[6] = {0, 1, 2, 3, 2, 1};
+    batten_triangles *none = NULL;
+    for (int i = 0; i < COUNT(domains); i++) {
+        const batten_triangulation domain = {4, domains[i].vertices, domains[i].corners};
+        CHECK_STATUS(batten_triangles_create(
+                         &(batten_triangles_parts){1, 1, 2, values, NULL, &domain}, &none),
+                     domains[i].status);
+        CHECK_MESSAGE(domains[i].words);
+        CHECK(!none);
+    }
+}
