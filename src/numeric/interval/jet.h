@@ -66,7 +66,7 @@ void bat_ijet_forget(const bat_jet_space *s, int first, bat_interval_jet *a);
 void bat_ijet_least(const bat_jet_space *s, const bat_interval_jet *a,
                     const bat_interval_jet *b, bat_interval_jet *out);
 
-/* ---- interval_jet_functions.c ---- */
+/* ---- jet_functions.c ---- */
 
 /* a^b; a whole constant exponent takes any a, another one a >= 0. */
 void bat_ijet_power(bat_jet_space *s, const bat_interval_jet *a, const bat_interval_jet *b,

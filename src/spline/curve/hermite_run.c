@@ -43,10 +43,16 @@ batten_status bat_hermite_run_add(bat_hermite_run *run, double u, const double *
 
 batten_status bat_hermite_run_finish(bat_hermite_run *run, batten_curve **out)
 {
-    const int count = run->count;
+    batten_curve *made = NULL;
+    if (run->count >= 2) {
+        const batten_status status =
+            bat_hermite_curve(run->dimension, run->count, run->places, &made);
+        if (status != BATTEN_OK)
+            return status;
+    }
     run->count = 0;
-    *out = NULL;
-    return count < 2 ? BATTEN_OK : bat_hermite_curve(run->dimension, count, run->places, out);
+    *out = made;
+    return BATTEN_OK;
 }
 
 void bat_hermite_run_release(bat_hermite_run *run)

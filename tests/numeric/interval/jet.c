@@ -379,3 +379,100 @@ TEST(quotients_of_jets_have_the_derivatives_of_the_geometric_series)
     bat_ijet_divide(&s, &one, &(bat_interval_jet){.c = {{0, 0}}}, &made);
     CHECK_INT(s.state, BAT_UNDEFINED);
 }
+
+/* How many coefficients, and the orders of each: by total, the first variable first. */
+static const struct {
+    int variables, order, count;
+    signed char exponents[BAT_JET_COEFFICIENTS][BAT_JET_VARIABLES];
+} spaces[] = {
+    {1, 0, 1, {{0, 0, 0}}},
+    {1, 6, 7, {{0}, {1}, {2}, {3}, {4}, {5}, {6}}},
+    {2, 1, 3, {{0}, {1, 0}, {0, 1}}},
+    {2, 2, 6, {{0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}},
+    {3, 0, 1, {{0}}},
+    {3, 1, 4, {{0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+};
+
+TEST(the_coefficients_of_a_space_are_all_orders_up_to_the_total)
+{
+    for (int r = 0; r < COUNT(spaces); r++) {
+        bat_jet_space s;
+        bat_jet_space_begin(&s, spaces[r].variables, spaces[r].order);
+        CHECK_INT(s.count, spaces[r].count);
+        CHECK(s.state == BAT_DEFINED && s.side == 0 && s.order == spaces[r].order);
+        for (int a = 0; a < s.count; a++)
+            for (int b = 0; b < s.count; b++) {
+                int total = 0, at = s.product[a][b];
+                for (int v = 0; v < BAT_JET_VARIABLES; v++) {
+                    const int sum = s.exponents[a][v] + s.exponents[b][v];
+                    CHECK_INT(s.exponents[a][v], spaces[r].exponents[a][v]);
+                    total += sum;
+                    CHECK(at < 0 || s.exponents[at][v] == sum);
+                }
+                CHECK_INT(at >= 0, total <= s.order);
+            }
+    }
+}
+
+TEST(what_is_forgotten_is_everything_from_an_order_on)
+{
+    for (int r = 0; r < COUNT(spaces); r++)
+        for (int first = 0; first <= 7; first++) {
+            bat_jet_space s;
+            bat_interval_jet a;
+            bat_jet_space_begin(&s, spaces[r].variables, spaces[r].order);
+            for (int i = 0; i < s.count; i++)
+                a.c[i] = bat_interval_at(i + 1);
+            bat_ijet_forget(&s, first, &a);
+            for (int i = 0; i < s.count; i++) {
+                const signed char *e = spaces[r].exponents[i];
+                const bool kept = e[0] + e[1] + e[2] < first;
+                CHECK(a.c[i].lo == (kept ? i + 1 : -INFINITY));
+                CHECK(a.c[i].hi == (kept ? i + 1 : INFINITY));
+            }
+        }
+}
+
+/* Arcs of sines: known inside (-1, 1), without slopes where an end is met, cut off beyond. */
+static const struct {
+    bat_interval x;
+    double low, high; /* of the sine's arc */
+    bat_definition state;
+    bool has_slope;
+} arcs[] = {
+    {{-0.5, 0.5}, -0.52359877559829887, 0.52359877559829887, BAT_DEFINED, true},
+    {{0.5, 1}, 0.52359877559829887, 1.5707963267948966, BAT_DEFINED, false},
+    {{-1, 0.5}, -1.5707963267948966, 0.52359877559829887, BAT_DEFINED, false},
+    {{0.5, 1.25}, 0.52359877559829887, 1.5707963267948966, BAT_PARTLY, false},
+    {{-1.25, 0.5}, -1.5707963267948966, 0.52359877559829887, BAT_PARTLY, false},
+    {{-2, 2}, -1.5707963267948966, 1.5707963267948966, BAT_PARTLY, false},
+    {{1, 1}, 1.5707963267948966, 1.5707963267948966, BAT_DEFINED, false},
+};
+
+TEST(arcs_of_sines_have_no_slope_where_they_end)
+{
+    for (int i = 0; i < COUNT(arcs); i++)
+        for (int cosine = 0; cosine < 2; cosine++) {
+            bat_jet_space s;
+            bat_interval_jet a;
+            bat_jet_space_begin(&s, 1, 2);
+            bat_ijet_variable(&s, 0, arcs[i].x, &a);
+            bat_ijet_apply(&s, cosine ? BAT_IJET_ACOS : BAT_IJET_ASIN, &a);
+            const double right = acos(0.0);
+            const double low = cosine ? right - arcs[i].high : arcs[i].low;
+            const double high = cosine ? right - arcs[i].low : arcs[i].high;
+            CHECK_INT((int)s.state, (int)arcs[i].state);
+            CHECK(a.c[0].lo <= low + 1e-16 && a.c[0].hi >= high - 1e-16);
+            CHECK_NEAR(a.c[0].lo, low, 1e-14);
+            CHECK_NEAR(a.c[0].hi, high, 1e-14);
+            CHECK_INT(bat_interval_is_finite(a.c[1]), arcs[i].has_slope);
+            CHECK_INT(bat_interval_is_finite(a.c[2]), arcs[i].has_slope);
+        }
+    bat_jet_space s;
+    bat_interval_jet a;
+    bat_jet_space_begin(&s, 1, 1);
+    bat_ijet_variable(&s, 0, (bat_interval){1.5, 2}, &a);
+    bat_ijet_apply(&s, BAT_IJET_ASIN, &a);
+    CHECK_INT((int)s.state, BAT_UNDEFINED);
+    CHECK(!bat_interval_is_finite(a.c[0]));
+}

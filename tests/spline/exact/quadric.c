@@ -378,8 +378,10 @@ TEST(a_size_that_cannot_be_is_named)
     const batten_frame world = batten_frame_world();
     for (int i = 0; i < COUNT(sizes); i++) {
         batten_surface *surface = NULL;
-        const batten_status status = sizes[i].make(&world, sizes[i].sizes, &surface);
-        CHECK((status == BATTEN_OK) == !sizes[i].words);
+        CHECK_STATUS(sizes[i].make(&world, sizes[i].sizes, &surface),
+                     !sizes[i].words               ? BATTEN_OK
+                     : isfinite(sizes[i].sizes[1]) ? BATTEN_BAD_ARGUMENT
+                                                   : BATTEN_NOT_FINITE);
         if (sizes[i].words)
             CHECK_MESSAGE(sizes[i].words);
         CHECK((surface != NULL) == !sizes[i].words);

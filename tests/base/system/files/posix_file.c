@@ -645,3 +645,67 @@ TEST(W9_a_signal_that_the_caller_holds_back_is_the_callers_affair)
     CHECK_INT(number, SIGINT);
     CHECK(status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY);
 }
+
+/* In a child whose descriptor 0 is free, which is then the first to be given out: 7 when the file is
+ * saved and loaded, 8 without memory. */
+static int status_without_input(const char *path)
+{
+    const pid_t child = fork();
+    if (child == 0) {
+        char *data = NULL;
+        size_t size = 0;
+        close(STDIN_FILENO);
+        batten_status status = save(path, "new");
+        if (status == BATTEN_OK)
+            status = batten_load_file(path, 10, &data, &size);
+        const bool right = status == BATTEN_OK && size == 3 && memcmp(data, "new", 3) == 0;
+        _exit(right ? 7 : status == BATTEN_OUT_OF_MEMORY ? 8 : 9);
+    }
+    int status = 0;
+    CHECK(waitpid(child, &status, 0) == child);
+    return status;
+}
+
+TEST(a_programme_without_standard_input_saves_and_loads)
+{
+    const char *where = folder("no_input"), *path = in(where, "a");
+    put(path, "old");
+    const int status = status_without_input(path);
+    CHECK(WIFEXITED(status) && (WEXITSTATUS(status) == 7 || WEXITSTATUS(status) == 8));
+    CHECK(holds(path, WEXITSTATUS(status) == 7 ? "new" : "old"));
+    CHECK_INT(entry_count(where), 1);
+}
+
+/* The names of temporary files that a save opened, one after the other. */
+static char opened_names[4][300];
+static int opened_count;
+
+static int noting_open(const char *path, int flags, mode_t mode)
+{
+    if (flags & O_EXCL && opened_count < COUNT(opened_names)) {
+        snprintf(opened_names[opened_count], sizeof opened_names[0], "%s", path);
+        opened_count++;
+    }
+    return real_system.open(path, flags, mode);
+}
+
+TEST(a_temporary_name_ends_with_six_letters_or_digits_of_its_own)
+{
+    const char *where = folder("suffix"), *path = in(where, "a");
+    static const char letters[] = "0123456789abcdefghijklmnopqrstuvwxyz";
+    real_system = bat_system;
+    bat_system.open = noting_open;
+    opened_count = 0;
+    for (int i = 0; i < COUNT(opened_names); i++)
+        save(path, "text");
+    uninstall();
+    int kinds[sizeof letters] = {0}, different = 0;
+    for (int i = 0; i < opened_count; i++) {
+        const char *name = strstr(opened_names[i], "/.a.");
+        CHECK(name && strspn(name + 4, letters) == 6);
+        CHECK_TEXT(name + 10, ".batten-tmp");
+        for (int k = 0; k < 6; k++)
+            different += kinds[strchr(letters, name[4 + k]) - letters]++ == 0;
+    }
+    CHECK(different >= (opened_count == COUNT(opened_names) ? 7 : 0));
+}

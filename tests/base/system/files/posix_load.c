@@ -92,3 +92,56 @@ TEST(a_pipe_is_read_at_the_pace_of_its_writer)
     }
     CHECK(status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY);
 }
+
+TEST(a_pipe_of_any_length_is_read_to_its_end)
+{
+    static const size_t sizes[] = {1, 4095, 4096, 4097, 8192, 20000};
+    for (int i = 0; i < COUNT(sizes); i++) {
+        int ends[2];
+        char path[40], text[20000], *data = NULL;
+        size_t size = 0;
+        CHECK(pipe(ends) == 0);
+        snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
+        if (access(path, R_OK) != 0)
+            SKIP("there is no /dev/fd");
+        for (size_t k = 0; k < sizes[i]; k++)
+            text[k] = (char)('a' + k % 23);
+        CHECK(write(ends[1], text, sizes[i]) == (ssize_t)sizes[i]);
+        close(ends[1]);
+        const batten_status status = batten_load_file(path, 20000, &data, &size);
+        close(ends[0]);
+        CHECK(status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY);
+        if (status != BATTEN_OK)
+            continue;
+        CHECK(size == sizes[i] && memcmp(data, text, size) == 0 && data[size] == 0);
+        batten_release(data);
+    }
+}
+
+TEST(S1_the_limit_itself_is_allowed_and_one_more_is_not)
+{
+    static const struct {
+        const char *text;
+        size_t limit;
+        batten_status status;
+    } rows[] = {{"", 0, BATTEN_OK},
+                {"a", 0, BATTEN_TOO_LARGE},
+                {"abc", 3, BATTEN_OK},
+                {"abcd", 3, BATTEN_TOO_LARGE},
+                {"abc", SIZE_MAX, BATTEN_OK}};
+    const char *path = in(folder("bounds"), "a");
+    for (int i = 0; i < COUNT(rows); i++) {
+        char *data = NULL;
+        size_t size = 77;
+        put(path, rows[i].text);
+        CHECK_STATUS(batten_load_file(path, rows[i].limit, &data, &size), rows[i].status);
+        CHECK(rows[i].status == BATTEN_OK ? size == strlen(rows[i].text) : size == 77 && !data);
+        batten_release(data);
+    }
+}
+
+TEST(a_file_that_is_not_open_has_no_writer_to_wait_for)
+{
+    CHECK_STATUS(bat_file_wait_for_writer(-1, "hull.step"), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("hull.step");
+}
