@@ -1,5 +1,6 @@
 #include <batten/arcs.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static batten_arcs_options within(double tolerance, batten_arcs_join joined)
@@ -167,4 +168,75 @@ TEST(the_stretch_of_a_closed_row_without_an_arc_ends_at_point_1)
         batten_arcs_from_points((batten_points){2, 7, row}, &options, NULL, NULL, &chain),
         BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("between points 7 and 1 no arcs");
+}
+
+/* An ellipse run either way: inside is left of one that runs counter-clockwise. */
+TEST(inside_and_outside_follow_the_sense_of_a_closed_row)
+{
+    enum { N = 60 };
+    for (int row = 0; row < 8; row++) {
+        const bool clockwise = row & 1, outside = row & 2;
+        double points[2 * N], at[N];
+        for (int i = 0; i < N; i++) {
+            const double t = (clockwise ? -2 : 2) * acos(-1) * i / N;
+            points[2 * i] = 7 + 2 * cos(t);
+            points[2 * i + 1] = -3 + sin(t);
+        }
+        batten_arcs_options options =
+            within(1e-2, row & 4 ? BATTEN_ARCS_PLAIN : BATTEN_ARCS_BIARCS);
+        options.closed = true;
+        options.side = outside ? BATTEN_ARCS_OUTSIDE : BATTEN_ARCS_INSIDE;
+        batten_arcs_report report;
+        batten_chain *chain = NULL;
+        CHECK_OK(batten_arcs_from_points((batten_points){2, N, points}, &options, at, &report,
+                                         &chain));
+        const double on = clockwise == outside ? report.left : report.right;
+        const double off = clockwise == outside ? report.right : report.left;
+        CHECK(on > 1e-3 && off < 1e-13);
+        CHECK_NEAR(report.error, on, 1e-15);
+        check_points(N, points, at, chain, &report, 1e-2);
+        batten_chain_unref(chain);
+    }
+}
+
+/* One line past two points beside it: it lies right of one that is to its left. */
+TEST(the_report_names_the_point_that_arcs_miss_most)
+{
+    for (int sign = -1; sign <= 1; sign += 2) {
+        double points[2 * 9], at[9];
+        for (int i = 0; i < 9; i++) {
+            points[2 * i] = i;
+            points[2 * i + 1] = i == 3 ? sign * 0.02 : i == 6 ? -sign * 0.01 : 0;
+        }
+        batten_arcs_options options = within(0.1, BATTEN_ARCS_PLAIN);
+        options.spread = false;
+        batten_arcs_report report;
+        batten_chain *chain = NULL;
+        CHECK_OK(batten_arcs_from_points((batten_points){2, 9, points}, &options, at, &report,
+                                         &chain));
+        CHECK_INT(report.lines, 1);
+        CHECK_INT(report.at, 3);
+        CHECK_NEAR(report.error, 0.02, 1e-15);
+        CHECK_NEAR(report.left, sign > 0 ? 0.01 : 0.02, 1e-15);
+        CHECK_NEAR(report.right, sign > 0 ? 0.02 : 0.01, 1e-15);
+        for (int i = 0; i < 9; i++)
+            CHECK_NEAR(at[i], i, 1e-15);
+        batten_chain_unref(chain);
+    }
+}
+
+TEST(arcs_through_points_report_every_lack_of_memory)
+{
+    static const double row[] = {0, 0, 1, 0.8, 2, 1, 3, 0.4, 4, -1, 5, -1.5, 6, -1, 7, 1};
+    static const double ring[] = {0, 0, 2, -1, 4, -1, 6, 0, 7, 2, 5, 4, 2, 4, 0, 2};
+    for (int k = 0; k < 3; k++) {
+        batten_arcs_options options =
+            within(0.5, k & 1 ? BATTEN_ARCS_PLAIN : BATTEN_ARCS_BIARCS);
+        options.closed = k & 2;
+        double at[8];
+        batten_chain *chain = NULL;
+        CHECK_EACH_ALLOCATION(batten_arcs_from_points(
+            (batten_points){2, 8, options.closed ? ring : row}, &options, at, NULL, &chain));
+        batten_chain_unref(chain);
+    }
 }

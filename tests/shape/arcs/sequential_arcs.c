@@ -1,5 +1,6 @@
 #include <batten/arcs.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static const double pi = 3.14159265358979323846;
@@ -155,4 +156,57 @@ TEST(n1_g1_bad_data_of_sequential_arcs_are_refused)
                                               NULL, &chain),
                  BATTEN_NOT_FINITE);
     CHECK(!chain);
+}
+
+/* Starts, and what the report says of three points with a right angle between two chords of 2: an arc of
+ * angle a from its chord l has the curvature -2 sin(a) / l. */
+static const struct {
+    double start, jump, sensitivity;
+    int sensitive_at, long_arcs;
+    double parameters[3];
+} reports[] = {
+    {0, 1, 1, 0, 0, {0, 2, 2 + 3.14159265358979323846}},
+    {0.78539816339744831,
+     1.4142135623730951,
+     0.70710678118654757,
+     0,
+     1,
+     {0, 2.2214414690791831, 8.8857658763167324}},
+    {-0.78539816339744831,
+     0,
+     0.70710678118654757,
+     0,
+     0,
+     {0, 2.2214414690791831, 4.4428829381583661}},
+};
+
+TEST(the_report_of_arcs_one_after_another_has_their_jump_and_what_moves_most)
+{
+    static const double points[6] = {0, 0, 2, 0, 2, 2};
+    for (int i = 0; i < COUNT(reports); i++) {
+        double angles[3], parameters[3];
+        batten_chain *chain = NULL;
+        batten_chain_sequential_arcs_report report;
+        CHECK_OK(batten_chain_sequential_arcs((batten_points){2, 3, points}, reports[i].start,
+                                              angles, parameters, &report, &chain));
+        CHECK_NEAR(report.start_angle, reports[i].start, 1e-15);
+        CHECK_NEAR(report.jump, reports[i].jump, 1e-15);
+        CHECK_NEAR(report.sensitivity, reports[i].sensitivity, 1e-15);
+        CHECK_INT(report.long_arcs, reports[i].long_arcs);
+        if (i == 0)
+            CHECK_INT(report.sensitive_at, reports[i].sensitive_at);
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(parameters[k], reports[i].parameters[k], 1e-14);
+        CHECK_NEAR(angles[1], -reports[i].start, 1e-15);
+        batten_chain_unref(chain);
+    }
+}
+
+TEST(arcs_one_after_another_report_every_lack_of_memory)
+{
+    batten_chain *chain = NULL;
+    double angles[6], parameters[6];
+    CHECK_EACH_ALLOCATION(batten_chain_sequential_arcs((batten_points){2, 6, ducks}, NAN,
+                                                       angles, parameters, NULL, &chain));
+    batten_chain_unref(chain);
 }

@@ -1,5 +1,6 @@
 #include <batten/bent.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static const double pi = 3.14159265358979323846;
@@ -218,4 +219,20 @@ TEST(n1_g1_n6_bad_data_of_mehlum_are_refused)
         batten_chain_mehlum((batten_points){2, 3, points}, NULL, NULL, NULL, NULL, &chain),
         BATTEN_NOT_FINITE);
     CHECK(!chain);
+}
+
+TEST(mehlum_reports_every_lack_of_memory)
+{
+    static const double points[] = {0, 0, 2, -0.5, 3, 1, 1.5, 2.2, -0.5, 1.3};
+    for (int k = 0; k < 4; k++) {
+        batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
+        options.closed = k & 1;
+        options.tolerance = k & 2 ? 1e-3 : 0;
+        double angles[5], parameters[5];
+        batten_chain *chain = NULL;
+        CHECK_EACH_ALLOCATION(
+            batten_chain_mehlum((batten_points){2, options.closed ? 5 : 3, points}, &options,
+                                angles, parameters, NULL, &chain));
+        batten_chain_unref(chain);
+    }
 }

@@ -1,5 +1,6 @@
 #include <batten/bent.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static const double pi = 3.14159265358979323846;
@@ -615,5 +616,23 @@ TEST(n2_nonlinear_splines_have_any_size)
             for (int i = 0; i < 5; i++)
                 CHECK_NEAR(angles[i], first[i], 1e-12);
         }
+    }
+}
+
+TEST(nonlinear_splines_report_every_lack_of_memory)
+{
+    enum { N = 5 };
+    double points[2 * N], angles[N], parameters[N];
+    wave(N, points);
+    static const double ring[] = {0, 0, 2, -0.5, 3, 1, 1.5, 2.2, -0.5, 1.3};
+    for (int k = 0; k < COUNT(kinds); k++) {
+        batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
+        options.family = kinds[k].family;
+        options.closed = kinds[k].round;
+        batten_chain *chain = NULL;
+        CHECK_EACH_ALLOCATION(
+            batten_chain_nonlinear((batten_points){2, N, options.closed ? ring : points},
+                                   &options, angles, parameters, NULL, &chain));
+        batten_chain_unref(chain);
     }
 }

@@ -1,5 +1,6 @@
 #include <batten/bent.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static const double pi = 3.14159265358979323846;
@@ -468,4 +469,25 @@ TEST(g1_g9_n1_points_without_a_spiro_are_named)
         BATTEN_INCOMPLETE);
     CHECK_MESSAGE("after 2 steps");
     CHECK(!chain);
+}
+
+TEST(spiro_reports_every_lack_of_memory)
+{
+    enum { N = 5 };
+    double points[2 * N], parameters[N + 1];
+    static const batten_spiro_kind kinds[N] = {BATTEN_SPIRO_SMOOTH, BATTEN_SPIRO_CURVATURE,
+                                               BATTEN_SPIRO_CORNER, BATTEN_SPIRO_CURVATURE,
+                                               BATTEN_SPIRO_SMOOTH};
+    wave(N, points);
+    static const double ring[] = {0, 0, 2, -0.5, 3, 1, 1.5, 2.2, -0.5, 1.3};
+    for (int k = 0; k < 3; k++) {
+        batten_chain_spiro_options options = batten_chain_spiro_defaults();
+        options.closed = k & 1;
+        options.kinds = k & 2 ? kinds : NULL;
+        batten_chain *chain = NULL;
+        CHECK_EACH_ALLOCATION(
+            batten_chain_spiro((batten_points){2, N, options.closed ? ring : points}, &options,
+                               parameters, NULL, &chain));
+        batten_chain_unref(chain);
+    }
 }

@@ -1,6 +1,7 @@
 #include <batten/interpolate.h>
 #include <batten/standard.h>
 
+#include "support/faults.h"
 #include "support/generate.h"
 
 static const test_wish tame = {.tame = true};
@@ -155,4 +156,18 @@ TEST(published_aerofoils_shrink)
         batten_curve_unref(thin);
         batten_curve_unref(curve);
     }
+}
+
+TEST(a_reduction_reports_every_lack_of_memory)
+{
+    batten_curve *curve = cubic_of(sin, cos, 30, 6), *thin = NULL;
+    int removed;
+    double error;
+    CHECK_EACH_ALLOCATION(batten_curve_remove_knots(curve, 1e-3, &removed, &error, &thin));
+    CHECK(removed > 0 && error <= 1e-3);
+    batten_curve_unref(thin);
+    CHECK_EACH_ALLOCATION(batten_curve_remove_knots(curve, 0, &removed, &error, &thin));
+    CHECK(error == 0);
+    batten_curve_unref(thin);
+    batten_curve_unref(curve);
 }
