@@ -1,5 +1,6 @@
 #include <batten/interpolate.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static batten_curve *spline(int d, int n, const double *points, batten_beta_use use, double b1,
@@ -158,4 +159,15 @@ TEST(n1_beta_splines_refuse_what_is_not_finite)
                                        values[i], false, &none),
                      BATTEN_BAD_ARGUMENT);
     CHECK(none == NULL);
+}
+
+TEST(beta_splines_report_every_lack_of_memory)
+{
+    static const double points[] = {0, 0, 1, 2, 3, 1, 4, -1, 6, 0, 7, 2};
+    for (int k = 0; k < 4; k++) {
+        batten_curve *curve = NULL;
+        CHECK_EACH_ALLOCATION(batten_curve_beta(
+            (batten_points){2, 6, points}, (batten_beta_use)(k & 1), 1.5, 2, k & 2, &curve));
+        batten_curve_unref(curve);
+    }
 }

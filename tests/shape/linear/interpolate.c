@@ -1,5 +1,6 @@
 #include <batten/interpolate.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 /* What functions the curves shall meet: value and derivatives of t^3 - 2 t^2 + 1. */
@@ -771,4 +772,20 @@ TEST(curvatures_that_rounding_keeps_from_the_last_digits_are_reached)
         CHECK_NEAR(turn, across, 1e-8);
     }
     batten_curve_unref(curve);
+}
+
+TEST(interpolation_reports_every_lack_of_memory)
+{
+    static const double points[] = {0, 0, 1, 2, 3, 1, 4, -1, 6, 0, 7, 2, 5, 5};
+    for (int degree = 1; degree <= 5; degree += 2)
+        for (int closed = 0; closed < 2; closed++) {
+            batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
+            double parameters[8];
+            batten_curve *curve = NULL;
+            options.degree = degree;
+            options.closed = closed;
+            CHECK_EACH_ALLOCATION(batten_curve_interpolate((batten_points){2, 7, points},
+                                                           &options, parameters, &curve));
+            batten_curve_unref(curve);
+        }
 }

@@ -1,5 +1,6 @@
 #include <batten/interpolate.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 static batten_curve *through(int d, int n, const double *points,
@@ -300,4 +301,18 @@ TEST(g9_parameters_that_are_no_mid_points_are_refused)
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("the knots end at 4, not 5");
     CHECK(none == NULL);
+}
+
+TEST(quadratic_splines_report_every_lack_of_memory)
+{
+    static const double points[] = {0, 0, 1, 2, 3, 1, 4, -1, 6, 0, 7, 2};
+    for (int kind = BATTEN_QUADRATIC_BETWEEN; kind <= BATTEN_QUADRATIC_BETWEEN + 1; kind++) {
+        batten_curve_quadratic_options o = batten_curve_quadratic_defaults();
+        double parameters[6];
+        batten_curve *curve = NULL;
+        o.kind = (batten_quadratic_kind)kind;
+        CHECK_EACH_ALLOCATION(
+            batten_curve_quadratic((batten_points){2, 6, points}, &o, parameters, &curve));
+        batten_curve_unref(curve);
+    }
 }

@@ -1,6 +1,7 @@
 #include <batten/curvature.h>
 #include <batten/interpolate.h>
 
+#include "support/faults.h"
 #include "support/test.h"
 
 /* ---- helpers ---- */
@@ -567,6 +568,22 @@ TEST(a_spline_in_tension_meets_a_hundred_thousand_points)
             CHECK_NEAR(at[0], points[2 * i], 1e-9);
             CHECK_NEAR(at[1], points[2 * i + 1], 1e-9);
         }
+        batten_chain_unref(chain);
+    }
+}
+
+TEST(splines_in_tension_report_every_lack_of_memory)
+{
+    static const double points[] = {0, 0, 1, 0.1, 2, 0.2, 3, 3, 4, 3.1, 5, 3.2};
+    static const batten_tension_rule rules[] = {BATTEN_TENSION_GIVEN, BATTEN_TENSION_CONVEX,
+                                                BATTEN_TENSION_MONOTONE};
+    for (int k = 0; k < COUNT(rules); k++) {
+        batten_chain_tension_options options = batten_chain_tension_defaults();
+        double parameters[6];
+        batten_chain *chain = NULL;
+        options.rule = rules[k];
+        CHECK_EACH_ALLOCATION(
+            batten_chain_tension((batten_points){2, 6, points}, &options, parameters, &chain));
         batten_chain_unref(chain);
     }
 }

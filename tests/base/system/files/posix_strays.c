@@ -60,3 +60,27 @@ TEST(W2_a_temporary_file_that_was_taken_away_is_not_held)
     CHECK(!bat_hold_temporary(other));
     close(other);
 }
+
+/* The number that the next file opened gets. */
+static int next_file(void)
+{
+    const int file = open("/dev/null", O_RDONLY);
+    close(file);
+    return file;
+}
+
+TEST(saving_loading_and_refusals_leave_no_file_open)
+{
+    const char *where = folder("open"), *path = in(where, "a");
+    put(in(where, ".a.abcdef.batten-tmp"), "half");
+    const int before = next_file();
+    for (int i = 0; i < 3; i++) {
+        char *data = NULL;
+        size_t size = 0;
+        if (save(path, "text") == BATTEN_OK &&
+            batten_load_file(path, 2 + 2 * (size_t)i, &data, &size) == BATTEN_OK)
+            batten_release(data);
+        save(where, "text");
+        CHECK_INT(next_file(), before);
+    }
+}
