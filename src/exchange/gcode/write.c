@@ -20,9 +20,8 @@ typedef struct {
     double scale; /* from the model's unit to the machine's */
     double top;   /* height at which the tool travels */
     double at[3];
-    int paths;
-    int flat;       /* arcs of the path that are written as lines, for their radius */
-    double largest; /* number written */
+    int paths, flat; /* flat: arcs of the path that are written as lines, for their radius */
+    double largest;  /* number written */
     const char *path;
     bat_tool_moves *moves; /* or NULL: nobody asks */
     batten_status listed;  /* whether there was memory for them */
@@ -34,8 +33,7 @@ static const double inch = 0.0254, millimetre = 0.001;
 
 static double rounded(const program *p, double value)
 {
-    const double ten = bat_pow(10, p->options.decimals);
-    const double result = round(value * ten) / ten;
+    const double ten = bat_pow(10, p->options.decimals), result = round(value * ten) / ten;
     return result == 0 ? 0 : result;
 }
 
@@ -48,8 +46,7 @@ static void put_word(program *p, char letter, double value)
 /* An axis that moves; the tool is then there. */
 static void put_axis(program *p, char letter, int axis, double to)
 {
-    const double from = p->options.relative_moves ? p->at[axis] : 0;
-    put_word(p, letter, to - from);
+    put_word(p, letter, to - (p->options.relative_moves ? p->at[axis] : 0));
     p->at[axis] = to;
 }
 
