@@ -209,15 +209,13 @@ TEST(F1_headers_that_are_none_are_refused_by_line)
         {"ply\nend_header\n", "t:2: bad header: the format line is missing", BATTEN_BAD_FORMAT},
         {"ply\nformat ascii 2.0\n", "t:2: unknown PLY form 'ascii' 2.0", BATTEN_UNSUPPORTED},
         {"ply\nformat text 1.0\n", "unknown PLY form 'text'", BATTEN_UNSUPPORTED},
-        {"ply\nformat ascii\n", "t:2: bad header: expected a format and its version", BATTEN_BAD_FORMAT},
-        {"ply\nformat ascii 1.0\nelement vertex -1\n", "t:3: bad header",
+        {"ply\nformat ascii\n", "t:2: bad header: expected a format and its version",
          BATTEN_BAD_FORMAT},
-        {"ply\nformat ascii 1.0\nelement vertex 1e3\n", "t:3: bad header",
-         BATTEN_BAD_FORMAT},
-        {"ply\nformat ascii 1.0\nproperty float x\n", "t:3: bad header",
-         BATTEN_BAD_FORMAT},
-        {"ply\nformat ascii 1.0\nelement v 1\nproperty half x\n", "a property needs a known type",
-         BATTEN_BAD_FORMAT},
+        {"ply\nformat ascii 1.0\nelement vertex -1\n", "t:3: bad header", BATTEN_BAD_FORMAT},
+        {"ply\nformat ascii 1.0\nelement vertex 1e3\n", "t:3: bad header", BATTEN_BAD_FORMAT},
+        {"ply\nformat ascii 1.0\nproperty float x\n", "t:3: bad header", BATTEN_BAD_FORMAT},
+        {"ply\nformat ascii 1.0\nelement v 1\nproperty half x\n",
+         "a property needs a known type", BATTEN_BAD_FORMAT},
         {"ply\nformat ascii 1.0\nelement v 1\nproperty list float int x\n",
          "a property needs a known type", BATTEN_BAD_FORMAT},
         {"ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nend_header\n1\n",
@@ -379,6 +377,36 @@ TEST(normals_that_differ_at_a_vertex_are_left_out_of_ply_with_a_note)
     batten_release(data);
     batten_notes_free(notes);
     batten_model_unref(model);
+}
+
+/* Of two objects none, one or both have normals at their corners. */
+TEST(normals_are_written_when_all_objects_have_them)
+{
+    for (int k = 0; k < 4; k++) {
+        batten_model *model = NULL;
+        batten_notes *notes = NULL;
+        double normals[36] = {0};
+        char *data = NULL;
+        size_t size = 0;
+        for (int i = 0; i < 12; i++)
+            normals[3 * i + 2] = 1;
+        CHECK_OK(batten_model_create(1, &model));
+        CHECK_OK(batten_notes_create(10, &notes));
+        for (int i = 0; i < 2; i++) {
+            batten_mesh_parts parts = tetrahedron();
+            parts.normals = k >> i & 1 ? normals : NULL;
+            add_mesh(model, "s", &parts);
+        }
+        CHECK_OK(write_form(model, BATTEN_FORMAT_PLY, true, notes, &data, &size));
+        CHECK((strstr(data, "property double nx") != NULL) == (k == 3));
+        CHECK((strstr(data, "\n1 0 0 0 0 1\n") != NULL) == (k == 3));
+        if (batten_notes_dropped(notes) == 0)
+            CHECK(has_note(notes, "the normals are left out: not all objects have them") ==
+                  (k == 1 || k == 2));
+        batten_release(data);
+        batten_notes_free(notes);
+        batten_model_unref(model);
+    }
 }
 
 TEST(an_element_without_properties_is_passed_over)
