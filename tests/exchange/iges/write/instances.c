@@ -1,4 +1,6 @@
 /* Subfigures and their instances, written. */
+#include "exchange/iges/write/writing.h"
+
 #include "exchange/shapes.h"
 
 #include "support/drilled_box.h"
@@ -147,4 +149,35 @@ TEST(an_instance_of_nothing_is_left_out_with_a_note)
     batten_model_unref(all);
     batten_model_unref(part);
     batten_notes_free(notes);
+}
+
+/* Rotations and mirrors, scaled alike in all directions, to 1e-10; nothing else. */
+TEST(places_of_subfigures_are_similarities)
+{
+    static const struct {
+        double m[3][3];
+        bool can;
+    } cases[] = {
+        {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, true},
+        {{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}, true},
+        {{{0, -3, 0}, {3, 0, 0}, {0, 0, 3}}, true},
+        {{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, true},
+        {{{1, 1e-11, 0}, {0, 1, 0}, {0, 0, 1}}, true},
+        {{{1, 0, 0}, {0, 1 + 1e-11, 0}, {0, 0, 1}}, true},
+        {{{1, 1e-9, 0}, {0, 1, 0}, {0, 0, 1}}, false},
+        {{{1, 0, 0}, {0, 1 + 1e-9, 0}, {0, 0, 1}}, false},
+        {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1 - 1e-9}}, false},
+        {{{1, 0, 0}, {0, 1, 0}, {0, 1e-9, 1}}, false},
+        {{{1, 0, 0}, {0, 1, 0}, {1e-9, 0, 1}}, false},
+        {{{1, 0, 0}, {0, 2, 0}, {0, 0, 1}}, false},
+        {{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}, false},
+        {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}, false},
+        {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, false},
+        {{{1e200, 0, 0}, {0, 1e200, 0}, {0, 0, 1e200}}, false},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        batten_affine place = batten_affine_translation(1, -2, 1e9);
+        memcpy(place.m, cases[i].m, sizeof place.m);
+        CHECK_INT(bat_iges_can_place(&place), cases[i].can);
+    }
 }

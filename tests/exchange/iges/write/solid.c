@@ -227,3 +227,36 @@ TEST(solids_in_what_is_placed_need_no_parts)
     batten_model_unref(model);
     batten_model_unref(back);
 }
+
+/* Two sheets of one box, three faces each, that share edges and vertices: each has all of its own
+ * when it is read, as lists of 504 and 502 are those of one body. */
+TEST(sheets_that_share_edges_have_them_each)
+{
+    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 2, 3}), *sheets = NULL;
+    batten_body_parts parts = *batten_body_view(box);
+    const batten_body_shell shells[2] = {{0, 3, false}, {3, 3, false}};
+    parts.is_solid = false;
+    parts.shell_count = 2;
+    parts.shells = shells;
+    CHECK_OK(batten_body_create(&parts, &sheets));
+    batten_model *model = model_of(sheets), *back = back_of(model);
+    CHECK_INT(batten_model_count(back), 2);
+    for (int i = 0; i < 2; i++) {
+        const batten_body_parts *p = batten_body_view(batten_model_object(back, i)->body);
+        int shared = 0;
+        CHECK_INT(p->face_count, 3);
+        CHECK_INT(p->use_count, 12);
+        for (int e = 0; e < p->edge_count; e++) {
+            int count = 0;
+            for (int k = 0; k < p->use_count; k++)
+                count += p->uses[k].edge == e;
+            CHECK(count == 1 || count == 2);
+            shared += count == 2;
+        }
+        CHECK_INT(p->edge_count, 12 - shared);
+        CHECK_INT(p->vertex_count, shared == 3 ? 7 : 8);
+    }
+    batten_body_unref(box);
+    batten_model_unref(model);
+    batten_model_unref(back);
+}

@@ -26,7 +26,8 @@ static const char *text_with(const char *looks)
                    "#1142=SURFACE_STYLE_TRANSPARENT(0.5);\n"
                    "#1143=SURFACE_STYLE_USAGE(.BOTH.,#1140);\n"
                    "#1144=PRESENTATION_STYLE_ASSIGNMENT((#1143,#1130));\n");
-    box_add(&text, "%s", looks);
+    for (const char *line = looks; *line; line += strcspn(line, "\n") + 1)
+        box_add(&text, "%.*s\n", (int)strcspn(line, "\n"), line);
     box_context(&text, 900);
     box_add(&text, "#990=SHAPE_REPRESENTATION('',(#1000,#1101),#900);\n");
     return box_end(&text);
@@ -179,4 +180,28 @@ TEST(groups_lie_in_groups)
                       "#1204=APPLIED_GROUP_ASSIGNMENT(#1200,(#1000));\n");
     CHECK(strlen(batten_model_object(model, 0)->group) <= 2 * 64);
     batten_model_unref(model);
+}
+
+/* Up to 64 groups around one another, outermost first; of two groups an item lies in the first. */
+TEST(the_path_of_a_group_has_up_to_64_names)
+{
+    for (int count = 63; count <= 65; count++) {
+        char *text = test_array(20000, 1), *at = text, due[400] = "";
+        for (int i = 0; i < count; i++) {
+            at += sprintf(at, "#%d=GROUP('%c','');\n", 1200 + i, 'a' + i % 26);
+            if (i > 0)
+                at += sprintf(at, "#%d=GROUP_RELATIONSHIP('','',#%d,#%d);\n", 1300 + i,
+                              1199 + i, 1200 + i);
+        }
+        sprintf(at,
+                "#1400=APPLIED_GROUP_ASSIGNMENT(#%d,(#1101,#1000));\n"
+                "#1401=APPLIED_GROUP_ASSIGNMENT(#1299,(#1000));\n#1299=GROUP('late','');\n",
+                1199 + count);
+        for (int i = count > 64 ? count - 64 : 0; i < count; i++)
+            sprintf(due + strlen(due), "%s%c", due[0] ? "/" : "", 'a' + i % 26);
+        batten_model *model = read_with(text);
+        CHECK_TEXT(batten_model_object(model, 0)->group, due);
+        CHECK_TEXT(batten_model_object(model, 1)->group, due);
+        batten_model_unref(model);
+    }
 }
