@@ -186,6 +186,8 @@ TEST(step_elementary_surfaces_are_named_with_their_measures)
         {"#100=SURFACE_OF_REVOLUTION('',#16,#5);", BAT_CONE, 4 * 25.4, 0.6435011087932844,
          false},
         {"#100=SURFACE_OF_REVOLUTION('',#10,#5);", BAT_PLANE, 4 * 25.4, 0, false},
+        {"#100=SURFACE_OF_REVOLUTION('',#60,#5);#60=LINE('',#1,#15);", BAT_CONE, 0,
+         0.6435011087932844, false},
         {"#100=OFFSET_SURFACE('',#50,1.,.F.);#50=SPHERICAL_SURFACE('',#4,2.);", BAT_SPHERE,
          76.2, 0, false},
         {"#100=OFFSET_SURFACE('',#50,-1.,.F.);#50=SURFACE_OF_REVOLUTION('',#13,#5);",
