@@ -240,8 +240,7 @@ static batten_status path_of(const batten_object *object, batten_notes *notes, b
     if (!*use) {
         batten_notes_add(notes, "", 0, object->name,
                          "left out: this %s is not a chain of arcs and lines; the feature "
-                         "'arcs' "
-                         "makes one of a curve",
+                         "'arcs' makes one of a curve",
                          batten_object_kind_name(object->kind));
     } else if (!is_level(path)) {
         batten_notes_add(notes, "", 0, object->name,
@@ -303,15 +302,13 @@ static batten_status put_paths(program *p, const batten_model *model, batten_not
 
 static batten_status check_options(const batten_write_gcode_options *o)
 {
-    const bool lengths = o->feed >= 0 && o->plunge >= 0 && o->clearance >= 0 &&
-                         isfinite(o->feed) && isfinite(o->plunge) && isfinite(o->clearance);
-    if (!lengths)
+    if (!(o->feed >= 0 && o->plunge >= 0 && o->clearance >= 0 && isfinite(o->feed) &&
+          isfinite(o->plunge) && isfinite(o->clearance)))
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "feed %g, plunge %g and clearance %g must be 0 or more", o->feed,
                         o->plunge, o->clearance);
     if (isinf(o->depth))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the depth is %g; it must be a finite height",
-                        o->depth);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the depth is %g; it must be finite", o->depth);
     if (!(o->greatest_radius >= 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the greatest radius is %g; it must be 0 or more",
                         o->greatest_radius);
