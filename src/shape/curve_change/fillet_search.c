@@ -158,7 +158,7 @@ static batten_status search_lines(search *s, const line *a, const line *b)
     if (at[0] < -rounding || at[1] > b->length + rounding)
         return bat_fail(BATTEN_NOT_FOUND,
                         "the radius %g needs %g of either straight line; there are %g and %g",
-                        s->radius, leg, far, b->length - near);
+                        s->radius, leg, bat_max(0, far), bat_max(0, b->length - near));
     for (int k = 0; k < 2; k++) {
         at[k] = bat_max(0, bat_min(at[k], k ? b->length : a->length));
         const batten_status status =

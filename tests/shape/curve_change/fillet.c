@@ -311,3 +311,53 @@ TEST(N1_N6_radii_and_curves_that_make_no_fillet_are_refused)
     batten_curve_unref(b);
     batten_curve_unref(a);
 }
+
+/* From (0, 0) to (1, 0), and upwards from (x, y): what a fillet of this radius is refused for. */
+static const struct {
+    double x, y, radius;
+    batten_status status;
+    const char *words;
+} corners[] = {
+    {5, 1, 1, BATTEN_NOT_FOUND, "the straight lines end too far before they meet; extend them"},
+    {2, 3, 1, BATTEN_NOT_FOUND, "the straight lines end too far before they meet; extend them"},
+    {2, 1.01, 1, BATTEN_NOT_FOUND, "the straight lines end too far before they meet"},
+    {2.01, 1, 1, BATTEN_NOT_FOUND, "the straight lines end too far before they meet"},
+    {2, 1, 1, BATTEN_OK, ""},
+    {1.5, 0.5, 0.75, BATTEN_OK, ""},
+    {1, 0, 1.5, BATTEN_NOT_FOUND,
+     "the radius 1.5 needs 1.5 of either straight line; there are 1 and 4"},
+    {9, -8, 9, BATTEN_NOT_FOUND,
+     "the radius 9 needs 9 of either straight line; there are 9 and 0"},
+    {1, -3.5, 0.75, BATTEN_NOT_FOUND,
+     "the radius 0.75 needs 0.75 of either straight line; there are 1 and 0.5"},
+};
+
+TEST(straight_lines_that_leave_no_room_for_a_fillet_are_refused_with_their_lengths)
+{
+    const double from[2] = {0, 0}, to[2] = {1, 0};
+    batten_curve *first = NULL;
+    CHECK_OK(batten_curve_line(2, from, to, &first));
+    for (int i = 0; i < COUNT(corners); i++) {
+        const double low[2] = {corners[i].x, corners[i].y}, high[2] = {low[0], low[1] + 4};
+        batten_curves_fillet_report report = {.found = 77};
+        batten_curve *second = NULL, *arc = NULL;
+        CHECK_OK(batten_curve_line(2, low, high, &second));
+        CHECK_STATUS(
+            batten_curves_fillet(first, second, corners[i].radius, 1e-9, &report, &arc),
+            corners[i].status);
+        if (corners[i].status == BATTEN_OK) {
+            CHECK_NEAR(report.center.x, low[0] - corners[i].radius, 1e-12);
+            CHECK_NEAR(report.center.y, corners[i].radius, 1e-12);
+            CHECK_NEAR(report.angle, acos(0.0), 1e-12);
+            CHECK_NEAR(report.u[0], low[0] - corners[i].radius, 1e-12);
+            CHECK_NEAR(report.u[1], (corners[i].radius - low[1]) / 4, 1e-12);
+            CHECK(report.found == 1 && report.complete);
+        } else {
+            CHECK_MESSAGE(corners[i].words);
+            CHECK(report.found == 77 && !arc);
+        }
+        batten_curve_unref(arc);
+        batten_curve_unref(second);
+    }
+    batten_curve_unref(first);
+}

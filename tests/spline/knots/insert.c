@@ -93,3 +93,47 @@ TEST(rows_out_of_reach_keep_their_bits)
     bat_spline_free(&made);
     bat_spline_free(&spline);
 }
+
+/* Knots 0 0 0 1 2 2 2 of degree 2, and others that are to join them. */
+static const struct {
+    int added;
+    double knots[3];
+    bool periodic;
+    batten_status status;
+    const char *words;
+} insertions[] = {
+    {3, {0.5, 1, 1.5}, false, BATTEN_OK, ""},
+    {3,
+     {0.5, 1.5, 1.25},
+     false,
+     BATTEN_NOT_INCREASING,
+     "knot 3 to insert is 1.25, below knot 2, which is 1.5"},
+    {2,
+     {1.5, 0.5},
+     false,
+     BATTEN_NOT_INCREASING,
+     "knot 2 to insert is 0.5, below knot 1, which is 1.5"},
+    {2,
+     {0.5, 2.5},
+     false,
+     BATTEN_OUT_OF_DOMAIN,
+     "knot 2 to insert is 2.5, not in the domain [0, 2]"},
+    {1,
+     {-0.5},
+     false,
+     BATTEN_OUT_OF_DOMAIN,
+     "knot 1 to insert is -0.5, not in the domain [0, 2]"},
+    {3, {0.5, 0.75, NAN}, false, BATTEN_NOT_FINITE, "knot 3 to insert is nan"},
+};
+
+TEST(knots_to_insert_are_refused_by_their_number)
+{
+    static const double knots[7] = {0, 0, 0, 1, 2, 2, 2};
+    for (int i = 0; i < COUNT(insertions); i++) {
+        CHECK_STATUS(bat_knots_check_insertion(2, 4, knots, insertions[i].periodic,
+                                               insertions[i].added, insertions[i].knots),
+                     insertions[i].status);
+        if (insertions[i].status != BATTEN_OK)
+            CHECK_MESSAGE(insertions[i].words);
+    }
+}
