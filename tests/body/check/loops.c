@@ -63,3 +63,32 @@ TEST(a_lens_of_two_edges_does_not_cross_at_its_ends)
         batten_body_unref(body);
     }
 }
+
+/* Corners of two triangles at one place, in any cell of the four grids: told once, with its edges. The square has the
+ * edges 1 to 4. */
+TEST(a_touch_is_told_once_with_its_edges_loops_and_place)
+{
+    static const int three[] = {3, 3};
+    static const double places[][2] = {{2, 2}, {1.3, 2.7}, {1.0000001, 3.0000003}};
+    for (int i = 0; i < COUNT(places); i++) {
+        const double x = places[i][0], y = places[i][1];
+        const double corners[6][2] = {{x, y}, {x - 0.5, y - 0.1}, {x - 0.1, y - 0.5},
+                                      {x, y}, {x + 0.5, y + 0.1}, {x + 0.1, y + 0.5}};
+        batten_body *body = sheet_with_loops(6, corners, three, 2);
+        batten_notes *notes = NULL;
+        batten_body_faults faults;
+        char words[120];
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_OK(batten_body_check(body, 1e-6, NULL, notes, &faults));
+        CHECK_INT(faults.crossing_loops, 2);
+        snprintf(words, sizeof words,
+                 "edges 5 and 8 of its loops 2 and 3 touch at (u, v) = (%.9g, %.9g)", x, y);
+        int touches = 0;
+        for (int k = 0; k < batten_notes_count(notes); k++)
+            touches += strstr(batten_notes_at(notes, k)->text, words) != NULL;
+        if (batten_notes_dropped(notes) == 0)
+            CHECK_INT(touches, 1);
+        batten_notes_free(notes);
+        batten_body_unref(body);
+    }
+}

@@ -129,6 +129,34 @@ TEST(N2_measures_hold_at_any_size)
     }
 }
 
+/* By powers of two nothing else is rounded. */
+TEST(measures_and_their_errors_grow_with_the_body)
+{
+    const batten_frame at = {{1, 2, 3}, {2. / 3, -1. / 3, 2. / 3}, {1. / 3, -2. / 3, -2. / 3}};
+    batten_surface *unit = NULL;
+    CHECK_OK(batten_surface_sphere(&at, 1.5, &unit));
+    const batten_body_measures one = measured(whole(batten_surface_ref(unit)), 1e-6);
+    CHECK(one.area_error > 0 && one.volume_error > 0);
+    for (int k = 0; k < 2; k++) {
+        const double f = k ? 0x1p10 : 0x1p-10;
+        const batten_affine map = batten_affine_scaling(f, f, f);
+        batten_surface *surface = NULL;
+        CHECK_OK(batten_surface_transform(unit, &map, &surface));
+        const batten_body_measures m = measured(whole(surface), 1e-6);
+        CHECK_NEAR(m.area / f / f, one.area, 1e-12);
+        CHECK_NEAR(m.volume / f / f / f, one.volume, 1e-12);
+        CHECK_NEAR(m.area_error / f / f / one.area_error, 1, 1e-3);
+        CHECK_NEAR(m.volume_error / f / f / f / one.volume_error, 1, 1e-3);
+        CHECK_NEAR(m.edge_length / f, one.edge_length, 1e-12);
+        CHECK_NEAR(m.box_error / f, one.box_error, 1e-9);
+        CHECK_NEAR(m.box.high.x / f, one.box.high.x, 1e-9);
+        CHECK_NEAR(m.box.low.z / f, one.box.low.z, 1e-9);
+        for (int c = 0; c < 3; c++)
+            CHECK_NEAR(m.centroid[c] / f, one.centroid[c], 1e-12);
+    }
+    batten_surface_unref(unit);
+}
+
 TEST(a_box_is_traced_and_measured)
 {
     const batten_body_measures m =

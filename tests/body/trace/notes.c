@@ -70,3 +70,23 @@ TEST(loops_that_cross_a_seam_the_same_way_are_named)
     HAND_LOOP(&m, -3);
     check_left_out(&m, "twice the same way, at edges 1 and 2");
 }
+
+/* The second edge begins beside the end of the first. */
+TEST(a_gap_in_a_loop_is_named_with_the_edge_behind_it)
+{
+    static const double corners[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    static const double starts[3][3] = {{0, 0, 0}, {1, 0.25, 0}, {0, 1, 0}};
+    hand m = hand_begin();
+    int vertices[3], edge;
+    for (int i = 0; i < 3; i++)
+        CHECK_OK(bat_builder_vertex(&m.builder, corners[i], &vertices[i]));
+    for (int i = 0; i < 3; i++) {
+        batten_curve *line = NULL;
+        CHECK_OK(batten_curve_line(3, starts[i], corners[(i + 1) % 3], &line));
+        CHECK_OK(bat_builder_edge(&m.builder, line, vertices[i], vertices[(i + 1) % 3], &edge));
+        batten_curve_unref(line);
+    }
+    hand_plate(&m, -1, -1, 2, 2, 0);
+    HAND_LOOP(&m, 1, 2, 3);
+    check_left_out(&m, "left out: its loop has a gap of 0.25 before edge 2, more than twice");
+}

@@ -282,25 +282,31 @@ TEST(an_octant_of_a_sphere_has_a_pole)
     batten_body_unref(body);
 }
 
+/* The pole is within the box of the circle's points, or, where a quarter ends at the pole, at its rim. */
 TEST(a_circle_through_a_pole_is_divided_there)
 {
-    hand m = hand_begin();
-    batten_body_trace_report report;
-    batten_surface *sphere = NULL;
-    batten_curve *circle = NULL;
-    /* The circle in the plane x + z = 2 of the sphere: through (0, 0, 2) and (2, 0, 0). */
-    const double h = sqrt(0.5);
-    const batten_frame frame = {.origin = {1, 0, 1}, .x = {0, 1, 0}, .z = {h, 0, h}};
-    CHECK_OK(batten_curve_arc_in(&frame, sqrt(2), 0.2, 2 * acos(-1), &circle));
-    hand_edge(&m, circle);
-    CHECK_OK(batten_surface_sphere(&hand_world, 2, &sphere));
-    hand_face(&m, sphere, false);
-    HAND_LOOP(&m, 1);
-    batten_body *body = hand_trace(&m, 1e-5, &report);
-    CHECK_INT(batten_body_view(body)->face_count, 1);
-    CHECK_INT(report.poles, 1);
-    CHECK_NEAR(hand_area(body), 4 * acos(-1) * (2 - sqrt(2)), 1e-4);
-    batten_body_unref(body);
+    static const double starts[] = {0.2, 0, 1.2};
+    for (int i = 0; i < COUNT(starts); i++)
+        for (int side = -1; side <= 1; side += 2) {
+            hand m = hand_begin();
+            batten_body_trace_report report;
+            batten_surface *sphere = NULL;
+            batten_curve *circle = NULL;
+            /* In the plane x + z = 2 of the sphere: through (0, 0, 2) and (2, 0, 0); or its image below. */
+            const double h = sqrt(0.5);
+            const batten_frame frame = {
+                .origin = {1, 0, side}, .x = {0, 1, 0}, .z = {h, 0, side * h}};
+            CHECK_OK(batten_curve_arc_in(&frame, sqrt(2), starts[i], 2 * acos(-1), &circle));
+            hand_edge(&m, circle);
+            CHECK_OK(batten_surface_sphere(&hand_world, 2, &sphere));
+            hand_face(&m, sphere, false);
+            HAND_LOOP(&m, 1);
+            batten_body *body = hand_trace(&m, 1e-5, &report);
+            CHECK_INT(batten_body_view(body)->face_count, 1);
+            CHECK_INT(report.poles, 1);
+            CHECK_NEAR(hand_area(body), 4 * acos(-1) * (2 - sqrt(2)), 1e-4);
+            batten_body_unref(body);
+        }
 }
 
 TEST(a_cone_from_its_rim_to_its_apex_gets_a_seam)

@@ -629,3 +629,18 @@ TEST(rational_curves_are_refused)
     CHECK_MESSAGE("rational");
     batten_curve_unref(arc);
 }
+
+TEST(special_points_have_names_for_one_and_for_many)
+{
+    static const char *const names[][2] = {{"inflection", "inflections"},
+                                           {"undulation", "undulations"},
+                                           {"cusp", "cusps"},
+                                           {"pause", "pauses"},
+                                           {"crossing", "crossings"},
+                                           {"isolated point", "isolated points"},
+                                           {"unknown", "unknown"}};
+    for (int kind = 0; kind <= BATTEN_SPECIAL_COUNT; kind++)
+        for (int plural = 0; plural < 2; plural++)
+            CHECK_TEXT(batten_special_name((batten_special_kind)kind, plural),
+                       names[kind][plural]);
+}
