@@ -216,3 +216,106 @@ TEST(an_edge_has_its_curve_in_space_and_vertices_that_are_there)
     CHECK(!made);
     batten_body_unref(body);
 }
+
+/* A box whose arrays may be damaged. */
+typedef struct {
+    batten_body_edge edges[12];
+    batten_body_use uses[24];
+    batten_body_loop loops[6];
+    batten_body_face faces[6];
+    batten_body_shell shells[1];
+    batten_body_parts parts;
+} loose_box;
+
+static void copy_box(const batten_body *body, loose_box *box)
+{
+    box->parts = *batten_body_view(body);
+    memcpy(box->edges, box->parts.edges, sizeof box->edges);
+    memcpy(box->uses, box->parts.uses, sizeof box->uses);
+    memcpy(box->loops, box->parts.loops, sizeof box->loops);
+    memcpy(box->faces, box->parts.faces, sizeof box->faces);
+    memcpy(box->shells, box->parts.shells, sizeof box->shells);
+    box->parts.edges = box->edges;
+    box->parts.uses = box->uses;
+    box->parts.loops = box->loops;
+    box->parts.faces = box->faces;
+    box->parts.shells = box->shells;
+}
+
+TEST(indices_and_ranges_that_do_not_fit_are_refused_with_their_numbers)
+{
+    loose_box b;
+    const struct {
+        int *number, value;
+        const char *message;
+    } rows[] = {
+        {&b.uses[23].edge, -1, "use 24 is of edge 0, of 12"},
+        {&b.uses[23].edge, 12, "use 24 is of edge 13, of 12"},
+        {&b.loops[5].count, 3, "loop 6 is broken: edge"},
+        {&b.loops[5].first, 19,
+         "loop 6 has the parts 20 .. 23, of 24; it should begin with 21"},
+        {&b.loops[5].count, 5, "loop 6 has the parts 21 .. 25, of 24; it should begin with 21"},
+        {&b.loops[0].count, 0, "loop 1 has the parts 1 .. 0, of 24; it should begin with 1"},
+        {&b.parts.loop_count, 5, "4 of 24 uses are in no loop"},
+        {&b.faces[5].first, 4, "face 6 has the parts 5 .. 5, of 6; it should begin with 6"},
+        {&b.faces[5].count, 2, "face 6 has the parts 6 .. 7, of 6; it should begin with 6"},
+        {&b.faces[5].count, -1, "face 6 has the parts 6 .. 4, of 6; it should begin with 6"},
+        {&b.faces[5].count, 0, "1 loop is of no face, 0 faces of no shell"},
+        {&b.parts.face_count, 5, "shell 1 has the parts 1 .. 6, of 5; it should begin with 1"},
+        {&b.shells[0].count, 5, "0 loops are of no face, 1 face of no shell"},
+        {&b.shells[0].count, 0, "shell 1 has the parts 1 .. 0, of 6; it should begin with 1"},
+        {&b.shells[0].first, 1, "shell 1 has the parts 2 .. 7, of 6; it should begin with 1"},
+        {&b.parts.shell_count, 0, "0 loops are of no face, 6 faces of no shell"},
+    };
+    batten_body *body = unit_box(), *made = NULL;
+    for (int i = 0; i < COUNT(rows); i++) {
+        copy_box(body, &b);
+        *rows[i].number = rows[i].value;
+        CHECK_STATUS(batten_body_create(&b.parts, &made), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(rows[i].message);
+    }
+    CHECK(!made);
+    batten_body_unref(body);
+}
+
+TEST(faces_have_surfaces_and_colours_and_edges_without_a_curve_stay_where_they_are)
+{
+    static const double colours[] = {1.5, -0.125, NAN};
+    loose_box b;
+    batten_body *body = unit_box(), *made = NULL;
+    for (int i = 0; i < 3; i++) {
+        char message[80];
+        copy_box(body, &b);
+        b.faces[1].has_colour = true;
+        b.faces[1].colour[i] = colours[i];
+        snprintf(message, sizeof message, "colour part %d of face 2 is %g, not in 0..1", i + 1,
+                 colours[i]);
+        CHECK_STATUS(batten_body_create(&b.parts, &made), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(message);
+    }
+    copy_box(body, &b);
+    b.faces[3].surface = NULL;
+    CHECK_STATUS(batten_body_create(&b.parts, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("face 4 has no surface in space");
+    copy_box(body, &b);
+    b.edges[7].curve = NULL;
+    CHECK_STATUS(batten_body_create(&b.parts, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("edge 8 has no curve, but goes from vertex");
+    copy_box(body, &b);
+    b.uses[2].parameters = b.edges[0].curve;
+    CHECK_STATUS(batten_body_create(&b.parts, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the parameter curve of use 3 has 3 dimensions, not 2");
+    copy_box(body, &b);
+    b.parts.is_traced = true;
+    CHECK_STATUS(batten_body_create(&b.parts, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("use 1 of a traced body has no parameters");
+    CHECK(!made);
+    copy_box(body, &b);
+    b.faces[1] = (batten_body_face){
+        NULL, true, {0, 1, 0.5}, b.faces[1].surface, b.faces[1].reversed, 1, 1};
+    CHECK_OK(batten_body_create(&b.parts, &made));
+    CHECK_TEXT(batten_body_view(made)->faces[1].name, "");
+    CHECK_NEAR(batten_body_view(made)->faces[1].colour[1], 1, 0);
+    batten_body_unref(made);
+    batten_body_unref(body);
+}
