@@ -1,6 +1,7 @@
 #include "inspect/shapes.h"
 
 #include <batten/nearest.h>
+#include <batten/standard.h>
 
 TEST(distances_from_sphere_and_torus_are_those_of_their_radii)
 {
@@ -125,4 +126,77 @@ TEST(I1_no_scan_of_a_creased_surface_finds_a_nearer_point)
             }
         batten_surface_unref(surface);
     }
+}
+
+/* Over the rectangle of 2 by 3, beside its sides and beyond its corners. */
+static const struct {
+    double point[3], distance, uv[2];
+} feet[] = {{{1, 1.5, 2}, 2, {0.5, 0.5}}, {{3, 0.75, 0}, 1, {1, 0.25}},
+            {{0.5, 7, 3}, 5, {0.25, 1}},  {{-3, -4, 0}, 5, {0, 0}},
+            {{2, 3, -0.5}, 0.5, {1, 1}},  {{1.5, -1, 0}, 1, {0.75, 0}},
+            {{-4, 1.5, 3}, 5, {0, 0.5}},  {{0.5, 0.75, 0}, 0, {0.25, 0.25}}};
+
+/* Also cut into patches; guesses may be anywhere. */
+TEST(feet_on_a_plane_have_their_parameters_and_the_farthest_is_reported)
+{
+    enum { MANY = COUNT(feet) };
+    static const double cuts[] = {0.3, 0.6};
+    batten_surface *plane = NULL, *along = NULL, *cut = NULL;
+    double points[3 * MANY], start[2 * MANY], squares = 0;
+    CHECK_OK(batten_surface_bilinear((batten_vec3){0, 0, 0}, (batten_vec3){2, 0, 0},
+                                     (batten_vec3){0, 3, 0}, (batten_vec3){2, 3, 0}, &plane));
+    CHECK_OK(batten_surface_refine(plane, BATTEN_U, 2, cuts, &along));
+    CHECK_OK(batten_surface_refine(along, BATTEN_V, 1, cuts, &cut));
+    for (int i = 0; i < MANY; i++) {
+        memcpy(points + 3 * i, feet[i].point, sizeof feet[i].point);
+        squares += feet[i].distance * feet[i].distance;
+        start[2 * i] = i - 3;
+        start[2 * i + 1] = 0.1 * i;
+    }
+    for (int k = 0; k < 4; k++) {
+        double uv[2 * MANY], distances[MANY], again[MANY];
+        batten_deviation found, same;
+        CHECK_OK(batten_surface_project(k & 1 ? cut : plane, (batten_points){3, MANY, points},
+                                        k & 2 ? start : NULL, NULL,
+                                        (batten_feet){uv, distances}, &found));
+        CHECK_OK(batten_surface_deviation(k & 1 ? cut : plane, (batten_points){3, MANY, points},
+                                          k & 2 ? start : NULL, NULL, again, &same));
+        for (int i = 0; i < MANY; i++) {
+            CHECK_NEAR(distances[i], feet[i].distance, 1e-14);
+            CHECK_NEAR(again[i], distances[i], 0);
+            CHECK_NEAR(uv[2 * i], feet[i].uv[0], 1e-14);
+            CHECK_NEAR(uv[2 * i + 1], feet[i].uv[1], 1e-14);
+        }
+        CHECK_NEAR(found.max, 5, 1e-14);
+        CHECK_NEAR(distances[found.worst], found.max, 0);
+        CHECK_NEAR(found.at[0], feet[found.worst].uv[0], 1e-14);
+        CHECK_NEAR(found.at[1], feet[found.worst].uv[1], 1e-14);
+        CHECK_NEAR(found.rms, sqrt(squares / MANY), 1e-14);
+        CHECK_INT(same.worst, found.worst);
+        CHECK_NEAR(same.rms, found.rms, 0);
+    }
+    batten_surface_unref(cut);
+    batten_surface_unref(along);
+    batten_surface_unref(plane);
+}
+
+TEST(points_of_another_dimension_or_none_are_refused)
+{
+    static const double points[] = {0, 0, 1, 1};
+    batten_surface *plane = NULL;
+    batten_deviation found = {.worst = 42};
+    CHECK_OK(batten_surface_bilinear((batten_vec3){0, 0, 0}, (batten_vec3){2, 0, 0},
+                                     (batten_vec3){0, 3, 0}, (batten_vec3){2, 3, 0}, &plane));
+    CHECK_STATUS(batten_surface_deviation(plane, (batten_points){2, 2, points}, NULL, NULL,
+                                          NULL, &found),
+                 BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("the points have 2 coordinates, 3 are expected");
+    CHECK_STATUS(batten_surface_project(plane, (batten_points){2, 2, points}, NULL, NULL,
+                                        (batten_feet){NULL, NULL}, &found),
+                 BATTEN_UNSUPPORTED);
+    CHECK_STATUS(batten_surface_deviation(plane, (batten_points){3, 0, points}, NULL, NULL,
+                                          NULL, &found),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_INT(found.worst, 42);
+    batten_surface_unref(plane);
 }
