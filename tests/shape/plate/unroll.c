@@ -346,3 +346,37 @@ TEST(marks_of_a_cylinder_lie_at_arc_length_and_height)
     batten_unrolled_release(&flat);
     batten_surface_unref(cylinder);
 }
+
+/* The share by which a diagonal between neighbouring rulings changes, from what is delivered. */
+static double changed_diagonal(const batten_unrolled *flat, int i, int from)
+{
+    const batten_interval v = batten_surface_domain(flat->surface, BATTEN_V);
+    const double *p = flat->points + 4 * i + 2 * from, *q = flat->points + 4 * i + 6 - 2 * from;
+    double a[3], b[3];
+    CHECK_OK(batten_surface_evaluate(flat->surface, flat->u[i], from ? v.b : v.a, 0, a));
+    CHECK_OK(batten_surface_evaluate(flat->surface, flat->u[i + 1], from ? v.a : v.b, 0, b));
+    const double space = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
+    return fabs(hypot(q[0] - p[0], q[1] - p[1]) - space) / space;
+}
+
+TEST(the_largest_change_of_a_diagonal_is_reported_with_its_place)
+{
+    const double low[6] = {0, 0, 0, 4, 0, 0}, high[6] = {0, 2, 0, 5, 3, 1};
+    batten_surface *warped = ruled_between(low, high);
+    batten_surface_unroll_options options = within(1e-4);
+    batten_unrolled flat = {0};
+    double largest = 0, at = 0;
+    options.straight = BATTEN_STRAIGHT_V;
+    CHECK_OK(batten_surface_unroll(warped, &options, &flat));
+    for (int i = 0; i + 1 < flat.count; i++)
+        for (int from = 0; from < 2; from++) {
+            const double change = changed_diagonal(&flat, i, from);
+            at = change > largest ? i : at;
+            largest = fmax(largest, change);
+        }
+    CHECK(largest > 1e-5);
+    CHECK_NEAR(flat.diagonal[0], largest, 1e-12);
+    CHECK_NEAR(flat.diagonal[1], flat.u[(int)at], 1e-12);
+    batten_unrolled_release(&flat);
+    batten_surface_unref(warped);
+}

@@ -160,3 +160,24 @@ TEST(the_pull_that_is_not_finite_is_named_among_several)
     CHECK(!none);
     batten_surface_unref(surface);
 }
+
+/* The first control points act here, with weights. */
+TEST(places_in_the_first_and_last_spans_of_rational_surfaces_move_exactly)
+{
+    static const double places[4][2] = {{0.1, 2.2}, {0.05, 3.5}, {0.95, 2.1}, {0, 2}};
+    test_random random = test_random_begin("corners");
+    batten_surface *surface = uneven(&random, true);
+    for (int k = 0; k < COUNT(places); k++) {
+        const batten_surface_pull pull = {places[k][0], places[k][1], {0.5, -0.25, 1}};
+        batten_surface *made = NULL;
+        double was[3], is[3];
+        CHECK_OK(batten_surface_pulled(surface, 1, &pull, 0, NULL, &made));
+        CHECK_OK(batten_surface_evaluate(surface, pull.u, pull.v, 0, was));
+        CHECK_OK(batten_surface_evaluate(made, pull.u, pull.v, 0, is));
+        CHECK_NEAR(is[0] - was[0], 0.5, 1e-12);
+        CHECK_NEAR(is[1] - was[1], -0.25, 1e-12);
+        CHECK_NEAR(is[2] - was[2], 1, 1e-12);
+        batten_surface_unref(made);
+    }
+    batten_surface_unref(surface);
+}
