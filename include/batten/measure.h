@@ -323,14 +323,16 @@ typedef struct batten_surface_fold {
  * at least, and on the rims; where neighbours are more than a right angle apart, closely. So a
  * fold at a corner is seen however narrow it is, and along a rim what is longer than the
  * distance of the places. Edges, as along a sharp trailing edge, are no folds, nor is anything
- * beside corners where both derivatives are parallel to a thousandth of a radian. What folds
- * and unfolds between places is not seen.
+ * beside corners where both derivatives are parallel to a thousandth of a radian. Before, of
+ * polynomial splines all spans are left out whose control points prove that the normal keeps to
+ * one side; elsewhere what folds and unfolds between places is not seen.
  *
  * @param surface  of dimension 2 or 3
  * @param[out] out  the first fold found
  * @return BATTEN_OK; NOT_COMPATIBLE (dimension); as batten_surface_evaluate; OUT_OF_MEMORY
  *
- * Cost: nine evaluations to order 1 for each patch.
+ * Cost: where the control points prove it a few operations for each, else nine evaluations to
+ * order 1 for each patch.
  */
 BATTEN_API batten_status batten_surface_find_fold(const batten_surface *surface,
                                                   batten_surface_fold *out);

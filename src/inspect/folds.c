@@ -1,4 +1,5 @@
 /* Where a surface folds: where its normal reverses although nothing has a crease there. */
+#include "inspect/fold_cones.h"
 #include "numeric/vector.h"
 #include <batten/measure.h>
 
@@ -103,22 +104,27 @@ static batten_status compare(const batten_surface *surface, int direction, const
     return status;
 }
 
-/* The places in one direction, off the knots, and both ends: a fold at a rim or a corner is seen however narrow it is. */
+/* The places in one direction, off the knots, and both ends: a fold at a rim or a corner is seen however narrow it is. They are those
+ * of the spans in `range` and of one more at each side. */
 static batten_status list_places(const batten_surface *surface, batten_direction direction,
-                                 double **out, int *count)
+                                 const bat_span_range *range, double **out, int *count)
 {
     const int spans = batten_surface_spans(surface, direction, NULL) - 1;
     const int each = spans * IN_SPAN >= AT_LEAST ? IN_SPAN : (AT_LEAST + spans - 1) / spans;
+    const int first = bat_max_int(0, range->first[direction] - 1),
+              end = bat_min_int(spans, range->end[direction] + 1);
     double *knots = bat_array((size_t)spans + 1, sizeof *knots);
-    *out = bat_array((size_t)spans * (size_t)each + 2, sizeof **out);
+    *out = bat_array((size_t)(end - first) * (size_t)each + 2, sizeof **out);
     *count = 0;
     if (knots && *out) {
         batten_surface_spans(surface, direction, knots);
-        (*out)[(*count)++] = knots[0];
-        for (int k = 0; k < spans; k++)
+        if (first == 0)
+            (*out)[(*count)++] = knots[0];
+        for (int k = first; k < end; k++)
             for (int j = 0; j < each; j++)
                 (*out)[(*count)++] = knots[k] + (j + 0.5) / each * (knots[k + 1] - knots[k]);
-        (*out)[(*count)++] = knots[spans];
+        if (end == spans)
+            (*out)[(*count)++] = knots[spans];
     }
     const bool good = knots && *out;
     bat_release(knots);
@@ -180,10 +186,14 @@ batten_status batten_surface_find_fold(const batten_surface *surface, batten_sur
     if (d != 2 && d != 3)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "folds are looked for in 2 or 3 dimensions, and there are %d", d);
-    batten_status status = list_places(surface, BATTEN_U, &u, &count_u);
-    if (status == BATTEN_OK)
-        status = list_places(surface, BATTEN_V, &v, &count_v);
-    if (status == BATTEN_OK)
+    bat_span_range range;
+    batten_status status = bat_folds_possible(surface, &range);
+    const bool possible = status == BATTEN_OK && range.first[0] < range.end[0];
+    if (possible)
+        status = list_places(surface, BATTEN_U, &range, &u, &count_u);
+    if (possible && status == BATTEN_OK)
+        status = list_places(surface, BATTEN_V, &range, &v, &count_v);
+    if (possible && status == BATTEN_OK)
         status = scan(surface, count_u, u, count_v, v, &fold);
     if (status == BATTEN_OK)
         *out = fold;
