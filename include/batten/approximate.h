@@ -264,8 +264,11 @@ typedef struct batten_curve_within_options {
     bool closed;   /**< the first point is also the last, and not repeated */
     double corner; /**< radians: where the row of points turns by more, looked at over 4 times
                         the tolerance, the curve has a corner; 0: nowhere */
-    int corner_count;   /**< besides: points that are corners */
-    const int *corners; /**< [corner_count], increasing */
+    int corner_count;      /**< besides: points that are corners */
+    const int *corners;    /**< [corner_count], increasing */
+    const batten_job *job; /**< progress and cancelling, asked after each fit; NULL for no
+                                questions. The fits to come are not known: progress counts those
+                                that were made, and never reaches the end before the end */
 } batten_curve_within_options;
 /** Cubic, by chords, the fewest control points; the tolerance must be set. */
 BATTEN_API batten_curve_within_options batten_curve_within_defaults(void);
@@ -298,7 +301,7 @@ typedef struct batten_curve_within_report {
  * @param[out] out clamped; periodic when closed without corners, but for BEZIER
  * @return BATTEN_OK; BAD_ARGUMENT (tolerance, corners, a closed function, a function by
  * BEZIER), BAD_DEGREE, NOT_FINITE, TOO_FEW_POINTS (2), COINCIDENT (all), NOT_INCREASING;
- * TOLERANCE_NOT_MET with the best that was reached
+ * TOLERANCE_NOT_MET with the best that was reached; CANCELLED and INCOMPLETE by the job
  * Cost: 64 log2(count) fits for each way at most, of more than 3000 points fewer, each linear
  * in count; BEZIER count log(count) for rows that divide evenly.
  * Source: [LM88] for removal, [Schneider90] for BEZIER, [Hoschek88] for parameters.

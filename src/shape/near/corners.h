@@ -17,6 +17,7 @@ typedef struct {
     batten_curve **pieces; /* [row_count] */
     batten_curve *curve;
     int fits;
+    bat_work work; /* with the job of the options */
 } bat_within_fit;
 
 batten_status bat_find_corners(bat_within_fit *t);

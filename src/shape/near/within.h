@@ -4,6 +4,7 @@
  */
 #ifndef BAT_WITHIN_H
 #define BAT_WITHIN_H
+#include "base/work.h"
 #include "shape/near/approximate.h"
 #include <batten/approximate.h>
 
@@ -39,6 +40,8 @@ typedef struct bat_within {
     double *best;
     double error;
     int fits;
+    bat_work *work; /* asked after each fit; NULL: nobody is */
+    double done[2]; /* of all data, before this piece and with it */
 } bat_within;
 
 /* Knots inserted, then taken away; where data are too few for that, or by the second, all there
@@ -51,9 +54,17 @@ void bat_within_end(bat_within *work); /* the curve; arrays are the caller's */
  * curve: knots between pieces stand degree times. */
 batten_status bat_curve_chained(int count, batten_curve *const *pieces, batten_curve **out);
 
-/* Schneider's cubics through a row of data without corners; a closed one ends where it begins.
- * parameters [count] in, never decreasing, and out. */
-batten_status bat_within_bezier(int dimension, int count, const double *points, bool closed,
-                                double tolerance, double *parameters, batten_curve **out);
+/* A row of data without corners; a closed one ends where it begins. */
+typedef struct {
+    int dimension, count;
+    bool closed;
+    const double *points;
+    double tolerance;
+    bat_work *work; /* asked now and then */
+    double done[2]; /* of all data, before this row and with it */
+} bat_within_row;
+/* Schneider's cubics through a row. parameters [count] in, never decreasing, and out. */
+batten_status bat_within_bezier(const bat_within_row *row, double *parameters,
+                                batten_curve **out);
 
 #endif

@@ -181,19 +181,31 @@ static bool fit_piece(const bezier_fit *t, bezier_piece *p, int *worst)
     return error <= t->tolerance;
 }
 
+/* Ask after so many data at least: some milliseconds. */
+enum { DATA_OF_STEP = 10000 };
+
 /* Whole first; halves wait, the left one on top. */
-static void divide(bezier_fit *t)
+static batten_status divide(bezier_fit *t, const bat_within_row *row)
 {
-    int waiting = 0;
+    int waiting = 0, looked_at = 0;
+    batten_status status = BATTEN_OK;
     bezier_piece whole = {.from = 0, .to = t->count - 1};
     tangent_at(t, 0, whole.ends[0]);
     tangent_at(t, t->count - 1, whole.ends[1]);
     for (int k = 0; k < t->dimension; k++)
         whole.ends[1][k] = -whole.ends[1][k];
     t->waiting[waiting++] = whole;
-    while (waiting > 0) {
+    while (waiting > 0 && status == BATTEN_OK) {
         bezier_piece p = t->waiting[--waiting];
         int worst;
+        looked_at += p.to - p.from;
+        if (looked_at >= DATA_OF_STEP) {
+            const double share = (double)p.from / t->count;
+            status = bat_work_step(row->work, (uint64_t)looked_at,
+                                   row->done[0] + share * (row->done[1] - row->done[0]),
+                                   "fitting cubics");
+            looked_at = 0;
+        }
         if (fit_piece(t, &p, &worst)) {
             t->done[t->done_count++] = p;
             continue;
@@ -209,6 +221,7 @@ static void divide(bezier_fit *t)
         t->waiting[waiting++] = right;
         t->waiting[waiting++] = left;
     }
+    return status;
 }
 
 /* ---- the curve ---- */
@@ -327,21 +340,23 @@ static void copy_parameters(bezier_fit *t, int count, const double *breaks, doub
         parameters[i] = t->parameters[t->place[i]];
 }
 
-batten_status bat_within_bezier(int dimension, int count, const double *points, bool closed,
-                                double tolerance, double *parameters, batten_curve **out)
+batten_status bat_within_bezier(const bat_within_row *row, double *parameters,
+                                batten_curve **out)
 {
-    bezier_fit t = {.dimension = dimension, .tolerance = tolerance, .closed = closed};
-    double *breaks = bat_array((size_t)count + 1, sizeof *breaks);
-    batten_status status = allocate_pieces(&t, count, points, parameters);
+    bezier_fit t = {
+        .dimension = row->dimension, .tolerance = row->tolerance, .closed = row->closed};
+    double *breaks = bat_array((size_t)row->count + 1, sizeof *breaks);
+    batten_status status = allocate_pieces(&t, row->count, row->points, parameters);
     if (!breaks)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         breaks[0] = parameters[0];
-        divide(&t);
-        status = make_curve(&t, breaks, out);
+        status = divide(&t, row);
     }
     if (status == BATTEN_OK)
-        copy_parameters(&t, count, breaks, parameters);
+        status = make_curve(&t, breaks, out);
+    if (status == BATTEN_OK)
+        copy_parameters(&t, row->count, breaks, parameters);
     bat_release(breaks);
     release_pieces(&t);
     return status;

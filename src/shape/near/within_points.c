@@ -183,7 +183,9 @@ static batten_status fit_piece(bat_within_fit *t, int from, int to, bool periodi
                     .measure = measure_point_error,
                     .context = t,
                     .bows = t->bows + from,
-                    .error = HUGE_VAL};
+                    .error = HUGE_VAL,
+                    .work = &t->work,
+                    .done = {(double)from / t->row_count, (double)to / t->row_count}};
     batten_status status = start && parameters ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         memcpy(start, w.best, (size_t)(w.count + periodic) * sizeof *start);
@@ -198,22 +200,37 @@ static batten_status fit_piece(bat_within_fit *t, int from, int to, bool periodi
     return status;
 }
 
+/* A piece of cubics ends when its pace brings it there: later ones begin and end as much later. */
+static void shift_rest(bat_within_fit *t, int end, double by)
+{
+    for (int i = end + 1; i < t->row_count; i++)
+        t->parameters[i] += by;
+}
+
 static batten_status make_piece(bat_within_fit *t, int from, int to, bool smooth_ring)
 {
     const batten_curve_within_options *o = t->options;
     batten_curve **out = &t->pieces[t->piece_count];
-    const double *a = t->parameters + from;
-    if (!(a[to - from] > a[0]))
+    const double *a = t->parameters + from, end = a[to - from];
+    if (!(end > a[0]))
         return bat_fail(BATTEN_COINCIDENT,
                         "between two corners all points from number %d on are one",
                         (t->first + from) % t->count + 1);
     const batten_status status =
         o->method == BATTEN_WITHIN_BEZIER
-            ? bat_within_bezier(t->dimension, to - from + 1,
-                                t->row + (size_t)from * (size_t)t->dimension, smooth_ring,
-                                o->tolerance, t->parameters + from, out)
+            ? bat_within_bezier(
+                  &(bat_within_row){
+                      .dimension = t->dimension,
+                      .count = to - from + 1,
+                      .closed = smooth_ring,
+                      .points = t->row + (size_t)from * (size_t)t->dimension,
+                      .tolerance = o->tolerance,
+                      .work = &t->work,
+                      .done = {(double)from / t->row_count, (double)to / t->row_count}},
+                  t->parameters + from, out)
             : fit_piece(t, from, to, smooth_ring, out);
     t->piece_count += *out != NULL;
+    shift_rest(t, to, t->parameters[to] - end);
     return status;
 }
 
@@ -353,7 +370,8 @@ batten_status batten_curve_within(batten_points points,
     bat_within_fit t = {.options = options,
                         .dimension = points.dimension,
                         .count = points.count,
-                        .points = points.at};
+                        .points = points.at,
+                        .work = {.job = options->job}};
     batten_curve_within_report found = {0};
     double *at = NULL;
     status = check_within_data(points.dimension, points.count, points.at, options);

@@ -63,9 +63,23 @@ static batten_status fit_curve(bat_within *w, const double *knots, bat_trial *t)
     return useless ? BATTEN_OK : status;
 }
 
+/* After n fits n / (n + FITS_OF_HALF) of the way: how many there will be depends on the data. */
+enum { FITS_OF_HALF = 16 };
+
+static batten_status ask_job(const bat_within *w)
+{
+    const double share = (double)w->fits / (w->fits + FITS_OF_HALF);
+    return w->work ? bat_work_step(w->work, (uint64_t)w->count,
+                                   w->done[0] + share * (w->done[1] - w->done[0]),
+                                   "fitting within the tolerance")
+                   : BATTEN_OK;
+}
+
 batten_status bat_trial_fit(bat_within *w, bat_trial *t)
 {
-    batten_status status = w->sample ? w->sample(w, t->count, t->inner) : BATTEN_OK;
+    batten_status status = ask_job(w);
+    if (status == BATTEN_OK && w->sample)
+        status = w->sample(w, t->count, t->inner);
     if (status != BATTEN_OK)
         return status;
     const size_t n = (size_t)w->count;

@@ -149,3 +149,74 @@ TEST(a_closed_row_with_one_corner_begins_and_ends_at_it)
             batten_curve_unref(curve);
         }
 }
+
+/* ---- jobs ---- */
+
+typedef struct {
+    int asked, stop_at, said;
+    double last;
+} watcher;
+
+static bool stops(void *user)
+{
+    watcher *w = user;
+    return ++w->asked == w->stop_at;
+}
+
+static void hears(void *user, double fraction, const char *what)
+{
+    watcher *w = user;
+    CHECK(fraction >= w->last && fraction < 1);
+    CHECK(*what);
+    w->last = fraction;
+    w->said++;
+}
+
+enum { WAVES = 6001 };
+
+/* Waves with a corner where they begin to be twice as high. */
+static batten_status fit_waves(batten_within_method method, watcher *watching, uint64_t limit)
+{
+    double(*q)[2] = test_array(WAVES, sizeof *q);
+    batten_curve_within_options options = batten_curve_within_defaults();
+    const batten_job job = {.size = sizeof job,
+                            .thread_count = 1,
+                            .work_limit = limit,
+                            .is_cancelled = stops,
+                            .progress = hears,
+                            .user = watching};
+    const int corner = WAVES / 2;
+    batten_curve *curve = NULL;
+    for (int i = 0; i < WAVES; i++) {
+        q[i][0] = 1e-3 * i;
+        q[i][1] = (i > corner ? 2 : 1) * sin(2e-3 * (i - corner));
+    }
+    options.tolerance = 1e-2;
+    options.method = method;
+    options.corners = &corner;
+    options.corner_count = 1;
+    options.job = &job;
+    const batten_status status =
+        batten_curve_within((batten_points){2, WAVES, q[0]}, &options, NULL, NULL, &curve);
+    CHECK_INT(curve != NULL, status == BATTEN_OK);
+    batten_curve_unref(curve);
+    return status;
+}
+
+TEST(a_fit_says_how_far_it_is_and_ends_when_it_is_cancelled_or_too_long)
+{
+    static const batten_within_method methods[] = {BATTEN_WITHIN_FEWEST, BATTEN_WITHIN_INSERT,
+                                                   BATTEN_WITHIN_REMOVE, BATTEN_WITHIN_BEZIER};
+    for (int i = 0; i < (test_cases(10) < 10 ? 1 : COUNT(methods)); i++) {
+        watcher whole = {0}, first = {.stop_at = 1}, last;
+        CHECK_OK(fit_waves(methods[i], &whole, 0));
+        CHECK(whole.said > 0 && whole.asked > 0);
+        if (methods[i] != BATTEN_WITHIN_BEZIER) /* the second of two equal pieces */
+            CHECK(whole.last > 0.5);
+        CHECK_STATUS(fit_waves(methods[i], &first, 0), BATTEN_CANCELLED);
+        CHECK_INT(first.asked, 1);
+        last = (watcher){.stop_at = whole.asked};
+        CHECK_STATUS(fit_waves(methods[i], &last, 0), BATTEN_CANCELLED);
+        CHECK_STATUS(fit_waves(methods[i], &(watcher){0}, 1), BATTEN_INCOMPLETE);
+    }
+}

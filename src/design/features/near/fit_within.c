@@ -33,6 +33,7 @@ static batten_status make_fit_within(bat_run *run, const bat_data *data, bat_mad
     options.closed = bat_yes(run, "closed");
     options.parameters = bat_parametrization_of(run, data);
     options.given = data->abscissae;
+    options.job = run->job;
     batten_status status = bat_indices(run, "corners", &options.corner_count, &corners);
     options.corners = corners;
     if (status == BATTEN_OK)
