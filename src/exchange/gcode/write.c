@@ -29,8 +29,6 @@ typedef struct {
 
 static const double inch = 0.0254, millimetre = 0.001;
 
-/* ---- words ---- */
-
 static double rounded(const program *p, double value)
 {
     const double ten = bat_pow(10, p->options.decimals), result = round(value * ten) / ten;
@@ -53,12 +51,12 @@ static void put_axis(program *p, char letter, int axis, double to)
 /* A move from where the tool was to where it is. */
 static void list_move(program *p, bat_tool_does does, const double from[3], double bulge)
 {
-    bat_tool_move move = {.does = does, .bulge = bulge, .path = p->path};
-    if (!p->moves || memcmp(from, p->at, sizeof p->at) == 0 || p->listed != BATTEN_OK)
-        return;
-    memcpy(move.from, from, sizeof move.from);
-    memcpy(move.to, p->at, sizeof move.to);
-    p->listed = BAT_LIST_ADD(p->moves->items, p->moves->count, p->moves->room, move);
+    const double *to = p->at;
+    if (p->moves && memcmp(from, to, sizeof p->at) != 0 && p->listed == BATTEN_OK)
+        p->listed = BAT_LIST_ADD(
+            p->moves->items, p->moves->count, p->moves->room,
+            (bat_tool_move){
+                does, {from[0], from[1], from[2]}, {to[0], to[1], to[2]}, bulge, p->path});
 }
 
 static void move_up(program *p)
@@ -297,8 +295,6 @@ static batten_status put_paths(program *p, const batten_model *model, batten_not
                                             "planes z = constant; the model has none");
     return BATTEN_OK;
 }
-
-/* ---- the whole ---- */
 
 static batten_status check_options(const batten_write_gcode_options *o)
 {

@@ -373,11 +373,10 @@ batten_status batten_curve_within(batten_points points,
                         .points = points.at,
                         .work = {.job = options->job}};
     batten_curve_within_report found = {0};
-    double *at = NULL;
     status = check_within_data(points.dimension, points.count, points.at, options);
     if (status != BATTEN_OK)
         return status;
-    at = bat_array((size_t)points.count, sizeof *at);
+    double *at = bat_array((size_t)points.count, sizeof *at);
     status = at ? search_within(&t) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = check_result(&t, at, &found);
