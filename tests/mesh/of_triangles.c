@@ -309,3 +309,17 @@ TEST(edges_of_rational_triangles_are_shared_to_the_bit)
         batten_triangles_unref(triangles);
     }
 }
+
+TEST(triangles_of_the_plane_are_not_meshed)
+{
+    static const double corners[] = {0, 0, 1, 0, 0, 1};
+    batten_triangles *flat = NULL;
+    batten_mesh *mesh = NULL;
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){2, 1, 1, corners, NULL, NULL},
+                                     &flat));
+    CHECK_STATUS(batten_mesh_from_triangles(flat, NULL, NULL, NULL, &mesh),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the triangles have 2 dimensions, not 3");
+    CHECK(!mesh);
+    batten_triangles_unref(flat);
+}

@@ -95,3 +95,20 @@ TEST(no_edge_is_longer_than_the_longest)
     }
     batten_body_unref(body);
 }
+
+TEST(surfaces_of_the_plane_are_not_meshed)
+{
+    const batten_axis axis = {1, 2, (const double[]){0, 0, 1, 1}, false};
+    batten_surface *flat = NULL;
+    batten_mesh *mesh = NULL;
+    for (int d = 1; d <= 2; d++) {
+        CHECK_OK(batten_surface_create(d, &axis, &axis,
+                                       (const double[]){0, 0, 0, 1, 1, 0, 1, 1}, NULL, &flat));
+        CHECK_STATUS(batten_mesh_from_surface(flat, NULL, NULL, NULL, &mesh),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(d == 1 ? "the surface has 1 dimension, not 3"
+                             : "the surface has 2 dimensions, not 3");
+        batten_surface_unref(flat);
+    }
+    CHECK(!mesh);
+}

@@ -92,3 +92,35 @@ TEST(a_touch_is_told_once_with_its_edges_loops_and_place)
         batten_body_unref(body);
     }
 }
+
+/* Of two plates one has its circle far above it. */
+TEST(a_face_whose_loops_do_not_close_is_named)
+{
+    for (int bad = 0; bad < 2; bad++) {
+        hand m = hand_begin();
+        batten_body *body = NULL;
+        batten_notes *notes = NULL;
+        batten_body_faults faults;
+        int named = 0;
+        for (int k = 0; k < 2; k++) {
+            hand_arc(&m, 1, 3 * k, 0, 360);
+            hand_plate(&m, -2, -2, 2, 2, k == bad ? 3 * k + 1 : 3 * k);
+            hand_loop(&m, 1, (const int[]){k + 1});
+        }
+        CHECK_OK(batten_body_create(&m.builder.parts, &body));
+        bat_builder_end(&m.builder);
+        CHECK_OK(batten_notes_create(20, &notes));
+        CHECK_OK(batten_body_check(body, 1e-6, NULL, notes, &faults));
+        for (int i = 0; i < batten_notes_count(notes); i++) {
+            const batten_note *note = batten_notes_at(notes, i);
+            if (!strstr(note->text, "its loops cannot be closed in the parameters"))
+                continue;
+            named++;
+            CHECK_TEXT(note->entity, bad ? "face 2" : "face 1");
+        }
+        if (batten_notes_dropped(notes) == 0)
+            CHECK(named >= 1);
+        batten_notes_free(notes);
+        batten_body_unref(body);
+    }
+}

@@ -1,6 +1,7 @@
 /* The volumes that shells enclose, and their rims. */
 #include "body/builder.h"
 #include "body/by_hand.h"
+#include "support/bodies.h"
 #include "support/test.h"
 
 #include <batten/standard.h>
@@ -84,4 +85,30 @@ TEST(the_rim_of_an_open_shell_is_counted_without_poles_and_seams)
     batten_body_unref(closed);
     batten_body_unref(traced);
     batten_body_unref(body);
+}
+
+static void note_fraction(void *user, double fraction, const char *what)
+{
+    CHECK(fraction >= 0 && fraction <= 1);
+    *(int *)user += strcmp(what, "measuring shells") == 0;
+}
+
+static bool never(void *user)
+{
+    (void)user;
+    return false;
+}
+
+TEST(progress_of_a_check_is_a_part_of_the_whole)
+{
+    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 2, 3});
+    batten_body_faults faults;
+    int told = 0;
+    batten_job job = BATTEN_JOB;
+    job.is_cancelled = never;
+    job.progress = note_fraction;
+    job.user = &told;
+    CHECK_OK(batten_body_check(box, 1e-6, &job, NULL, &faults));
+    CHECK(told >= 1);
+    batten_body_unref(box);
 }
