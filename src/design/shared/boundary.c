@@ -81,6 +81,22 @@ static batten_status tell_corners(bat_run *run, const bat_boundary *boundary)
     return status;
 }
 
+/* Which sides are one curve each, and which of these run against their curve. `parts`: the curves
+ * of each side; NULL for one each. */
+static void find_lone_curves(int count, const batten_loop_place *places, const int *parts,
+                             bat_boundary *out)
+{
+    out->curve_count = count;
+    for (int e = 0, at = 0; e < 4; e++) {
+        const int here = parts ? parts[e] : at < count;
+        out->alone[e] = here == 1 ? places[at].curve : -1;
+        /* V1 and U0 run against the loop. */
+        out->against[e] =
+            here == 1 && places[at].reversed != (e == BATTEN_EDGE_V1 || e == BATTEN_EDGE_U0);
+        at += here;
+    }
+}
+
 batten_status bat_boundary_take(bat_run *run, const char *parameter, double tolerance,
                                 bat_boundary *out)
 {
@@ -105,6 +121,7 @@ batten_status bat_boundary_take(bat_run *run, const char *parameter, double tole
     }
     if (status == BATTEN_OK) {
         tell_reversed(run, &objects, places);
+        find_lone_curves(objects.count, places, parts, out);
         status = tell_corners(run, out);
     }
     for (int i = 0; curves && i < objects.count; i++)
@@ -112,6 +129,50 @@ batten_status bat_boundary_take(bat_run *run, const char *parameter, double tole
     bat_release(places);
     bat_release(curves);
     bat_objects_release(&objects);
+    return status;
+}
+
+/* ---- slopes as they are given ---- */
+
+/* Of the side that is the given curve alone. */
+static batten_status set_slope(const batten_object *slope, int curve, bat_boundary *boundary)
+{
+    int e = 0;
+    while (e < 4 && boundary->alone[e] != curve)
+        e++;
+    if (e == 4)
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "'%s' is the slope of curve %d, which shares its side with others: join "
+            "them first",
+            slope->name, curve + 1);
+    batten_curve *there = NULL;
+    batten_status status = batten_curve_to_dimension(slope->curve, 3, &there);
+    if (status == BATTEN_OK && !boundary->against[e])
+        boundary->curves[e][1] = batten_curve_ref(there);
+    else if (status == BATTEN_OK)
+        status = batten_curve_reverse(there, &boundary->curves[e][1]);
+    batten_curve_unref(there);
+    set_side(boundary, e);
+    return status;
+}
+
+batten_status bat_boundary_slopes(bat_run *run, const char *parameter, int order,
+                                  bat_boundary *boundary)
+{
+    bat_objects slopes;
+    if (order < 2)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a patch of the first kind takes no '%s'",
+                        parameter);
+    batten_status status = bat_gather(run, parameter, BAT_CURVES, &slopes);
+    if (status != BATTEN_OK)
+        return status;
+    if (slopes.count > boundary->curve_count)
+        status = bat_fail(BATTEN_BAD_ARGUMENT, "there are %d '%s' for %d curve%s", slopes.count,
+                          parameter, boundary->curve_count, bat_plural(boundary->curve_count));
+    for (int i = 0; status == BATTEN_OK && i < slopes.count; i++)
+        status = set_slope(slopes.at[i], i, boundary);
+    bat_objects_release(&slopes);
     return status;
 }
 

@@ -8,7 +8,7 @@ static const batten_parameter parameters[] = {
      "the boundary curves, in any order and direction"},
     BAT_BOUNDARY_SIDES,
     {"kind", BATTEN_VALUE_WORD, false, false, NULL, "first twists second third",
-     "what it takes from the sides; by default 'first', with 'along' 'second'"},
+     "what it takes from the sides; by default 'first', with 'along' or 'slopes' 'second'"},
     {"blend", BATTEN_VALUE_WORD, false, false, NULL, "linear cubic quintic coons",
      "the blending functions; by default those that the kind needs"},
     {"blend-v", BATTEN_VALUE_WORD, false, false, NULL, "linear cubic quintic coons",
@@ -17,6 +17,8 @@ static const batten_parameter parameters[] = {
      "your own blending functions, F0 F1 G0 G1 H0 H1: graphs over 0 .. 1 in the xy-plane"},
     {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
      "surfaces beside it that it continues smoothly; found by where they are"},
+    {"slopes", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
+     "curves of vectors: the derivatives across the first boundary curves, inward, running as these do"},
     {"twists", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "one for all corners, or four: corners 1 to 4, around it from the start of the first side"},
     {"policy", BATTEN_VALUE_WORD, false, false, "gregory", "refuse keep-u keep-v mean gregory",
@@ -26,7 +28,7 @@ static const batten_parameter parameters[] = {
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far corners may be open, and curves be from surfaces; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.01 deg", NULL,
-     "with 'along': how far the result may leave the tangent planes taken over"},
+     "with 'along' or 'slopes': how far the result may leave the tangent planes taken over"},
 };
 
 /* What a run takes and holds. */
@@ -43,9 +45,8 @@ static void choose_kind(work *w)
     static const int orders[] = {1, 2, 2, 3};
     static const batten_blending blends[] = {BATTEN_BLENDING_LINEAR, BATTEN_BLENDING_CUBIC,
                                              BATTEN_BLENDING_CUBIC, BATTEN_BLENDING_QUINTIC};
-    const int kind = bat_has(w->run, "kind")    ? bat_word(w->run, "kind")
-                     : bat_has(w->run, "along") ? 2
-                                                : 0;
+    const bool has_slopes = bat_has(w->run, "along") || bat_has(w->run, "slopes");
+    const int kind = bat_has(w->run, "kind") ? bat_word(w->run, "kind") : has_slopes ? 2 : 0;
     w->options.order = orders[kind];
     w->options.blending_u =
         bat_has(w->run, "blend") ? (batten_blending)bat_word(w->run, "blend") : blends[kind];
@@ -181,6 +182,21 @@ static void report(const work *w, const batten_surface_coons_report *found)
                          found->missed[e][k]);
 }
 
+/* What crosses the sides: out of the surfaces beside it, or as it is given. */
+static batten_status choose_slopes(work *w)
+{
+    if (bat_has(w->run, "along") && bat_has(w->run, "slopes"))
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "'along' and 'slopes' both say how the patch leaves its sides: give one");
+    if (bat_has(w->run, "slopes"))
+        return bat_boundary_slopes(w->run, "slopes", w->options.order, &w->boundary);
+    if (bat_has(w->run, "along"))
+        return bat_boundary_along(w->run, "along", w->options.order, w->options.tolerance,
+                                  &w->boundary);
+    return BATTEN_OK;
+}
+
 static batten_status make_coons(work *w, batten_surface **out)
 {
     batten_surface_coons_report found = {0};
@@ -194,9 +210,8 @@ static batten_status make_coons(work *w, batten_surface **out)
         status = choose_functions(w);
     if (status == BATTEN_OK)
         status = bat_boundary_take(w->run, "coons", w->options.tolerance, &w->boundary);
-    if (status == BATTEN_OK && bat_has(w->run, "along"))
-        status = bat_boundary_along(w->run, "along", w->options.order, w->options.tolerance,
-                                    &w->boundary);
+    if (status == BATTEN_OK)
+        status = choose_slopes(w);
     if (status == BATTEN_OK)
         status = batten_surface_coons(w->boundary.sides, &w->options, &found, out);
     if (status == BATTEN_OK)
@@ -218,8 +233,9 @@ static batten_status run_coons(bat_run *run)
         wish.names[e] = w.boundary.sides[e].slope ? edge_name(e) : NULL;
         wish.beside[e] = w.boundary.beside[e];
     }
-    status = bat_has(run, "along") ? bat_put_smooth_surface(run, status, surface, &wish)
-                                   : bat_put_surface(run, status, surface);
+    const bool is_smooth = bat_has(run, "along") || bat_has(run, "slopes");
+    status = is_smooth ? bat_put_smooth_surface(run, status, surface, &wish)
+                       : bat_put_surface(run, status, surface);
     bat_boundary_release(&w.boundary);
     for (int i = 0; i < 6; i++)
         batten_curve_unref(w.functions[i]);
@@ -233,17 +249,17 @@ const bat_feature bat_feature_coons = {
          "with corners, or a single point: 'sides' says how many curves each has. Kinds: 'first'\n"
          "passes through the curves and no more, 'twists' also has given twists at its corners\n"
          "(instead of those of the bilinear patch), which cures flat spots; 'second' has the slopes\n"
-         "of the surfaces it lies along, 'third' their curvatures too. Blending functions: 'linear'\n"
-         "('first' only), 'cubic', and 'quintic' or 'coons' for patchworks with continuous\n"
-         "curvature. By default 'linear' for 'first', 'quintic' for 'third', otherwise 'cubic'. A\n"
-         "slope fits its neighbours when the boundary curves beside it leave the surface within its\n"
-         "tangent plane. Such curves come from 'curve-of' (the ends of the surface) and 'blend'\n"
-         "between them with continuity G1; 'repair: yes' corrects the slopes instead and reports by\n"
-         "how many degrees the patch then leaves the tangent planes. Gaps between slopes are vectors\n"
-         "per unit of the parameter. Unless curves are rational, or twists differ under the policy\n"
-         "'gregory', the result is exact; otherwise a spline. Tangent planes, and curvatures of the\n"
-         "kind 'third', are measured along every side against the surfaces given; more than 'angle'\n"
-         "is noted, or refused when you state the angle.",
+         "of the surfaces it lies along or those that are given, 'third' curvatures too. Blending\n"
+         "functions: 'linear' ('first' only), 'cubic', and 'quintic' or 'coons' for patchworks with\n"
+         "continuous curvature. By default 'linear' for 'first', 'quintic' for 'third', otherwise\n"
+         "'cubic'. A slope fits its neighbours when the boundary curves beside it leave the surface\n"
+         "within its tangent plane. Such curves come from 'curve-of' (the ends of the surface) and\n"
+         "'blend' between them with continuity G1; 'repair: yes' corrects the slopes instead and\n"
+         "reports by how many degrees the patch then leaves the tangent planes. Gaps between slopes\n"
+         "are vectors per unit of the parameter. Unless curves are rational, or twists differ under\n"
+         "the policy 'gregory', the result is exact; otherwise a spline. Tangent planes, and\n"
+         "curvatures of the kind 'third', are measured along every side against the surfaces given;\n"
+         "more than 'angle' is noted, or refused when you state the angle.",
          "features:\n"
          "  keel: {line: [[0, 0, 0], [4, 0, 0]]}\n"
          "  stern: {conic: [[0, 0, 0], [0, 1, 0.2], [0, 1, 1.5]], weight: 1}\n"

@@ -13,6 +13,8 @@ static const batten_parameter parameters[] = {
     {"fill", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the sides, in any order"},
     {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
      "surfaces around the hole: the fill continues smoothly those that have a side as an edge"},
+    {"slopes", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
+     "curves of vectors across the first sides, into the hole, running as these do"},
     {"continuity", BATTEN_VALUE_WORD, false, false, "G1", "G0 G1 G2",
      "what the fill takes over from them: the edge, the tangent planes, the curvature"},
     {"form", BATTEN_VALUE_WORD, false, false, NULL, "split kato charrot-gregory sheet",
@@ -75,6 +77,24 @@ static batten_status find_ribbons(const bat_run *run, sides *all, const bat_obje
     return status;
 }
 
+/* The slopes of the first sides, as they are given. */
+static batten_status take_slopes(const bat_run *run, sides *all)
+{
+    bat_objects slopes;
+    batten_status status = bat_gather(run, "slopes", BAT_CURVES, &slopes);
+    if (status != BATTEN_OK)
+        return status;
+    if (slopes.count > all->count)
+        status = bat_fail(BATTEN_BAD_ARGUMENT, "there are %d 'slopes' for %d sides",
+                          slopes.count, all->count);
+    for (int i = 0; status == BATTEN_OK && i < slopes.count; i++) {
+        status = batten_curve_to_dimension(slopes.at[i]->curve, 3, &all->curves[i][1]);
+        all->ribbons[i].slope = all->curves[i][1];
+    }
+    bat_objects_release(&slopes);
+    return status;
+}
+
 static batten_status find_sides(const bat_run *run, const bat_objects *curves, sides *all)
 {
     bat_objects surfaces;
@@ -84,6 +104,13 @@ static batten_status find_sides(const bat_run *run, const bat_objects *curves, s
     all->count = curves->count;
     for (int i = 0; i < curves->count; i++)
         all->ribbons[i].curve = curves->at[i]->curve;
+    if (bat_has(run, "slopes"))
+        return bat_has(run, "along") || bat_word(run, "continuity") != 1
+                   ? bat_fail(
+                         BATTEN_BAD_ARGUMENT,
+                         "'slopes' give the tangent planes along the sides: with continuity "
+                         "G1, and without 'along'")
+                   : take_slopes(run, all);
     if (!bat_has(run, "along") || bat_word(run, "continuity") == 0)
         return BATTEN_OK;
     batten_status status = bat_gather(run, "along", BAT_SURFACES, &surfaces);
@@ -304,17 +331,18 @@ const bat_feature bat_feature_fill = {
         {"fill", "Surfaces in a hole of 2 to 64 sides",
          "Form 'split': as many surfaces as sides, 2 to 8, named feature.1 ..., that meet in the\n"
          "middle of the hole. They have the same tangent plane where they meet, and that of the\n"
-         "surfaces 'along' the sides; what is left free bends as little as possible. Sides with\n"
-         "corners are divided there. A note says where gaps, angles and differences of curvature are\n"
-         "largest. A fill that folds over is refused; so is one with G2 when the curvatures around it\n"
-         "contradict each other so much that curvature would jump between its own surfaces by more\n"
-         "than the largest curvature around it, or than 'curvature' says.\n"
+         "surfaces 'along' the sides, or that of 'slopes'; what is left free bends as little as\n"
+         "possible. Sides with corners are divided there. A note says where gaps, angles and\n"
+         "differences of curvature are largest. A fill that folds over is refused; so is one with G2\n"
+         "when the curvatures around it contradict each other so much that curvature would jump\n"
+         "between its own surfaces by more than the largest curvature around it, or than 'curvature'\n"
+         "says.\n"
          "Form 'sheet': one surface over the mean plane of the hole, trimmed by the sides, a body with\n"
          "one face. The outline may be re-entrant, of up to 64 sides, and the sheet goes 'through'\n"
          "points and curves inside. Its curvature is continuous inside, four derivatives are; sides,\n"
-         "planes and curvatures around it are met within 'within', 'angle' and 'curvature' (by\n"
-         "default a hundredth of the largest), or it is refused with the figure. Sides and planes\n"
-         "steeper than 84 degrees to the mean plane are refused.\n"
+         "planes and curvatures around it are met within 'within', 'angle' and 'curvature' (by default\n"
+         "a hundredth of the largest), or it is refused with the figure. Sides and planes steeper than\n"
+         "84 degrees to the mean plane are refused.\n"
          "Without 'form' it is split, and a sheet where that folds or has a re-entrant corner, goes\n"
          "'through' something or has more than 8 sides; with G2 a sheet, and split where that cannot\n"
          "be. A remark says which and why.",

@@ -304,3 +304,79 @@ TEST(a_patch_of_the_third_kind_says_how_far_curvatures_are_off)
     batten_notes_free(notes);
     batten_design_free(design);
 }
+
+/* Sides and inward slopes of (u, v, (1 + u^3)(v + v^2)), which is cubic in u. */
+#define CUBIC                                                                               \
+    "batten: 1\nfeatures:\n"                                                                \
+    "  ps: {points: [[0, 0, 0], [1, 0, 0]]}\n  s: {bezier: ps}\n"                           \
+    "  pe: {points: [[1, 0, 0], [1, 0.5, 1], [1, 1, 4]]}\n  e: {bezier: pe}\n"              \
+    "  pn: {points: [[1, 1, 4], [0.66666666666666663, 1, 2], [0.33333333333333331, 1, 2], " \
+    "[0, 1, 2]]}\n  n: {bezier: pn}\n"                                                      \
+    "  pw: {points: [[0, 0, 0], [0, 0.5, 0.5], [0, 1, 2]]}\n  w: {bezier: pw}\n"            \
+    "  ss: {points: [[0, 1, 1], [0, 1, 1], [0, 1, 1], [0, 1, 2]]}\n"                        \
+    "  se: {points: [[-1, 0, 0], [-1, 0, -1.5], [-1, 0, -6]]}\n"                            \
+    "  sn: {points: [[0, -1, -6], [0, -1, -3], [0, -1, -3], [0, -1, -3]]}\n"                \
+    "  sw: {points: [[1, 0, 0], [1, 0, 0]]}\n"                                              \
+    "  ds: {bezier: ss}\n  de: {bezier: se}\n  dn: {bezier: sn}\n  dw: {bezier: sw}\n"
+
+TEST(given_slopes_belong_to_the_curves_in_their_order_and_direction)
+{
+    static const char *const rows[] = {
+        "{coons: [s, e, n, w], slopes: [ds, de, dn, dw]}",
+        "{coons: [s, n, w, e], slopes: [ds, dn, dw, de]}",
+        "{coons: [s, e, n, w], slopes: [ds, de, dn, dw], kind: twists}"};
+    for (int i = 0; i < 3; i++) {
+        char text[2000];
+        batten_design *design = NULL;
+        snprintf(text, sizeof text, "%s  a: %s\n", CUBIC, rows[i]);
+        CHECK_OK(evaluate(text, NULL, &design));
+        for (int k = 0; k < 25; k++) {
+            const double u = 0.25 * (k % 5), v = 0.25 * (k / 5);
+            double out[3];
+            CHECK_OK(batten_surface_evaluate(surface_of(design), u, v, 0, out));
+            CHECK_NEAR(out[0], u, 1e-15);
+            CHECK_NEAR(out[1], v, 1e-15);
+            CHECK_NEAR(out[2], (1 + u * u * u) * (v + v * v), 5e-15);
+        }
+        batten_design_free(design);
+    }
+}
+
+TEST(a_slope_along_one_side_alone_leaves_the_others_free)
+{
+    char text[2000];
+    batten_design *design = NULL;
+    double out[9];
+    snprintf(text, sizeof text, "%s  a: {coons: [n, e, s, w], slopes: dn}\n", CUBIC);
+    CHECK_OK(evaluate(text, NULL, &design));
+    /* The patch begins with n, from (1, 1, 4): there v runs down. */
+    CHECK_OK(batten_surface_evaluate(surface_of(design), 0.5, 0, 1, out));
+    CHECK_NEAR(out[6], 0, 1e-15);
+    CHECK_NEAR(out[7], -1, 1e-15);
+    CHECK_NEAR(out[8], -3 * (1 + 0.125), 1e-14);
+    batten_design_free(design);
+}
+
+TEST(slopes_that_a_patch_cannot_use_are_refused)
+{
+    static const char *const rows[][2] = {
+        {"{coons: [s, e, n, w], slopes: ds, kind: first}", "takes no 'slopes'"},
+        {"{coons: [s, e, n, w], slopes: [ds, de, dn, dw, ds]}",
+         "there are 5 'slopes' for 4 curves"},
+        {"{coons: [s, e, n, w], slopes: ds, along: b}", "'along' and 'slopes' both say"},
+        {"{coons: [s, e, n1, n2, w], sides: [1, 1, 2, 1], slopes: [ds, de, dn]}",
+         "'dn' is the slope of curve 3, which shares its side"},
+        {"{coons: [s, e, n, w], slopes: [de]}", "slope"}};
+    for (int i = 0; i < 5; i++) {
+        char text[2500];
+        batten_design *design = NULL;
+        snprintf(text, sizeof text,
+                 "%s  b: {extrude: s, along: [0, -1, 0]}\n  n1: {trim: n, between: [0, 0.5]}\n"
+                 "  n2: {trim: n, between: [0.5, 1]}\n  a: %s\n",
+                 CUBIC, rows[i][0]);
+        CHECK_STATUS(evaluate(text, NULL, &design),
+                     i < 4 ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_COMPATIBLE);
+        CHECK_CONTAINS(batten_message(), rows[i][1]);
+        batten_design_free(design);
+    }
+}

@@ -229,3 +229,55 @@ TEST(G7_a_corner_in_which_surfaces_contradict_each_other_is_named)
         batten_notes_free(notes);
     }
 }
+
+/* A triangle of the cylinder z = x^2 by its sides, and its derivatives inward across them. */
+#define CYLINDER                                                                 \
+    "batten: 1\nunits: m\nfeatures:\n"                                           \
+    "  p1: {points: [[0, 0, 0], [0.5, 0, 0], [1, 0, 1]]}\n  a: {bezier: p1}\n"   \
+    "  p2: {points: [[0, 1, 0], [0.5, 0.5, 0], [1, 0, 1]]}\n  b: {bezier: p2}\n" \
+    "  c: {line: [[0, 1, 0], [0, 0, 0]]}\n"                                      \
+    "  q1: {points: [[0, 1, 0], [0, 1, 0]]}\n  da: {bezier: q1}\n"               \
+    "  q2: {points: [[-1, -1, 0], [-1, -1, -2]]}\n  db: {bezier: q2}\n"          \
+    "  q3: {points: [[1, 0, 0], [1, 0, 0]]}\n  dc: {bezier: q3}\n"
+
+TEST(a_fill_takes_its_tangent_planes_from_slopes_that_are_given)
+{
+    static const char *const forms[] = {"split", "sheet"};
+    for (int f = 0; f < 2; f++) {
+        char text[2000];
+        batten_design *design = NULL;
+        snprintf(text, sizeof text,
+                 CYLINDER
+                 "  x: {fill: [a, b, c], slopes: [da, db, dc], form: %s, angle: 0.05 deg}\n",
+                 forms[f]);
+        CHECK_OK(evaluate_design(text, "x", NULL, &design));
+        const batten_model *model = batten_design_result(design, "x")->value;
+        CHECK_INT(batten_model_count(model), f == 0 ? 3 : 1);
+        for (int i = 0; f == 0 && i < 3; i++)
+            for (int k = 0; k <= 10; k++) {
+                double p[3];
+                CHECK_OK(batten_surface_evaluate(batten_model_object(model, i)->surface,
+                                                 k / 10.0, k / 10.0, 0, p));
+                CHECK_NEAR(p[2], p[0] * p[0], 1e-4);
+            }
+        batten_design_free(design);
+    }
+}
+
+TEST(slopes_that_a_fill_cannot_use_are_refused)
+{
+    static const char *const rows[][2] = {
+        {"{fill: [a, b, c], slopes: [da, db, dc, da]}", "there are 4 'slopes' for 3 sides"},
+        {"{fill: [a, b, c], slopes: da, along: s}", "without 'along'"},
+        {"{fill: [a, b, c], slopes: da, continuity: G2}", "with continuity G1"},
+        {"{fill: [a, b, c], slopes: da, continuity: G0}", "with continuity G1"}};
+    for (int i = 0; i < 4; i++) {
+        char text[2000];
+        batten_design *design = NULL;
+        snprintf(text, sizeof text, CYLINDER "  s: {extrude: a, along: [0, -1, 0]}\n  x: %s\n",
+                 rows[i][0]);
+        CHECK_STATUS(evaluate_design(text, "x", NULL, &design), BATTEN_BAD_ARGUMENT);
+        CHECK_CONTAINS(batten_message(), rows[i][1]);
+        batten_design_free(design);
+    }
+}
