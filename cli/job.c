@@ -1,4 +1,4 @@
-/* The running job: progress on a terminal, and signals that cancel the work. */
+/* The running job: progress on a terminal, and cancelling by the signals that system.c catches. */
 #include "command.h"
 #include "system.h"
 

@@ -1,4 +1,4 @@
-/* `batten measure`: lengths, areas, volumes and special points of what is in a file. */
+/* `batten measure`: its options; the work is that of the output, src/design/outputs/measure.c. */
 #include "commands/single.h"
 #include "formats.h"
 

@@ -1,4 +1,5 @@
-/* The JSON Schema of design files, made from the table of features. */
+/* The JSON Schema of design files, made from the table of features: what is wrong of one parameter
+ * is wrong in the table of its feature's file. */
 #include "design/feature.h"
 
 #include <batten/text.h>

@@ -1,4 +1,5 @@
-/* A hull in panels: each takes its part of every station, and its edges from the lines. */
+/* A hull in panels: each takes its part of every station and the two lines that bound it; hull.c
+ * holds its edges there. */
 #include "loft/panels.h"
 
 #include <string.h>

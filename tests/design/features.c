@@ -21,6 +21,27 @@ static void write_offsets(const char *path)
     fclose(file);
 }
 
+/* A small flat-bottomed boat for the examples that read sharpie.csv: its lines are parabolas. */
+static void write_sharpie(const char *path)
+{
+    static const char *const rows[][2] = {{"heights", "bottom"}, {"heights", "chine"},
+                                          {"heights", "sheer"},  {"widths", "bottom"},
+                                          {"widths", "chine"},   {"widths", "sheer"}};
+    FILE *file = fopen(path, "w");
+    CHECK(file != NULL);
+    fputs("axis,name,0,1,2,3,4,5,6\nlength,station,0,1,2,3,4,5,6\n", file);
+    for (int r = 0; r < 6; r++) {
+        fprintf(file, "%s,%s", rows[r][0], rows[r][1]);
+        for (int i = 0; i <= 6; i++) {
+            const double x = i - 3.0, rise = x * x / 90, breadth = 1 - x * x / 20;
+            const double values[6] = {rise, rise, 0.7 + 2 * rise, 0.02, breadth, 1.2 * breadth};
+            fprintf(file, ",%.6f", values[r]);
+        }
+        fputs("\n", file);
+    }
+    fclose(file);
+}
+
 /* A solid for the examples that read block.step. */
 static void write_block(const char *path)
 {
@@ -47,6 +68,8 @@ static batten_status open_example(const char *text, batten_design **out)
     batten_design_options options = batten_design_defaults();
     options.file_name = test_scratch("example.yaml");
     write_offsets(test_scratch("offsets.csv"));
+    if (strstr(text, "sharpie.csv"))
+        write_sharpie(test_scratch("sharpie.csv"));
     if (strstr(text, "block.step"))
         write_block(test_scratch("block.step"));
     return batten_design_parse(text, strlen(text), &options, NULL, out);

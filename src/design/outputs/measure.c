@@ -545,5 +545,5 @@ const bat_feature bat_feature_measure = {
          "  oval.json: {measure: oval}\n",
          "[Toussaint83]", "batten_curve_region", BAT_PARAMETERS(parameters), true,
          .also =
-             "length, area, volume, centroid, moments of inertia, curvature, inflections, bounding box, mass properties"},
+             "length, area, volume, centroid, moments of inertia, curvature, inflections, bounding box"},
     .run = run_measure};

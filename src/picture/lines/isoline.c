@@ -1,4 +1,4 @@
-/* Isoparametric lines of any surface as adaptive polylines. */
+/* Isoparametric lines of any surface, handed to trace.c, which halves them until chords are near. */
 #include "picture/lines/trace.h"
 
 typedef struct {

@@ -1,4 +1,4 @@
-/* Adaptive polylines: spans are halved until their chords are near. */
+/* How finely a drawn line follows its curve: spans are halved until their chords are near. */
 #include "picture/lines/trace.h"
 #include "numeric/vector.h"
 

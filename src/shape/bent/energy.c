@@ -1,6 +1,6 @@
 /*
- * The curve of least energy: a search from the best of Batten's other curves through the same
- * points, with more quintics until these do not matter, judged by energies that are measured.
+ * The curve of least energy: from which of Batten's other curves through the same points searches
+ * start, and what is taken when they fail; energy_search.c does one search and judges it.
  */
 #include "shape/bent/energy.h"
 #include "base/plural.h"

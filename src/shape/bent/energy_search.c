@@ -1,6 +1,6 @@
 /*
  * One search of least energy: from one start, with more and more quintics until these save
- * nothing, judged by the energy of what is delivered.
+ * nothing; judged by the energy of what is delivered, it may end incomplete.
  */
 #include "base/plural.h"
 #include "numeric/vector.h"

@@ -1,5 +1,5 @@
 /*
- * What stays of an offset.
+ * The parts of an offset that stay, cut out and linked to curves; offset_judge.c decides which.
  *
  * The distance of the offset from the curve is at most |d|, and falls below it only where the
  * offset crosses itself, the offset on the other side, or the round cap of an end. So runs are
