@@ -238,7 +238,8 @@ typedef enum batten_fair_families {
  * @param job  threads, progress, cancelling; NULL for one thread and no questions
  * @param[out] report  what moved and what is suspect; may be NULL
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK, BAD_ARGUMENT, SINGULAR_HERE, TOLERANCE_NOT_MET, CANCELLED, OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT, SINGULAR_HERE, TOLERANCE_NOT_MET, CANCELLED, INCOMPLETE,
+ * OUT_OF_MEMORY
  *
  * Cost: linear in the points of the table for each round.
  */
@@ -287,7 +288,7 @@ typedef struct batten_loft_cut {
     int needed; /**< inflections that the points require within their bounds; of cuts without
                      points those of the cuts beside them, or of the surface of least energy */
     int found;  /**< those of the surface, between bulges above the height */
-    int panel;  /**< which surface, from below and 0; a knuckle counts with the panel above it */
+    int panel; /**< which surface, from below and 0; a knuckle counts with the panel above it */
 } batten_loft_cut;
 
 typedef struct batten_loft_report {
@@ -302,7 +303,7 @@ typedef struct batten_loft_report {
     batten_fair_move *moves; /**< [move_count]: each point and its foot; of points that moved */
     int trimmed_count; /**< points on the centre plane below the hull, which were left out */
     int rounds;        /**< programs with conditions on the sign of curvature */
-    double enough; /**< with NOT_COMPATIBLE: a bound with which a surface exists; 0 when none
+    double enough;   /**< with NOT_COMPATIBLE: a bound with which a surface exists; 0 when none
                             was found */
     int panel_count; /**< surfaces: one more than knuckles */
     int ruled_count; /**< of these, without points between their lines: straight across */

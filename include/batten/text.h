@@ -85,6 +85,18 @@ typedef struct batten_text {
  */
 BATTEN_API void batten_text_add(batten_text *text, const char *format, ...) BATTEN_PRINTF(2, 3);
 /**
+ * snprintf in the C locale, whatever the locale of the process: a decimal point is a point.
+ *
+ * @param buffer  gets at most `size` bytes, the zero at the end among them
+ * @param size  of the buffer
+ * @param format  as printf
+ * @return how many bytes the whole has; negative where the format has no meaning
+ *
+ * Cost: linear in the bytes.
+ */
+BATTEN_API int batten_text_print(char *buffer, size_t size, const char *format, ...)
+    BATTEN_PRINTF(3, 4);
+/**
  * Append `length` bytes as they are.
  *
  * @param text  appended to

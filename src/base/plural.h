@@ -1,8 +1,9 @@
 /* Words that go with a count of any type: "1 point is", "2 points are". */
 #ifndef BAT_PLURAL_H
 #define BAT_PLURAL_H
+#include <batten/text.h>
+
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* The ending of a regular noun. */
@@ -15,7 +16,7 @@
 static inline const char *bat_plural_real(double value, int digits)
 {
     char text[32]; /* at most 17 digits, a point, a sign, an exponent */
-    snprintf(text, sizeof text, "%.*g", digits, fabs(value));
+    batten_text_print(text, sizeof text, "%.*g", digits, fabs(value));
     return strcmp(text, "1") == 0 ? "" : "s";
 }
 

@@ -58,6 +58,15 @@ void bat_text_reserve(batten_text *text, size_t length)
     make_room(text, length);
 }
 
+int batten_text_print(char *buffer, size_t size, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const int length = bat_format(buffer, size, format, arguments);
+    va_end(arguments);
+    return length;
+}
+
 void batten_text_add(batten_text *text, const char *format, ...)
 {
     va_list arguments, again;

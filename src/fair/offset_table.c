@@ -11,7 +11,7 @@
  * takes the least energy that its ducks can reach within their bounds while all others stay:
  * the battens that cross it pull at its ducks as springs. So the energy never rises; and since
  * it is convex and the bounds are those of single points, the only place to rest is the least
- * energy of the whole net.
+ * energy of the whole net. The rounds end before it, at moves of a thousandth of the bounds.
  */
 
 /* Room for the ducks of the longest batten. */

@@ -181,3 +181,12 @@ TEST(F8_letters_are_shown_and_other_bytes_escaped)
         CHECK_TEXT(bat_shown(cases[i].bytes, strlen(cases[i].bytes), buffer), cases[i].shown);
     CHECK_TEXT(bat_shown("\xc3\xbc", 1, buffer), "\\xc3");
 }
+
+TEST(a_text_is_printed_into_a_buffer_as_snprintf_does)
+{
+    char buffer[8];
+    CHECK_INT(batten_text_print(buffer, sizeof buffer, "%g|%s", 2.5, "ab"), 6);
+    CHECK_TEXT(buffer, "2.5|ab");
+    CHECK_INT(batten_text_print(buffer, 4, "%.3f", 1.25), 5);
+    CHECK_TEXT(buffer, "1.2");
+}

@@ -5,7 +5,7 @@
 #include "numeric/vector.h"
 #include "spline/surface/surface.h"
 
-#include <stdio.h>
+#include <batten/text.h>
 #include <string.h>
 
 /* ---- planes ---- */
@@ -173,9 +173,10 @@ static batten_status close_loop(bat_trace *trace, bat_trace_face *face,
 static void note_loose(bat_trace *trace, bat_trace_face *face)
 {
     char text[160];
-    snprintf(text, sizeof text,
-             "its edges are more than %g off it, or off one another; it was traced to %g",
-             trace->tolerance, face->chart.tolerance);
+    batten_text_print(
+        text, sizeof text,
+        "its edges are more than %g off it, or off one another; it was traced to %g",
+        trace->tolerance, face->chart.tolerance);
     bat_trace_note(trace, face, text);
     trace->report.loose++;
 }

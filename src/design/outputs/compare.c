@@ -113,7 +113,7 @@ static void describe_bending(column *c, const char *unit)
     else if (c->energy_error > KNOWN * c->energy)
         snprintf(energy, sizeof energy, "not known (infinite, or nearly so)");
     else
-        snprintf(energy, sizeof energy, "%.5g 1/%s", c->energy, unit);
+        batten_text_print(energy, sizeof energy, "%.5g 1/%s", c->energy, unit);
     if (c->jumps > 0)
         snprintf(variation, sizeof variation, "infinite (jumps of curvature: %d)", c->jumps);
     else if (c->corners > 0)
@@ -121,7 +121,7 @@ static void describe_bending(column *c, const char *unit)
     else if (c->variation_error > KNOWN * c->variation)
         snprintf(variation, sizeof variation, "not known (infinite, or nearly so)");
     else
-        snprintf(variation, sizeof variation, "%.4g 1/%s\xC2\xB3", c->variation, unit);
+        batten_text_print(variation, sizeof variation, "%.4g 1/%s\xC2\xB3", c->variation, unit);
     snprintf(c->lines[0], sizeof c->lines[0], "energy %s   variation %s", energy, variation);
 }
 
@@ -134,11 +134,11 @@ static void describe(column *c, const char *unit)
     if (isinf(c->sharpest))
         snprintf(sharpest, sizeof sharpest, "without bound");
     else
-        snprintf(sharpest, sizeof sharpest, "%.3g 1/%s", c->sharpest, unit);
+        batten_text_print(sharpest, sizeof sharpest, "%.3g 1/%s", c->sharpest, unit);
     snprintf(c->lines[1], sizeof c->lines[1],
              "inflections %s   extrema of curvature %s   max \xCE\xBA %s", inflections, extrema,
              sharpest);
-    snprintf(c->lines[2], sizeof c->lines[2], "length %.6g %s", c->length, unit);
+    batten_text_print(c->lines[2], sizeof c->lines[2], "length %.6g %s", c->length, unit);
     for (int k = 0; k < 3; k++)
         c->shown[k] = c->lines[k];
 }

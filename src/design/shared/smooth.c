@@ -21,8 +21,9 @@ typedef struct {
 
 static void add_figure(figures *all, int edge, const char *name, double value)
 {
-    const int added = snprintf(all->text + all->used, sizeof all->text - all->used,
-                               "%s%.100s %.2g", all->used > 0 ? ", " : "", name, value);
+    const int added =
+        batten_text_print(all->text + all->used, sizeof all->text - all->used, "%s%.100s %.2g",
+                          all->used > 0 ? ", " : "", name, value);
     all->used += (size_t)bat_max_int(0, bat_min_int(added, 199));
     if (value > all->largest) {
         all->largest = value;

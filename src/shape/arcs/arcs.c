@@ -3,6 +3,7 @@
 #include "base/list.h"
 #include "numeric/vector.h"
 
+#include <batten/text.h>
 #include <string.h>
 
 batten_arcs_options batten_arcs_defaults(void)
@@ -35,6 +36,14 @@ bat_band bat_band_of(batten_arcs_side side, double tolerance)
     if (side == BATTEN_ARCS_RIGHT)
         return (bat_band){-tolerance, 0, -tolerance / 2};
     return (bat_band){-tolerance, tolerance, 0};
+}
+
+const char *bat_arcs_of_least_radius(double least, char text[static BAT_RADII_TEXT])
+{
+    text[0] = '\0';
+    if (least > 0)
+        batten_text_print(text, BAT_RADII_TEXT, " with radii of %g and more", least);
+    return text;
 }
 
 double bat_band_share(const bat_band *band, const bat_beside *beside, double slack)

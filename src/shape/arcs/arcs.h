@@ -14,6 +14,10 @@ typedef struct {
 
 bat_band bat_band_of(batten_arcs_side side, double tolerance);
 
+/* " with radii of 2 and more" for a message, or "" where any radius will do. */
+enum { BAT_RADII_TEXT = 60 };
+const char *bat_arcs_of_least_radius(double least, char text[static BAT_RADII_TEXT]);
+
 /* The end of an arc: a point of the curve, or beside it. */
 typedef struct {
     double point[2], direction[2];

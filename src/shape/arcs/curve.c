@@ -84,15 +84,15 @@ static batten_status prefer_line(bat_arc_fit *t, const bat_node *a, const bat_no
 static batten_status nothing_fits(const bat_arc_fit *t, double u)
 {
     batten_curve_local local = {.curvature = 0};
+    char radii[BAT_RADII_TEXT];
     const batten_status status =
         batten_curve_local_at(t->path->curve, u, BATTEN_FROM_RIGHT, &local);
     if (status == BATTEN_OUT_OF_MEMORY)
         return status;
+    bat_arcs_of_least_radius(t->options.least_radius, radii);
     return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                    "at %g, where the radius of the curve is %g, no arcs with radii of %g and "
-                    "more stay within a band %g wide",
-                    u, 1 / fabs(local.curvature), t->options.least_radius,
-                    t->band.high - t->band.low);
+                    "at %g, where the radius is %g, no arcs%s stay within a band %g wide", u,
+                    1 / fabs(local.curvature), radii, t->band.high - t->band.low);
 }
 
 /* A search for the longest part: the farthest end that was good, the nearest that was not. */

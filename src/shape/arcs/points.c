@@ -113,13 +113,12 @@ static batten_status longest(point_fit *t, int from, bat_arcs_part *best, double
         }
         step *= 2;
     }
+    char radii[BAT_RADII_TEXT];
     if (good == from)
-        return bat_fail(
-            BATTEN_TOLERANCE_NOT_MET,
-            "between points %d and %d no arcs with radii of %g and more stay within "
-            "the tolerance",
-            from + 1, t->options.closed && from + 2 == t->count ? 1 : from + 2,
-            t->options.least_radius);
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                        "between points %d and %d no arcs%s stay within the tolerance",
+                        from + 1, t->options.closed && from + 2 == t->count ? 1 : from + 2,
+                        bat_arcs_of_least_radius(t->options.least_radius, radii));
     *last = good_share > 0 ? bat_min(1, bat_cbrt(good_share)) : 0;
     return BATTEN_OK;
 }

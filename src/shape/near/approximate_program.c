@@ -3,6 +3,7 @@
 #include "numeric/vector.h"
 #include "shape/near/approximate.h"
 
+#include <batten/text.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -96,11 +97,11 @@ static const bat_condition_row *row_at(const quadratic_model *p, bool least, int
 static void say_numbers(int d, const double *v, char out[100])
 {
     if (d == 1)
-        snprintf(out, 100, "%.9g", v[0]);
+        batten_text_print(out, 100, "%.9g", v[0]);
     else if (d == 2)
-        snprintf(out, 100, "(%.9g, %.9g)", v[0], v[1]);
+        batten_text_print(out, 100, "(%.9g, %.9g)", v[0], v[1]);
     else
-        snprintf(out, 100, "(%.9g, %.9g, %.9g)", v[0], v[1], v[2]);
+        batten_text_print(out, 100, "(%.9g, %.9g, %.9g)", v[0], v[1], v[2]);
 }
 
 static void say_condition(const bat_fit *fit, const batten_condition *c, int number,
@@ -112,8 +113,8 @@ static void say_condition(const bat_fit *fit, const batten_condition *c, int num
     say_numbers(fit->dimension, c->value, value);
     if (c->order > 0)
         snprintf(what, sizeof what, "derivative %d", c->order);
-    snprintf(out, 300, "condition %d, that %s must %s %s at %.9g,", number + 1, what,
-             verbs[c->kind], value, u);
+    batten_text_print(out, 300, "condition %d, that %s must %s %s at %.9g,", number + 1, what,
+                      verbs[c->kind], value, u);
 }
 
 static void say_row(const quadratic_model *p, const batten_curve_least_squares_options *o,
@@ -130,16 +131,17 @@ static void say_row(const quadratic_model *p, const batten_curve_least_squares_o
         say_condition(p->fit, &o->conditions[row->number], row->number, out);
         return;
     case BAT_FOR_SHAPE:
-        snprintf(out, 300, "the shape between %.9g and %.9g", U[row->number + 1],
-                 U[row->number + p->fit->degree + 1]);
+        batten_text_print(out, 300, "the shape between %.9g and %.9g", U[row->number + 1],
+                          U[row->number + p->fit->degree + 1]);
         return;
     case BAT_FOR_SIDE:
         snprintf(out, 300, "the condition that the function must not be %s point %d",
                  o->side == BATTEN_FIT_OVER ? "below" : "above", row->number + 1);
         return;
     case BAT_FOR_BAND:
-        snprintf(out, 300, "the condition that the curve must be within %.9g of point %d",
-                 o->band, row->number + 1);
+        batten_text_print(out, 300,
+                          "the condition that the curve must be within %.9g of point %d",
+                          o->band, row->number + 1);
         return;
     }
 }

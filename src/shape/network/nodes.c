@@ -3,7 +3,7 @@
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
 
-#include <stdio.h>
+#include <batten/text.h>
 
 /* A parameter whose point is hardly away from an end of the curve is that end. */
 static batten_status snap(const bat_network *net, const bat_network_curve *c, double *at)
@@ -75,16 +75,17 @@ static batten_status refuse_misses(const bat_network *net, const misses *all)
         char names[2][BAT_NETWORK_LABEL];
         const bat_meeting *m = &all->worst[i].nearest;
         const double *p = m->point[0], s = net->scale;
-        snprintf(text[i], LINE, "%s%s misses %s by %g near (%g, %g, %g)", i > 0 ? "; " : "",
-                 bat_network_label(net, 0, all->worst[i].profile, names[0]),
-                 bat_network_label(net, 1, all->worst[i].guide, names[1]), m->distance / s,
-                 p[0] / s, p[1] / s, p[2] / s);
+        batten_text_print(text[i], LINE, "%s%s misses %s by %g near (%g, %g, %g)",
+                          i > 0 ? "; " : "",
+                          bat_network_label(net, 0, all->worst[i].profile, names[0]),
+                          bat_network_label(net, 1, all->worst[i].guide, names[1]),
+                          m->distance / s, p[0] / s, p[1] / s, p[2] / s);
     }
     const double widest = all->worst[0].nearest.distance;
     char advice[60] = "";
     if (widest < net->size / 100) /* more is no gap, but another curve */
-        snprintf(advice, sizeof advice, "; a gap of %.2g would join them",
-                 1.01 * widest / net->scale);
+        batten_text_print(advice, sizeof advice, "; a gap of %.2g would join them",
+                          1.01 * widest / net->scale);
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "%s%s%s: more than the gap allowed, %g; of %d pairs %d %s apart%s%s",
                     text[0], text[1], text[2], net->gap / net->scale,

@@ -41,7 +41,8 @@ static batten_status check_options(const rows *r)
         return bat_fail(BATTEN_BAD_DEGREE, "the degree along the rows is %d, not 1 to %d",
                         o->degree, BATTEN_MAX_DEGREE);
     if (!(o->margin >= 0 && o->margin < 0.5))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the margin of knots is %g, not 0 to 0.5",
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the margin of knots is %g; it must be 0 or more and below 0.5",
                         o->margin);
     if (o->parameters == BATTEN_GIVEN && !o->given)
         return bat_fail(BATTEN_BAD_ARGUMENT, "no parameters of the points are given");

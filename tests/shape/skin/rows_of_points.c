@@ -287,8 +287,8 @@ TEST(options_of_rows_out_of_bounds_are_named_with_their_numbers)
     static const char *const messages[COUNT(bad)] = {
         "the degree along the rows is 0, not 1 to ",
         "the degree along the rows is ",
-        "the margin of knots is -0.1, not 0 to 0.5",
-        "the margin of knots is 0.5, not 0 to 0.5",
+        "the margin of knots is -0.1; it must be 0 or more and below 0.5",
+        "the margin of knots is 0.5; it must be 0 or more and below 0.5",
         "no parameters of the points are given",
         "row 2: ",
         "rows of points have no spine, no starts, no tolerance, and are not matched",

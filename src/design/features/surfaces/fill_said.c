@@ -34,18 +34,19 @@ void bat_remark_worst_edges(const bat_run *run, const bat_objects *curves, const
         const double *at = worst->angle->angle_at;
         char name[160];
         bat_name_edge(curves, worst->angle, name);
-        snprintf(text[0], sizeof text[0],
-                 "; tangent planes differ by up to %.2g degree%s (%s, at %g, %g, %g)",
-                 worst->angle->angle * DEGREES,
-                 bat_plural_real(worst->angle->angle * DEGREES, 2), name, at[0], at[1], at[2]);
+        batten_text_print(text[0], sizeof text[0],
+                          "; tangent planes differ by up to %.2g degree%s (%s, at %g, %g, %g)",
+                          worst->angle->angle * DEGREES,
+                          bat_plural_real(worst->angle->angle * DEGREES, 2), name, at[0], at[1],
+                          at[2]);
     }
     if (worst->curvature) {
         const double *at = worst->curvature->curvature_at;
         char name[160];
         bat_name_edge(curves, worst->curvature, name);
-        snprintf(text[1], sizeof text[1],
-                 "; curvatures across by up to %.3g per %s (%s, at %g, %g, %g)",
-                 worst->curvature->curvature, unit, name, at[0], at[1], at[2]);
+        batten_text_print(text[1], sizeof text[1],
+                          "; curvatures across by up to %.3g per %s (%s, at %g, %g, %g)",
+                          worst->curvature->curvature, unit, name, at[0], at[1], at[2]);
     }
     bat_remark(run, "gaps of up to %.2g %s (%s)%s%s", worst->gap->gap, unit, gap, text[0],
                text[1]);

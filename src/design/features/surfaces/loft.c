@@ -38,7 +38,7 @@ static void note_cut(const bat_run *run, const batten_loft_report *found,
     char at[40] = "", panel[40];
     name_panel(found, cut->panel, sizeof panel, panel);
     if (!edge)
-        snprintf(at, sizeof at, " %g", cut->at);
+        batten_text_print(at, sizeof at, " %g", cut->at);
     bat_note(run, "%s%s%s has %d inflection%s where %d %s needed", families[cut->family], at,
              panel, cut->found, bat_plural(cut->found), cut->needed,
              bat_one_or_many(cut->needed, "is", "are"));

@@ -232,7 +232,8 @@ static batten_status put_contour(bat_run *run, const batten_object *object, want
     double error = rise;
     char name[240];
     batten_object like = *object;
-    snprintf(name, sizeof name, "%.180s at %.6g", object->name, w->levels[contour->level]);
+    batten_text_print(name, sizeof name, "%.180s at %.6g", object->name,
+                      w->levels[contour->level]);
     like.name = name;
     const batten_status status = contour->arms
                                      ? join_cubics(contour, &curve)
