@@ -220,10 +220,11 @@ static const struct {
 
 TEST(periods_that_cannot_be_are_refused_with_their_place)
 {
+    static const double points_of_period[4 * 3 * 3];
     for (int i = 0; i < COUNT(periods); i++) {
         const batten_axis v = {2, periods[i].count, periods[i].knots, true};
         batten_surface *surface = NULL;
-        CHECK_STATUS(batten_surface_create(3, &good_u, &v, points, NULL, &surface),
+        CHECK_STATUS(batten_surface_create(3, &good_u, &v, points_of_period, NULL, &surface),
                      periods[i].status);
         if (periods[i].status != BATTEN_OK)
             CHECK_MESSAGE(periods[i].words);
