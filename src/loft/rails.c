@@ -83,16 +83,23 @@ static void sort_knuckles(bat_hull_rails *r)
         }
 }
 
-static batten_status refuse_crossing(const bat_hull_rails *r, int rail, int k)
+/* A knuckle that is an edge of the hull, or lines in another order than at the first station. */
+static batten_status refuse_order(const bat_hull_rails *r, int rail, int k)
 {
     const bat_hull_station *s = r->of.stations + k;
+    const int n = r->of.station_count;
+    if (r->at[rail * n + k] == r->at[(rail - 1) * n + k])
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "the line '%.60s' is the %s edge of the hull at station %d (x = %g), less "
+            "what lies below it on the centre plane; a knuckle has a panel on either "
+            "side",
+            line_name(r, rail == 1 ? rail : rail - 1), rail == 1 ? "lower" : "upper", k + 1,
+            s->x);
     return bat_fail(BATTEN_BAD_ARGUMENT,
                     "the line '%.60s' is not above the line '%.60s' at station %d (x = %g)%s",
                     line_name(r, rail), line_name(r, rail - 1), k + 1, s->x,
-                    k > 0 && rail > 1 && rail + 1 < r->count ? ", as it is at the first"
-                    : rail == 1 || rail + 1 == r->count
-                        ? ": a knuckle lies between the profile and the sheer"
-                        : "");
+                    k > 0 ? ", as it is at the first" : "");
 }
 
 static batten_status place_lines(bat_hull_rails *r)
@@ -108,7 +115,7 @@ static batten_status place_lines(bat_hull_rails *r)
     for (int rail = 1; rail < r->count && status == BATTEN_OK; rail++)
         for (int k = 0; k < n; k++)
             if (r->at[rail * n + k] <= r->at[(rail - 1) * n + k])
-                return refuse_crossing(r, rail, k);
+                return refuse_order(r, rail, k);
     return status;
 }
 
@@ -265,6 +272,48 @@ static batten_status fair_rails(bat_hull_rails *r, double within, double height)
     return status;
 }
 
+/* From the line below to that of a rail: at station k and, `part` of the way, towards the next;
+ * of the points given, and of the lines. */
+static double agreement(const bat_hull_rails *r, const bat_loft_line *line, int rail, int k,
+                        double part)
+{
+    double given[2] = {0, 0}, faired[2] = {0, 0};
+    for (int side = 0; side < 2; side++) {
+        const int i = rail - 1 + side, next = part > 0 ? k + 1 : k;
+        const double sign = side == 1 ? 1 : -1;
+        const double u = (1 - part) * u_of(r, i, k) + part * u_of(r, i, next);
+        const batten_table_point *a = bat_hull_rail_point(r, i, k),
+                                 *b = bat_hull_rail_point(r, i, next);
+        given[0] += sign * ((1 - part) * a->y + part * b->y);
+        given[1] += sign * ((1 - part) * a->z + part * b->z);
+        for (int x = 0; x < 2; x++)
+            faired[x] += sign * bat_loft_line_at(line, r->rails[i].yz[x], u, 0);
+    }
+    return given[0] * faired[0] + given[1] * faired[1];
+}
+
+static batten_status check_places(const bat_hull_rails *r, const bat_loft_line *line, int rail,
+                                  double within)
+{
+    /* Cubics in pieces of a station or half of one: between places eight to a station they hardly
+     * turn back. */
+    enum { PLACES = 8 };
+    for (int k = 0; k < r->of.station_count; k++)
+        for (int i = 0; i < (k + 1 < r->of.station_count ? PLACES : 1); i++) {
+            const batten_table_point *a = bat_hull_rail_point(r, rail - 1, k),
+                                     *b = bat_hull_rail_point(r, rail, k);
+            if (!(agreement(r, line, rail, k, (double)i / PLACES) > 0))
+                return bat_fail(
+                    BATTEN_BAD_ARGUMENT,
+                    "the lines '%.60s' and '%.60s' are %.3g apart at station %d (x = %g), and "
+                    "within %g they change places there or before the next: lines may not meet, "
+                    "and a smaller bound keeps near ones apart",
+                    line_name(r, rail - 1), line_name(r, rail),
+                    bat_hypot(b->y - a->y, b->z - a->z), k + 1, r->of.stations[k].x, within);
+        }
+    return BATTEN_OK;
+}
+
 /* Neighbours that the bound lets change places make a panel that is turned over. */
 static batten_status refuse_turned(const bat_hull_rails *r, double within)
 {
@@ -275,23 +324,7 @@ static batten_status refuse_turned(const bat_hull_rails *r, double within)
     if (knots)
         bat_loft_knots(r->inner_count, r->inner, knots);
     for (int rail = 1; rail < r->count && status == BATTEN_OK; rail++)
-        for (int k = 0; k < r->of.station_count && status == BATTEN_OK; k++) {
-            const bat_hull_rail *low = r->rails + rail - 1, *high = r->rails + rail;
-            const batten_table_point *a = bat_hull_rail_point(r, rail - 1, k),
-                                     *b = bat_hull_rail_point(r, rail, k);
-            const double u = u_of(r, rail, k), w = u_of(r, rail - 1, k);
-            const double y = bat_loft_line_at(&line, high->yz[0], u, 0) -
-                             bat_loft_line_at(&line, low->yz[0], w, 0);
-            const double z = bat_loft_line_at(&line, high->yz[1], u, 0) -
-                             bat_loft_line_at(&line, low->yz[1], w, 0);
-            if (!(y * (b->y - a->y) + z * (b->z - a->z) > 0))
-                status = bat_fail(
-                    BATTEN_BAD_ARGUMENT,
-                    "the lines '%.60s' and '%.60s' are %.3g apart at station %d (x = %g), so "
-                    "near that within %g they change places: choose a smaller bound",
-                    line_name(r, rail - 1), line_name(r, rail),
-                    bat_hypot(b->y - a->y, b->z - a->z), k + 1, r->of.stations[k].x, within);
-        }
+        status = check_places(r, &line, rail, within);
     bat_release(knots);
     return status;
 }

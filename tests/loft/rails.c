@@ -103,15 +103,14 @@ static const struct {
      1e-3,
      NULL,
      BATTEN_BAD_ARGUMENT,
-     "the line 'keel' is not above the line 'profile' at station 1 (x = 0): a knuckle lies "
-     "between"},
+     "the line 'keel' is the lower edge of the hull at station 1 (x = 0)"},
     {{"sheer"},
      1,
      STATIONS,
      1e-3,
      NULL,
      BATTEN_BAD_ARGUMENT,
-     "the line 'sheer' is not above the line 'sheer' at station 1"},
+     "the line 'sheer' is the upper edge of the hull at station 1 (x = 0)"},
     {{"bilge", "wale"},
      2,
      STATIONS,
@@ -168,8 +167,9 @@ TEST(lines_that_the_bound_lets_change_places_are_refused)
     make_prism(&p);
     bring_near(&p);
     CHECK_STATUS(loft_prism(&p, STATIONS, options), BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("the lines 'bilge' and 'wale' are 0.0005 apart at station 2 (x = 1), so near "
-                  "that within 0.4 they change places");
+    CHECK_MESSAGE(
+        "the lines 'bilge' and 'wale' are 0.0005 apart at station 2 (x = 1), and within "
+        "0.4 they change places there");
 }
 
 TEST(knuckles_without_names_and_of_one_surface_are_refused)
@@ -230,4 +230,29 @@ TEST(lines_of_a_raked_end_reach_their_own_last_point)
         batten_surface_unref(panels[k]);
     batten_loft_report_release(&report);
     batten_offset_table_unref(table);
+}
+
+/* The wale beside the bilge at all stations but the first, and farther from it there than the bound: a fair
+ * line through it dives below the bilge between the first two. */
+static void leave_suddenly(prism *p)
+{
+    enum { BILGE = 1, WALE = 2 };
+    for (int k = 0; k < STATIONS; k++) {
+        const batten_table_point *bilge = &p->points[k][BILGE];
+        p->points[k][WALE].y = bilge->y + 1e-4;
+        p->points[k][WALE].z = bilge->z + (k >= 1 && k <= 3 ? 1e-3 : 0.4);
+    }
+}
+
+TEST(lines_that_change_places_between_stations_are_refused)
+{
+    static const char *const knuckles[] = {"bilge", "wale"};
+    prism p;
+    batten_loft_options options = batten_loft_defaults(2e-4);
+    options.knuckle_count = 2;
+    options.knuckles = knuckles;
+    make_prism(&p);
+    leave_suddenly(&p);
+    CHECK_STATUS(loft_prism(&p, STATIONS, options), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("they change places there or before the next");
 }

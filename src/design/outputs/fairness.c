@@ -131,6 +131,20 @@ bool bat_check_is_fair(const bat_check *check)
            u->unbounded == 0 && u->creases == 0 && u->edge_jumps == 0 && u->folds == 0;
 }
 
+/* Inflections in excess of the edges of what was lofted, which no family of sections shows. */
+static void judge_lofts(bat_check *check)
+{
+    for (int i = 0; i < check->run->document->feature_count; i++) {
+        const batten_loft_report *loft = check->run->results[i].shown.loft;
+        for (int k = 0; check->upstream[i] && loft && k < loft->cut_count; k++) {
+            const batten_loft_cut *cut = loft->cuts + k;
+            const int excess = cut->found - cut->needed;
+            if (cut->family >= BATTEN_LOFT_PROFILE && excess > 0)
+                check->unfairness.inflections += excess;
+        }
+    }
+}
+
 /* Panels of one lofting meet where the designer declared a knuckle: the upper edge of one and the
  * lower of the next, all along. */
 static bool is_declared(const bat_check *check, const bat_join *join)
@@ -296,8 +310,10 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
         status = check_object(out, &out->objects[i]);
     if (status == BATTEN_OK)
         status = bat_joins_find(out);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
         judge_joins(out);
+        judge_lofts(out);
+    }
     bat_objects_release(&objects);
     return status;
 }

@@ -44,6 +44,22 @@ static void note_cut(const bat_run *run, const batten_loft_report *found,
              bat_one_or_many(cut->needed, "is", "are"));
 }
 
+/* The first point given beyond the centre plane: there the surface crosses it. */
+static void note_beyond(const bat_run *run, const batten_offset_table *table)
+{
+    for (int k = 0; k < batten_offset_table_station_count(table); k++) {
+        const batten_table_station *s = batten_offset_table_station(table, k);
+        for (int i = 0; i < s->point_count; i++)
+            if (s->points[i].y < 0) {
+                bat_note(run,
+                         "point %d of station %d (x = %g) is %g beyond the centre plane, which "
+                         "the surface crosses there",
+                         i + 1, k + 1, s->x, -s->points[i].y);
+                return;
+            }
+    }
+}
+
 static void report_loft(const bat_run *run, const batten_loft_report *found)
 {
     int named = 0;
@@ -114,6 +130,8 @@ static batten_status loft_table(bat_run *run, const batten_offset_table *table,
     status = bat_expect(run, count);
     if (status == BATTEN_OK)
         status = batten_hull_loft(table, &options, run->job, &run->result->loft, surfaces);
+    if (status == BATTEN_OK)
+        note_beyond(run, table);
     return status == BATTEN_OK ? put_panels(run, status, count, surfaces) : status;
 }
 
@@ -147,7 +165,7 @@ const bat_feature bat_feature_loft = {
          "pass every point within the bound, the one that changes least between the points, and\n"
          "whose stations, waterlines, buttocks, diagonals and edges have no more inflections than\n"
          "the points require. Profile and stem stay on the centre plane, and the surface does not\n"
-         "cross it. A note names each section that has inflections in excess all the same, and a\n"
+         "cross it where no point given does. A note names each section that has inflections in excess all the same, and a\n"
          "bound that no surface can keep is refused with one that can be kept.\n\n"
          "The table describes one half: stations in order, points from the profile to the sheer.\n"
          "Where the hull has an edge, name its line in 'knuckles'; a chine that is not named is\n"

@@ -109,3 +109,67 @@ TEST(a_chine_that_is_not_declared_or_not_read_is_refused_by_name)
         batten_design_free(design);
     }
 }
+
+/* A flat-bottomed boat in `folder`, its sheer pulled out at station 5, its chine beyond the centre plane at the
+ * last: tables of 9 stations, the number written after each. */
+static void write_boat(const char *path, double pull, double beyond)
+{
+    FILE *file = fopen(path, "w");
+    CHECK(file != NULL);
+    fputs("station,height,half_breadth,line\n", file);
+    for (int i = 0; i < 9; i++) {
+        const double s = i / 8.0, q = (2 * s - 1) * (2 * s - 1);
+        const double chine = i == 8 && beyond > 0 ? -beyond : sin(3.14159 * (0.15 + 0.84 * s));
+        fprintf(file, "%.3f,%.3f,0,keel\n%.3f,%.3f,%.3f,chine\n%.3f,%.3f,%.3f,sheer\n", 10 * s,
+                0.5 * q, 10 * s, 0.5 + 0.4 * q, chine, 10 * s, 1.6 + 0.3 * q,
+                (i == 4 ? pull : 1) * 1.3 * sin(3.14159 * (0.2 + 0.79 * s)));
+    }
+    fclose(file);
+}
+
+static batten_design *loft_boat(double pull, double beyond, batten_notes *notes, char **report)
+{
+    char text[1000];
+    batten_design *design = NULL;
+    size_t size;
+    const char *path = test_scratch("boat.csv");
+    write_boat(path, pull, beyond);
+    snprintf(text, sizeof text,
+             "batten: 1\nunits: m\nfeatures:\n  table: {read: '%s'}\n"
+             "  hull: {loft: table, within: 3 mm, knuckles: chine}\noutputs:\n"
+             "  report.txt: {check: hull}\n",
+             path);
+    batten_design_options options = batten_design_defaults();
+    options.allow_outside = true;
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, &design));
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, notes));
+    CHECK_OK(batten_design_output(design, 0, NULL, NULL, report, &size));
+    return design;
+}
+
+TEST(edges_with_inflections_in_excess_and_points_beyond_the_centre_plane_are_said)
+{
+    batten_notes *notes = NULL;
+    char *report = NULL;
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
+    batten_design *design = loft_boat(1, 0, NULL, &report);
+    CHECK_CONTAINS(report, "Verdict: fair as a hull");
+    batten_release(report);
+    batten_design_free(design);
+    CHECK_OK(batten_notes_create(100, &notes));
+    design = loft_boat(10, 0, notes, &report);
+    CHECK(batten_design_result(design, "hull")->loft->cuts_in_excess > 0);
+    CHECK_CONTAINS(report, "Verdict: not fair as a hull");
+    batten_release(report);
+    batten_design_free(design);
+    design = loft_boat(1, 0.2, notes, &report);
+    bool said = false;
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        said |= strstr(batten_notes_at(notes, i)->text,
+                       "point 2 of station 9 (x = 10) is 0.2 beyond the centre plane") != NULL;
+    CHECK(said);
+    batten_release(report);
+    batten_design_free(design);
+    batten_notes_free(notes);
+}
