@@ -64,7 +64,8 @@ static void compare_made(const char *feature, const batten_feature_result *resul
 {
     CHECK_INT(batten_model_count(result->value), 1);
     const batten_object *object = batten_model_object(result->value, 0);
-    CHECK(object->kind == BATTEN_OBJECT_CURVE && !object->chain == !made->chain);
+    CHECK(object->kind == BATTEN_OBJECT_CURVE &&
+          (object->chain == NULL) == (made->chain == NULL));
     /* The graph of a rational function has a higher degree than the function. */
     if (made->curve && (!made->abscissae || !batten_curve_is_rational(made->curve))) {
         compare(feature, "degree", batten_curve_degree(object->curve),
@@ -73,7 +74,7 @@ static void compare_made(const char *feature, const batten_feature_result *resul
                 batten_curve_point_count(made->curve));
     }
     compare_points(feature, object, made);
-    CHECK(!object->parameters == isnan(made->parameters[0]));
+    CHECK((object->parameters == NULL) == (isnan(made->parameters[0]) != 0));
     for (int i = 0; object->parameters && i < made->points.count; i++)
         compare(feature, "parameter", object->parameters[i], made->parameters[i]);
     if (isnan(made->error)) /* a chain may be apart from its curve */

@@ -4,6 +4,8 @@
 #include "base/numbers.h"
 #include "base/system.h"
 
+#include <batten/text.h>
+
 #include <locale.h>
 #include <pthread.h>
 #include <stdarg.h>
@@ -33,15 +35,6 @@ TEST(F5_numbers_are_the_same_in_turkish)
     check_locale("tr_TR.UTF-8");
 }
 
-static int format_text(char *out, size_t size, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    const int length = bat_format(out, size, format, arguments);
-    va_end(arguments);
-    return length;
-}
-
 /* A letter beyond ASCII tells: UTF-8 writes it, the C locale refuses it. */
 TEST(F5_text_is_formatted_in_the_c_locale_and_that_of_the_thread_stays)
 {
@@ -53,8 +46,8 @@ TEST(F5_text_is_formatted_in_the_c_locale_and_that_of_the_thread_stays)
     CHECK(own != (locale_t)0);
     char text[8], letter[8];
     uselocale(own);
-    const int length = format_text(text, sizeof text, "%g", 0.5);
-    const int refused = format_text(letter, sizeof letter, "%lc", (wint_t)0xe4);
+    const int length = batten_text_print(text, sizeof text, "%g", 0.5);
+    const int refused = batten_text_print(letter, sizeof letter, "%lc", (wint_t)0xe4);
     const bool kept = uselocale((locale_t)0) == own;
     const int written = snprintf(letter, sizeof letter, "%lc", (wint_t)0xe4);
     uselocale(LC_GLOBAL_LOCALE);
