@@ -8,7 +8,6 @@
 
 #include <locale.h>
 #include <pthread.h>
-#include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <wchar.h>
