@@ -161,12 +161,12 @@ static batten_status run_loft(bat_run *run)
 const bat_feature bat_feature_loft = {
     .shown =
         {"loft", "A fair hull straight from its table of offsets",
-         "The control points of one surface are found by convex programs: of all surfaces that\n"
-         "pass every point within the bound, the one that changes least between the points, and\n"
-         "whose stations, waterlines, buttocks, diagonals and edges have no more inflections than\n"
-         "the points require. Profile and stem stay on the centre plane, and the surface does not\n"
-         "cross it where no point given does. A note names each section that has inflections in excess all the same, and a\n"
-         "bound that no surface can keep is refused with one that can be kept.\n\n"
+         "The control points of one surface are found by convex programs: of all surfaces that pass\n"
+         "every point within the bound, the one that changes least between the points, and whose\n"
+         "stations, waterlines, buttocks, diagonals and edges have no more inflections than the\n"
+         "points require. Profile and stem stay on the centre plane, and the surface does not cross\n"
+         "it where no point given does. A note names each section that has inflections in excess all\n"
+         "the same, and a bound that no surface can keep is refused with one that can be kept.\n\n"
          "The table describes one half: stations in order, points from the profile to the sheer.\n"
          "Where the hull has an edge, name its line in 'knuckles'; a chine that is not named is\n"
          "refused, with the name of its line. Profile, knuckles and sheer are then made fair first,\n"
