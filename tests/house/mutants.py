@@ -9,12 +9,14 @@ Nothing in the tree is touched: the objects of the build are copied first, mutan
 A mutant may write anywhere: one started by root runs as nobody, who cannot replace what is not its own.
 A mutant that does not compile, or whose object code is that of the original, is drawn again. A test run that
 takes many times as long as usual has noticed its mutant. What the tests do not notice they may still notice with
-failing allocations, as CI runs them: a sample of these is tried then.
+failing allocations, as CI runs them: a sample of these is tried then. Times are those of the processor, so that
+what runs beside the trial does not change its outcome.
 """
 import argparse
 import collections
 import concurrent.futures
 import json
+import math
 import os
 import random
 import re
@@ -31,7 +33,8 @@ import time
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from source import ROOT, TOKENS, blanked, read, tracked, without_directives  # noqa: E402
 
-FAULT_SECONDS, FAULT_LIMIT = '0.02', 30  # for each test, for those of a room
+FAULT_SECONDS, FAULT_LIMIT = '0.02', 90  # of the processor: for each test, for those of a room
+BESIDE = 12  # a run that has not ended after so many times its limit hangs, whatever else the machine does
 NOBODY = 65534  # its number on every system that we know
 KERNEL = ['base', 'numeric', 'spline', 'inspect', 'shape', 'body', 'mesh', 'model', 'fair', 'loft', 'hydrostatics', 'exchange']
 NEGATED = {'<': '>=', '<=': '>', '>': '<=', '>=': '<', '==': '!=', '!=': '=='}
@@ -257,7 +260,7 @@ class Workshop:
         return target, command
 
     def run(self, target, command, room, at, limit, faults=False):
-        """Do the tests of the room notice? Stops at the first that does."""
+        """(Do the tests of the room notice, seconds of the processor). Stops at the first that does."""
         scratch = os.path.join(at, 'scratch')
         os.makedirs(scratch, exist_ok=True)
         if os.geteuid() == 0:
@@ -269,6 +272,7 @@ class Workshop:
         def limits():
             os.setsid()
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(limit), math.ceil(limit) + 1))
             resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
             resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 28, 1 << 28))
             if os.geteuid() == 0:
@@ -279,7 +283,7 @@ class Workshop:
         words = [target, '--room', room, *(['--faults'] if faults else [])]
         process = subprocess.Popen(words, cwd=scratch, env=environment, preexec_fn=limits,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        timer = threading.Timer(limit, lambda: end(process))
+        timer = threading.Timer(BESIDE * limit, lambda: end(process))
         timer.start()
         noticed = False
         for line in process.stderr:
@@ -288,11 +292,12 @@ class Workshop:
                 break
         if noticed:
             end(process)
-        failed = process.wait() != 0
+        status, used = os.wait4(process.pid, 0)[1:]
+        process.returncode = os.waitstatus_to_exitcode(status)
         timer.cancel()
         process.stderr.close()
         shutil.rmtree(scratch, ignore_errors=True)
-        return noticed or failed
+        return noticed or process.returncode != 0, used.ru_utime + used.ru_stime
 
 
 def end(process):
@@ -336,9 +341,9 @@ def one(workshop, texts, weights, spots, seed, room, at):
             continue
         begin = time.monotonic()
         target, command = workshop.program(path, made, at)
-        noticed = workshop.run(target, command, room, at, 5 * workshop.times[room] + 5)
+        noticed = workshop.run(target, command, room, at, 5 * workshop.times[room] + 5)[0]
         if not noticed and stands_faults(workshop, room):
-            noticed = workshop.run(target, command, room, at, 2 * workshop.fault_times[room] + 5, faults=True)
+            noticed = workshop.run(target, command, room, at, 2 * workshop.fault_times[room] + 5, faults=True)[0]
         return mutant, noticed, time.monotonic() - begin
     return None
 
@@ -363,9 +368,8 @@ def run_as_is(workshop, room, limit, faults=False):
             command = os.path.join(at, 'batten')
             main = [line[1] for s, line in workshop.lines.items() if s.startswith('cli/')]
             workshop.link(['-Wl,-S', *main, *archives], command)
-        begin = time.monotonic()
-        failed = workshop.run(target, command, room, at, limit, faults)
-        return time.monotonic() - begin, not failed
+        failed, seconds = workshop.run(target, command, room, at, limit, faults)
+        return seconds, not failed
 
 
 def measure(workshop, room):
