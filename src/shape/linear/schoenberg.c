@@ -309,12 +309,14 @@ static batten_status ask(const known *k, double u, int order, double *out)
                : bat_fail(BATTEN_NOT_FINITE, "the function is %g at %g", out[bad], u);
 }
 
-/* The blossom at the knots of Taylor's polynomial at Greville's abscissa. */
+/* The blossom at the knots of Taylor's polynomial at Greville's abscissa; where the knots go on beyond the domain, at its
+ * end, for the function need not be known outside. */
 static batten_status control_of(const known *k, int i, int order, double *out)
 {
     double at[3 * (BATTEN_MAX_DEGREE + 1)], e[BATTEN_MAX_DEGREE + 1], factorial = 1;
     const int d = k->dimension;
-    const double u = bat_greville(k->degree, k->knots, i);
+    const double u = bat_min(
+        k->knots[k->count], bat_max(k->knots[k->degree], bat_greville(k->degree, k->knots, i)));
     const batten_status status = ask(k, u, order, at);
     symmetric(k->degree, k->knots + i + 1, u, 1, e);
     memset(out, 0, (size_t)d * sizeof *out);

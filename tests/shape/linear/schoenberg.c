@@ -365,6 +365,35 @@ TEST(de_boor_and_fix_meet_an_exponential_with_full_order)
     }
 }
 
+/* u^2, known from 0 to 1 alone. */
+static batten_status square_of_the_unit(void *user, double u, int order, double *out)
+{
+    (void)user;
+    const double value[3] = {u * u, 2 * u, 2};
+    CHECK(u >= 0 && u <= 1);
+    for (int k = 0; k <= order; k++)
+        out[k] = k < 3 ? value[k] : 0;
+    return BATTEN_OK;
+}
+
+TEST(functions_are_asked_within_the_domain_alone)
+{
+    double knots[16];
+    for (int degree = 1; degree <= 5; degree++) {
+        const int spans = 4, count = spans + degree;
+        for (int i = 0; i <= count + degree; i++)
+            knots[i] = (double)(i - degree) / spans;
+        const batten_axis axis = {degree, count, knots, false};
+        batten_curve *curve = NULL;
+        CHECK_OK(batten_function_schoenberg(1, &axis, square_of_the_unit, NULL, NULL, &curve));
+        batten_curve_unref(curve);
+        CHECK_OK(batten_function_de_boor_fix(1, &axis, square_of_the_unit, NULL, NULL, &curve));
+        for (int k = 0; degree >= 2 && k <= 8; k++)
+            CHECK_NEAR(at(curve, k / 8.0), k / 8.0 * (k / 8.0), 1e-14);
+        batten_curve_unref(curve);
+    }
+}
+
 /* ---- what is refused ---- */
 
 static batten_status fails(void *user, double u, int order, double *out)

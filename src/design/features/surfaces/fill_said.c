@@ -1,4 +1,4 @@
-/* What is said of the edges of fills. */
+/* Notes on fills: how the patches meet the given sides and each other, edge by edge. */
 #include "base/plural.h"
 #include "design/features/surfaces/fill.h"
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* The sections of an IGES file put together, with what is said of the whole. */
+/* The global section of an IGES file, and the file put together from its five sections. */
 #include "exchange/iges/write/writing.h"
 
 #include <batten/text.h>

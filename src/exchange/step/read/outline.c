@@ -23,7 +23,7 @@ bat_step_representation *bat_step_representation_of(const bat_step_import *impor
 void bat_step_scale_of(bat_step_import *import, bat_step_representation *of,
                        bat_step_scale *scale)
 {
-    if (!of->has_context) /* it stays NULL where there is none */
+    if (!of->has_context) /* else the context stays NULL */
         bat_step_get_reference(&import->file, of->record, 2, &of->context);
     of->has_context = true;
     bat_step_units_of(&import->file, &import->units, of->context, scale);
