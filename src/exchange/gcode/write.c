@@ -7,12 +7,6 @@
 #include <batten/text.h>
 #include <string.h>
 
-batten_write_gcode_options batten_write_gcode_defaults(void)
-{
-    return (batten_write_gcode_options){
-        .size = sizeof(batten_write_gcode_options), .depth = (double)NAN, .decimals = -1};
-}
-
 /* One program as it grows. Positions are what the machine knows: rounded, in its unit. */
 typedef struct {
     batten_write_gcode_options options;
@@ -20,8 +14,9 @@ typedef struct {
     double scale; /* from the model's unit to the machine's */
     double top;   /* height at which the tool travels */
     double at[3];
-    int paths, flat; /* flat: arcs of the path that are written as lines, for their radius */
-    double largest;  /* number written */
+    int paths;
+    int flat;       /* arcs of the path that are written as lines, for their radius */
+    double largest; /* number written */
     const char *path;
     bat_tool_moves *moves; /* or NULL: nobody asks */
     batten_status listed;  /* whether there was memory for them */
@@ -29,9 +24,12 @@ typedef struct {
 
 static const double inch = 0.0254, millimetre = 0.001;
 
+/* ---- words ---- */
+
 static double rounded(const program *p, double value)
 {
-    const double ten = bat_pow(10, p->options.decimals), result = round(value * ten) / ten;
+    const double ten = bat_pow(10, p->options.decimals);
+    const double result = round(value * ten) / ten;
     return result == 0 ? 0 : result;
 }
 
@@ -44,19 +42,22 @@ static void put_word(program *p, char letter, double value)
 /* An axis that moves; the tool is then there. */
 static void put_axis(program *p, char letter, int axis, double to)
 {
-    put_word(p, letter, to - (p->options.relative_moves ? p->at[axis] : 0));
+    const double from = p->options.relative_moves ? p->at[axis] : 0;
+    put_word(p, letter, to - from);
     p->at[axis] = to;
 }
+
+/* ---- moves ---- */
 
 /* A move from where the tool was to where it is. */
 static void list_move(program *p, bat_tool_does does, const double from[3], double bulge)
 {
-    const double *to = p->at;
-    if (p->moves && memcmp(from, to, sizeof p->at) != 0 && p->listed == BATTEN_OK)
-        p->listed = BAT_LIST_ADD(
-            p->moves->items, p->moves->count, p->moves->room,
-            (bat_tool_move){
-                does, {from[0], from[1], from[2]}, {to[0], to[1], to[2]}, bulge, p->path});
+    bat_tool_move move = {.does = does, .bulge = bulge, .path = p->path};
+    if (!p->moves || memcmp(from, p->at, sizeof p->at) == 0 || p->listed != BATTEN_OK)
+        return;
+    memcpy(move.from, from, sizeof move.from);
+    memcpy(move.to, p->at, sizeof move.to);
+    p->listed = BAT_LIST_ADD(p->moves->items, p->moves->count, p->moves->room, move);
 }
 
 static void move_up(program *p)
@@ -296,22 +297,7 @@ static batten_status put_paths(program *p, const batten_model *model, batten_not
     return BATTEN_OK;
 }
 
-static batten_status check_options(const batten_write_gcode_options *o)
-{
-    if (!(o->feed >= 0 && o->plunge >= 0 && o->clearance >= 0 && isfinite(o->feed) &&
-          isfinite(o->plunge) && isfinite(o->clearance)))
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "feed %g, plunge %g and clearance %g must be 0 or more", o->feed,
-                        o->plunge, o->clearance);
-    if (isinf(o->depth))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the depth is %g; it must be finite", o->depth);
-    if (!(o->greatest_radius >= 0))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the greatest radius is %g; it must be 0 or more",
-                        o->greatest_radius);
-    if (o->decimals < -1 || o->decimals > 9)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d decimals; there may be 0 to 9", o->decimals);
-    return BATTEN_OK;
-}
+/* ---- the whole ---- */
 
 double bat_gcode_unit_metres(const batten_model *model)
 {
@@ -348,7 +334,7 @@ batten_status bat_write_gcode(const batten_model *model,
                  .text = BATTEN_TEXT,
                  .path = "",
                  .moves = moves};
-    batten_status status = check_options(&p.options);
+    batten_status status = bat_gcode_check_options(&p.options);
     if (status == BATTEN_OK) {
         settle(&p, model);
         status = find_top(&p, model);

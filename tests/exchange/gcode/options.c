@@ -107,3 +107,61 @@ TEST(what_cannot_be_cut_is_left_out_with_its_reason)
     batten_notes_free(notes);
     batten_model_unref(model);
 }
+
+/* One option each that cannot be, and what is said of it; NAN as depth is that of the path. */
+static const struct {
+    double feed, plunge, clearance, depth, radius;
+    int decimals;
+    const char *words;
+} refusals[] = {
+    {-1, 2, 3, NAN, 4, 5, "feed -1, plunge 2 and clearance 3 must be 0 or more"},
+    {1, -2, 3, NAN, 4, 5, "feed 1, plunge -2 and clearance 3 must be 0 or more"},
+    {1, 2, -3, NAN, 4, 5, "feed 1, plunge 2 and clearance -3 must be 0 or more"},
+    {INFINITY, 2, 3, NAN, 4, 5, "feed inf, plunge 2 and clearance 3 must be 0 or more"},
+    {1, INFINITY, 3, NAN, 4, 5, "feed 1, plunge inf and clearance 3 must be 0 or more"},
+    {1, 2, INFINITY, NAN, 4, 5, "feed 1, plunge 2 and clearance inf must be 0 or more"},
+    {1, 2, 3, -INFINITY, 4, 5, "the depth is -inf; it must be finite"},
+    {1, 2, 3, INFINITY, 4, 5, "the depth is inf; it must be finite"},
+    {1, 2, 3, NAN, -4, 5, "the greatest radius is -4; it must be 0 or more"},
+    {1, 2, 3, NAN, 4, -2, "-2 decimals; there may be 0 to 9"},
+    {1, 2, 3, NAN, 4, 10, "10 decimals; there may be 0 to 9"},
+};
+
+TEST(n1_n6_options_that_cannot_be_are_refused_by_name)
+{
+    batten_model *model = model_of("hook", hook());
+    for (int k = 0; k < COUNT(refusals); k++) {
+        batten_write_gcode_options options = batten_write_gcode_defaults();
+        char *data = NULL;
+        size_t size = 0;
+        options.feed = refusals[k].feed;
+        options.plunge = refusals[k].plunge;
+        options.clearance = refusals[k].clearance;
+        options.depth = refusals[k].depth;
+        options.greatest_radius = refusals[k].radius;
+        options.decimals = refusals[k].decimals;
+        CHECK_STATUS(batten_write_gcode(model, &options, NULL, &data, &size),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_TEXT(batten_message(), refusals[k].words);
+        CHECK(data == NULL);
+    }
+    batten_write_gcode_options options = batten_write_gcode_defaults();
+    options.greatest_radius = options.feed = options.plunge = options.clearance =
+        options.decimals = 0;
+    program(model, &options, NULL);
+    options.greatest_radius = INFINITY;
+    options.decimals = 9;
+    const char *arcs = strstr(program(model, &options, NULL), "\nG2 X");
+    CHECK(arcs && strstr(arcs + 1, "\nG2 X"));
+    batten_model_unref(model);
+}
+
+TEST(defaults_leave_every_value_to_the_unit_and_the_height_to_each_path)
+{
+    const batten_write_gcode_options options = batten_write_gcode_defaults();
+    CHECK_INT(options.size, sizeof options);
+    CHECK(options.feed == 0 && options.plunge == 0 && options.clearance == 0);
+    CHECK(isnan(options.depth) && options.greatest_radius == 0);
+    CHECK_INT(options.decimals, -1);
+    CHECK(!options.absolute_centres && !options.relative_moves);
+}
