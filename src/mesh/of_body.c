@@ -2,18 +2,13 @@
 #include "body/measure/box.h"
 #include "mesh/faces/face.h"
 #include "mesh/options.h"
+#include "numeric/box.h"
 
 #include <float.h>
 #include <limits.h>
 #include <string.h>
 
 /* ---- options ---- */
-
-static double size_of(const batten_box box)
-{
-    return bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
-                     box.high.z - box.low.z);
-}
 
 static double largest_of(const batten_box box)
 {
@@ -31,7 +26,7 @@ static batten_status check_options(const batten_mesh_options *o, const batten_bo
         status = bat_mesh_check_options(o);
     if (status != BATTEN_OK)
         return status;
-    const double size = size_of(box);
+    const double size = bat_box_diagonal(box);
     m->chord = o->chord > 0 ? o->chord : 1e-3 * size;
     const double least = 8 * DBL_EPSILON * bat_max(size, largest_of(box));
     if (!(m->chord > least))

@@ -1,6 +1,7 @@
 /* Triangles of a whole surface: as of a body of one face. */
 #include "base/plural.h"
 #include "body/border.h"
+#include "numeric/box.h"
 
 #include <batten/mesh.h>
 #include <float.h>
@@ -8,9 +9,7 @@
 /* The size of a surface, for what counts as the same point on its border. */
 static double size_of(const batten_surface *surface)
 {
-    const batten_box box = batten_surface_box(surface);
-    return bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
-                     box.high.z - box.low.z);
+    return bat_box_diagonal(batten_surface_box(surface));
 }
 
 static batten_status whole(const batten_surface *surface, batten_body **out)

@@ -6,6 +6,7 @@
 #include "base/plural.h"
 #include "base/work.h"
 #include "mesh/options.h"
+#include "numeric/box.h"
 #include "numeric/vector.h"
 
 #include <batten/mesh.h>
@@ -218,8 +219,7 @@ static batten_status set_parts(dividing *d, double parts, int most)
 static batten_status choose_parts(dividing *d, const batten_mesh_options *o)
 {
     const batten_box box = batten_triangles_box(d->triangles);
-    const double size = bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
-                                  box.high.z - box.low.z);
+    const double size = bat_box_diagonal(box);
     const int degree = batten_triangles_degree(d->triangles);
     const batten_status status = bat_mesh_check_options(o);
     if (status != BATTEN_OK)

@@ -29,4 +29,11 @@ static inline void bat_box_join(batten_box *box, batten_box by)
                               bat_max(box->high.z, by.high.z)};
 }
 
+/* The length of its diagonal: the size of what it holds. */
+static inline double bat_box_diagonal(batten_box box)
+{
+    return bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
+                     box.high.z - box.low.z);
+}
+
 #endif

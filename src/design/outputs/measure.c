@@ -3,6 +3,7 @@
 #include "base/plural.h"
 #include "design/shared/rows.h"
 #include "design/shared/solids.h"
+#include "numeric/box.h"
 #include <batten/measure.h>
 #include <batten/text.h>
 
@@ -350,19 +351,10 @@ static batten_status add_area(const bat_run *run, const batten_surface *surface,
     return status;
 }
 
-static void join(batten_box *box, const batten_box *by)
-{
-    box->low = (batten_vec3){fmin(box->low.x, by->low.x), fmin(box->low.y, by->low.y),
-                             fmin(box->low.z, by->low.z)};
-    box->high = (batten_vec3){fmax(box->high.x, by->high.x), fmax(box->high.y, by->high.y),
-                              fmax(box->high.z, by->high.z)};
-}
-
 static batten_status add_bounds(const batten_surface *surface, bool first, extent *e)
 {
     const batten_box b = batten_surface_box(surface);
-    const double size =
-        bat_hypot(bat_hypot(b.high.x - b.low.x, b.high.y - b.low.y), b.high.z - b.low.z);
+    const double size = bat_box_diagonal(b);
     batten_box box;
     double error = 0;
     const batten_status status =
@@ -372,7 +364,7 @@ static batten_status add_bounds(const batten_surface *surface, bool first, exten
         return status;
     if (first)
         e->box = box;
-    join(&e->box, &box);
+    bat_box_join(&e->box, box);
     e->box_error = fmax(e->box_error, error);
     return BATTEN_OK;
 }
@@ -441,8 +433,7 @@ static batten_status add_extent(const bat_run *run, const batten_object *object,
 static double default_within(const bat_run *run, const batten_curve *curve)
 {
     const batten_box b = batten_curve_box(curve);
-    const double size =
-        bat_hypot(bat_hypot(b.high.x - b.low.x, b.high.y - b.low.y), b.high.z - b.low.z);
+    const double size = bat_box_diagonal(b);
     const double tolerance = bat_tolerance(run);
     return size > 0 ? bat_min(tolerance, size / 1000) : tolerance;
 }

@@ -117,12 +117,6 @@ static double judge_tolerance(const face_reading *r, const loop *of)
     return judged;
 }
 
-static double box_size(batten_box box)
-{
-    return bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
-                     box.high.z - box.low.z);
-}
-
 static batten_status add_samples(bat_input *input, const batten_curve *curve, bat_list *points)
 {
     enum { EACH = 8, MOST = 1000 };
@@ -156,7 +150,7 @@ static batten_status sample_trims(face_reading *r, bat_around *around, bat_list 
     }
     for (size_t k = 0; k < points->count; k++)
         bat_box_join(&box, bat_box_at((const double *)points->items + 3 * k));
-    r->size = points->count ? box_size(box) : 0;
+    r->size = points->count ? bat_box_diagonal(box) : 0;
     return status;
 }
 
@@ -197,7 +191,7 @@ static batten_status read_parts(face_reading *r)
     if (status == BATTEN_OK && !r->ground.surface)
         status = bound_by_loops(r);
     else if (status == BATTEN_OK)
-        r->size = box_size(batten_surface_box(r->ground.surface));
+        r->size = bat_box_diagonal(batten_surface_box(r->ground.surface));
     return status;
 }
 

@@ -1,4 +1,5 @@
 /* The shapes of a drawing: curves, isolines and points as strokes, combs as teeth, and their colours. */
+#include "numeric/box.h"
 #include "numeric/vector.h"
 #include "picture/drawings/drawing.h"
 #include "picture/sheet/axes.h"
@@ -44,19 +45,12 @@ static bool is_smooth(int spans, int per_span, const batten_tooth *teeth, double
     return true;
 }
 
-static double size_of(const batten_curve *curve)
-{
-    const batten_box box = batten_curve_box(curve);
-    return bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
-                     box.high.z - box.low.z);
-}
-
 /* The comb with twice as many teeth, until they suffice. */
 static batten_status gather_comb(bat_shape *s)
 {
     const batten_curve *curve = s->object->curve;
     const int spans = batten_curve_spans(curve, NULL) - 1;
-    const double size = size_of(curve);
+    const double size = bat_box_diagonal(batten_curve_box(curve));
     int per_span = bat_max_int(4, FEWEST_TEETH / bat_max_int(spans, 1));
     for (bool enough = false; !enough; per_span *= 2) {
         const int count = spans * (per_span + 1);

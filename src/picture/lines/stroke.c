@@ -1,4 +1,5 @@
 /* Strokes: polylines in space, with room for their parameters; and curves as strokes. */
+#include "numeric/box.h"
 #include "picture/lines/trace.h"
 
 batten_status bat_divide_spans(int knot_count, const double *knots, int steps, size_t *count,
@@ -20,12 +21,6 @@ batten_status bat_divide_spans(int knot_count, const double *knots, int steps, s
 /* Of its size: 0.03 pixels in a picture of 1200, less than half a pixel in the largest. */
 static const double share_of_size = 1.0 / 40000;
 
-static double diagonal(batten_box box)
-{
-    return bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
-                     box.high.z - box.low.z);
-}
-
 static batten_status point_of_curve(const void *user, double at, bool from_left,
                                     double point[3])
 {
@@ -40,11 +35,11 @@ batten_status bat_stroke_curve(const batten_curve *curve, bat_stroke *out)
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
     batten_curve_spans(curve, knots);
-    const bat_traced traced = {.point_at = point_of_curve,
-                               .user = curve,
-                               .tolerance = share_of_size * diagonal(batten_curve_box(curve)),
-                               .is_straight = batten_curve_degree(curve) == 1 &&
-                                              !batten_curve_is_rational(curve)};
+    const bat_traced traced = {
+        .point_at = point_of_curve,
+        .user = curve,
+        .tolerance = share_of_size * bat_box_diagonal(batten_curve_box(curve)),
+        .is_straight = batten_curve_degree(curve) == 1 && !batten_curve_is_rational(curve)};
     const batten_status status = bat_trace(&traced, knot_count, knots, out);
     bat_release(knots);
     return status;
@@ -54,7 +49,8 @@ batten_status bat_stroke_isoline(const batten_surface *surface, batten_direction
                                  double at, bat_stroke *out)
 {
     return bat_stroke_isoline_within(
-        surface, direction, at, share_of_size * diagonal(batten_surface_box(surface)), out);
+        surface, direction, at, share_of_size * bat_box_diagonal(batten_surface_box(surface)),
+        out);
 }
 
 bool bat_stroke_is_point(const bat_stroke *stroke, double tolerance)

@@ -1,6 +1,7 @@
 /* The shaded picture of surfaces, bodies and meshes. */
 #include "picture/shaded/shade.h"
 #include "base/plural.h"
+#include "numeric/box.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,12 +15,6 @@ static int longest_axis(const batten_box *box)
                             box->high.z - box->low.z};
     const int longer = range[1] > range[0] ? 1 : 0;
     return range[2] > range[longer] ? 2 : longer;
-}
-
-static double diagonal(const batten_box *box)
-{
-    return bat_hypot(bat_hypot(box->high.x - box->low.x, box->high.y - box->low.y),
-                     box->high.z - box->low.z);
 }
 
 /* ---- range of the colours ---- */
@@ -259,7 +254,7 @@ static batten_status prepare(bat_shaded *p)
     batten_box box = bat_box_of_nothing();
     const batten_draw_options *o = p->options;
     bat_shaded_count(p, &box);
-    const double size = diagonal(&box);
+    const double size = bat_box_diagonal(box);
     if (p->solid_count + p->mesh_count == 0)
         return bat_fail(
             BATTEN_BAD_ARGUMENT,

@@ -2,6 +2,7 @@
  * faces. */
 #include "picture/sheet/flat.h"
 #include "base/plural.h"
+#include "numeric/box.h"
 
 #include <string.h>
 
@@ -154,8 +155,7 @@ batten_status bat_picture_model(const batten_model *model, const batten_draw_opt
     if (status == BATTEN_OK)
         status = batten_model_create(batten_model_unit_metres(model), &f.made);
     if (status == BATTEN_OK && batten_model_box(flat, &box)) {
-        const double size = bat_hypot(bat_hypot(box.high.x - box.low.x, box.high.y - box.low.y),
-                                      box.high.z - box.low.z);
+        const double size = bat_box_diagonal(box);
         /* A fifth of a pixel, if the shape filled the picture. */
         f.mesh.chord = 0.2 * size / bat_max_int(options->width, options->height);
         if (options->shading != BATTEN_SHADING_PLAIN &&

@@ -1,4 +1,5 @@
 /* The curves of a network as they are given become curves that can be compared. */
+#include "numeric/box.h"
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
 #include "shape/skin/sections.h"
@@ -25,23 +26,14 @@ const char *bat_network_label(const bat_network *net, int family,
 static batten_box box_of(int count, const batten_curve *const *curves)
 {
     batten_box all = batten_curve_box(curves[0]);
-    for (int k = 1; k < count; k++) {
-        const batten_box box = batten_curve_box(curves[k]);
-        all.low.x = bat_min(all.low.x, box.low.x);
-        all.high.x = bat_max(all.high.x, box.high.x);
-        all.low.y = bat_min(all.low.y, box.low.y);
-        all.high.y = bat_max(all.high.y, box.high.y);
-        all.low.z = bat_min(all.low.z, box.low.z);
-        all.high.z = bat_max(all.high.z, box.high.z);
-    }
+    for (int k = 1; k < count; k++)
+        bat_box_join(&all, batten_curve_box(curves[k]));
     return all;
 }
 
 double batten_network_size(int count, const batten_curve *const *curves)
 {
-    const batten_box all = box_of(count, curves);
-    return bat_hypot(bat_hypot(all.high.x - all.low.x, all.high.y - all.low.y),
-                     all.high.z - all.low.z);
+    return bat_box_diagonal(box_of(count, curves));
 }
 
 batten_status bat_network_scale(int count, const batten_curve *const *curves, double *scale)

@@ -2,6 +2,7 @@
 #include "base/real.h"
 #include "exchange/shapes/prepare.h"
 #include "exchange/step/write/writing.h"
+#include "numeric/box.h"
 
 #include <math.h>
 
@@ -17,13 +18,6 @@ static double loosest(const batten_model *model)
     return tolerance;
 }
 
-static double size_of(const batten_box *box)
-{
-    const double x = box->high.x - box->low.x, y = box->high.y - box->low.y,
-                 z = box->high.z - box->low.z;
-    return bat_hypot(bat_hypot(x, y), z);
-}
-
 /* INFINITY for what is not a body or surface, or is one point. */
 static double size_of_shape(const batten_object *object)
 {
@@ -31,7 +25,7 @@ static double size_of_shape(const batten_object *object)
         return INFINITY;
     const batten_box box =
         object->body ? batten_body_box(object->body) : batten_surface_box(object->surface);
-    const double size = size_of(&box);
+    const double size = bat_box_diagonal(box);
     return size > 0 ? size : (double)INFINITY;
 }
 
