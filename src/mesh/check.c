@@ -1,5 +1,6 @@
 /* What is true of a mesh: its edges, whether it is closed, area and volume. */
 #include "base/pairs.h"
+#include "base/sets.h"
 #include <batten/mesh.h>
 #include <float.h>
 #include <string.h>
@@ -31,15 +32,6 @@ static bool is_collapsed(const int *t)
 
 /* ---- edges and pieces ---- */
 
-static int root_of(int *parent, int t)
-{
-    while (parent[t] != t) {
-        parent[t] = parent[parent[t]];
-        t = parent[t];
-    }
-    return t;
-}
-
 static batten_status add_edge(checking *c, int triangle, int from, int to)
 {
     const int known = c->edges.count;
@@ -63,16 +55,14 @@ static batten_status add_edge(checking *c, int triangle, int from, int to)
         use->up++;
     else
         use->down++;
-    const int a = root_of(c->parent, use->triangle), b = root_of(c->parent, triangle);
-    c->parent[bat_max_int(a, b)] = bat_min_int(a, b);
+    bat_sets_join(c->parent, use->triangle, triangle);
     return BATTEN_OK;
 }
 
 static batten_status add_edges(checking *c)
 {
     batten_status status = BATTEN_OK;
-    for (int t = 0; t < c->parts->triangle_count; t++)
-        c->parent[t] = t;
+    bat_sets_begin(c->parts->triangle_count, c->parent);
     for (int t = 0; status == BATTEN_OK && t < c->parts->triangle_count; t++) {
         const int *corners = corners_of(c, t);
         for (int k = 0; status == BATTEN_OK && k < 3 && !is_collapsed(corners); k++)

@@ -1,6 +1,7 @@
 /* Which ends of curves meet which: the smallest gaps first, whatever the order of the curves. */
 #include "shape/curve_change/loose_ends.h"
 #include "base/list.h"
+#include "base/sets.h"
 #include "numeric/vector.h"
 
 #include <stdlib.h>
@@ -105,15 +106,6 @@ static batten_status find_candidates(linking *l)
     return status;
 }
 
-static int chain_of(linking *l, int curve)
-{
-    while (l->chain[curve] != curve) {
-        l->chain[curve] = l->chain[l->chain[curve]];
-        curve = l->chain[curve];
-    }
-    return curve;
-}
-
 /* A chain closes where it has come back, not where it is shorter than the tolerance. */
 static void link_ends(linking *l)
 {
@@ -123,15 +115,17 @@ static void link_ends(linking *l)
         const candidate *c = &l->items[i];
         if (l->ends->partner[c->a] >= 0 || l->ends->partner[c->b] >= 0)
             continue;
-        const int first = chain_of(l, c->a / 2), second = chain_of(l, c->b / 2);
+        const int first = bat_sets_root(l->chain, c->a / 2),
+                  second = bat_sets_root(l->chain, c->b / 2);
         if (first == second && !(c->gap < l->total[first] / 2))
             continue;
         l->ends->partner[c->a] = c->b;
         l->ends->partner[c->b] = c->a;
         if (first == second)
             continue;
-        l->chain[second] = first;
-        l->total[first] += l->total[second];
+        const double total = l->total[first] + l->total[second];
+        bat_sets_join(l->chain, first, second);
+        l->total[bat_min_int(first, second)] = total;
     }
 }
 
@@ -156,11 +150,12 @@ batten_status bat_loose_ends_link(const batten_curve_row *curves, double toleran
         status = find_candidates(&l);
     for (int i = 0; status == BATTEN_OK && i < curves->count; i++) {
         ends->partner[2 * i] = ends->partner[2 * i + 1] = -1;
-        l.chain[i] = i;
         l.total[i] = ends->length[i];
     }
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
+        bat_sets_begin(curves->count, l.chain);
         link_ends(&l);
+    }
     bat_release(l.sorted);
     bat_release(l.chain);
     bat_release(l.total);

@@ -1,6 +1,7 @@
 /* Clusters of undecided cells. */
 #include "shape/equation/clusters.h"
 
+#include "base/sets.h"
 #include "numeric/rounding.h"
 #include <stdlib.h>
 
@@ -12,19 +13,6 @@ static bool do_touch(const bat_system *s, const bat_cell *a, const bat_cell *b)
         if (a->at[k].hi < b->at[k].lo || b->at[k].hi < a->at[k].lo)
             return false;
     return true;
-}
-
-static int root_of(int *of, int i)
-{
-    while (of[i] != i)
-        i = of[i] = of[of[i]];
-    return i;
-}
-
-static void join_cells(int *of, int a, int b)
-{
-    const int i = root_of(of, a), k = root_of(of, b);
-    of[i > k ? i : k] = i > k ? k : i;
 }
 
 /* The axis along which the cells are spread most. */
@@ -66,7 +54,7 @@ static batten_status join_touching(const bat_cells *cells, int *of)
         const bat_cell *a = &all->items[order[i].cell];
         for (size_t k = i + 1; k < all->count && order[k].low <= a->at[axis].hi; k++)
             if (do_touch(cells->system, a, &all->items[order[k].cell]))
-                join_cells(of, order[i].cell, order[k].cell);
+                bat_sets_join(of, order[i].cell, order[k].cell);
     }
     bat_release(order);
     return BATTEN_OK;
@@ -103,8 +91,8 @@ batten_status bat_clusters_gather(const bat_cells *cells, bat_clusters *out)
     out->of = bat_array(count, sizeof *out->of);
     out->items = bat_array(count, sizeof *out->items);
     batten_status status = out->of && out->items ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (size_t i = 0; i < count && status == BATTEN_OK; i++)
-        out->of[i] = (int)i;
+    if (status == BATTEN_OK)
+        bat_sets_begin((int)count, out->of);
     if (status == BATTEN_OK)
         status = join_touching(cells, out->of);
     if (status != BATTEN_OK) {
@@ -112,7 +100,7 @@ batten_status bat_clusters_gather(const bat_cells *cells, bat_clusters *out)
         return status;
     }
     for (size_t i = 0; i < count; i++)
-        out->of[i] = root_of(out->of, (int)i);
+        out->of[i] = bat_sets_root(out->of, (int)i);
     number_clusters(cells, out);
     return BATTEN_OK;
 }

@@ -1,4 +1,5 @@
 /* Vertices, shared as the file shares them. */
+#include "base/sets.h"
 #include "exchange/step/read/topology.h"
 
 #include <stdio.h>
@@ -51,30 +52,20 @@ const double *bat_step_vertex_point(const bat_step_topology *t, int vertex)
 
 int bat_step_root(const bat_step_topology *t, int vertex)
 {
-    const int *roots = t->roots.items;
-    while ((size_t)vertex < t->roots.count && roots[vertex] != vertex)
-        vertex = roots[vertex];
-    return vertex;
+    return (size_t)vertex < t->roots.count ? bat_sets_root(t->roots.items, vertex) : vertex;
 }
 
 batten_status bat_step_unite(bat_step_topology *t, int a, int b)
 {
-    const int low = bat_min_int(bat_step_root(t, a), bat_step_root(t, b));
-    const int high = bat_max_int(bat_step_root(t, a), bat_step_root(t, b));
+    const int high = bat_max_int(a, b);
     batten_status status = BATTEN_OK;
     while (status == BATTEN_OK && t->roots.count <= (size_t)high) {
         const int next = (int)t->roots.count;
         status = bat_list_add(t->file->input, &t->roots, &next);
     }
-    if (status != BATTEN_OK)
-        return status;
-    int *roots = t->roots.items;
-    roots[high] = low;
-    /* Short ways, so that many unions stay cheap. */
-    roots[a] = low;
-    if ((size_t)b < t->roots.count)
-        roots[b] = low;
-    return BATTEN_OK;
+    if (status == BATTEN_OK)
+        bat_sets_join(t->roots.items, a, b);
+    return status;
 }
 
 int bat_step_end_of(const bat_step_topology *t, const bat_step_use *use, int k)
