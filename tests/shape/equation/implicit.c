@@ -154,6 +154,57 @@ TEST(squares_poles_and_branches_that_touch_are_incomplete_with_their_boxes)
     }
 }
 
+/* Of a double line each box holds a part; of a pole the line x = 0. */
+TEST(undecided_boxes_hold_what_is_undecided_and_the_message_counts_them_and_says_why)
+{
+    static const struct {
+        row of;
+        const char *why;
+    } rest[] = {
+        {{{"(x-y)^2 = 0"}, 2, 1e-2, 0, 0, 0, 0, 0, 0},
+         "where the derivatives vanish along a line (a square?) or branches touch; 0 branches"},
+        {{{"y = 1/x"}, 2, 1e-2, 2, 0, 0, 0, 0, 0},
+         "where there is a pole, a corner or no value; "},
+    };
+    for (int i = 0; i < COUNT(rest); i++) {
+        traced t;
+        char counts[160];
+        CHECK_STATUS(trace(&rest[i].of, &t), BATTEN_INCOMPLETE);
+        CHECK_MESSAGE(rest[i].why);
+        const batten_box *first = t.made.undecided;
+        snprintf(
+            counts, sizeof counts,
+            "%d boxes are undecided after %d were examined, the first at (%.6g, %.6g, 0), where",
+            t.made.undecided_count, t.made.boxes, first->low.x, first->low.y);
+        CHECK_MESSAGE(counts);
+        CHECK_INT(t.made.count, rest[i].of.curves);
+        for (int k = 0; k < t.made.undecided_count; k++) {
+            const batten_box *box = &t.made.undecided[k];
+            const double low = i ? box->low.x : box->low.x - box->high.y;
+            const double high = i ? box->high.x : box->high.x - box->low.y;
+            CHECK(low <= 0.01 && high >= -0.01);
+            CHECK(box->high.x - box->low.x < 0.01 && box->high.y - box->low.y < 0.01);
+            CHECK(box->low.z == 0 && box->high.z == 0);
+        }
+        end_trace(&t);
+    }
+}
+
+TEST(curves_reach_beyond_the_box_by_less_than_half_the_tolerance)
+{
+    const row line = {{"y = 0.5*x"}, 1, 1e-3, 1, 0, 0, 0, 0, 0};
+    traced t;
+    CHECK_OK(trace(&line, &t));
+    const batten_curve *curve = t.made.curves[0];
+    const double *points = batten_curve_points(curve);
+    const int last = batten_curve_point_count(curve) - 1;
+    CHECK_INT(last, 3);
+    CHECK(fabs(points[0]) > 1 && fabs(points[0]) < 1.0005);
+    CHECK_NEAR(points[0], -points[2 * last], 1e-15);
+    CHECK(t.made.error >= 0 && t.made.error < 1e-14);
+    end_trace(&t);
+}
+
 TEST(boxes_tolerances_and_numbers_of_variables_are_checked)
 {
     batten_equation *plane = NULL;
@@ -169,12 +220,16 @@ TEST(boxes_tolerances_and_numbers_of_variables_are_checked)
     CHECK_MESSAGE("the box is empty along y: 0.5 to 0.25");
     CHECK_STATUS(batten_curves_implicit(1, two, &endless, 1e-6, NULL, &made),
                  BATTEN_NOT_FINITE);
+    CHECK_MESSAGE("the box is not finite");
     CHECK_STATUS(batten_curves_implicit(1, two, &good, HUGE_VAL, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the tolerance must be above 0, not inf");
     CHECK_STATUS(batten_curves_implicit(0, two, &good, 1e-6, NULL, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("0 equations; a curve has one in the plane and two in space");
     CHECK_STATUS(batten_curves_implicit(1, two, &good, -1, NULL, &made), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curves_implicit(1, two, &good, 1e-15, NULL, &made),
                  BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("a tolerance of 1e-15 is below 1e-12 of the coordinates of the box, 1");
     CHECK_STATUS(batten_curves_implicit(3, two, &good, 1e-6, NULL, &made), BATTEN_BAD_ARGUMENT);
     batten_equation_free(plane);
 }

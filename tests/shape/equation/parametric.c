@@ -32,7 +32,14 @@ static const row rows[] = {
      0,
      0,
      "no finite value, or a jump, at 1.414"},
-    {{"t", "1/t"}, 0, 1, 1e-6, BATTEN_OUT_OF_DOMAIN, 0, 0, "no finite value at 0"},
+    {{"t", "1/t"},
+     0,
+     1,
+     1e-6,
+     BATTEN_OUT_OF_DOMAIN,
+     0,
+     0,
+     "there is no finite value at 0; take ranges that end before it"},
     {{"t", "ln(t)"},
      -2,
      -1,
@@ -40,7 +47,7 @@ static const row rows[] = {
      BATTEN_OUT_OF_DOMAIN,
      0,
      0,
-     "there is no value between -2 and -1"},
+     "there is no value between -2 and -1; take a range without it"},
     {{"t", "1e9*cos(t)"},
      0,
      9,
@@ -142,6 +149,132 @@ TEST(quintics_join_with_two_derivatives)
     batten_equation_curves_release(&made);
     batten_equation_free(read[0]);
     batten_equation_free(read[1]);
+}
+
+/* t^6 less its quintic is (t - a)^3 (t - b)^3, at most half the length to the sixth; a chord over a corner
+ * is as far off as its box is wide, at most. */
+static const struct {
+    const char *text[3];
+    batten_interval range;
+    double tolerance, error;
+} bounds[] = {
+    {{"t^6"}, {0, 1}, 0.02, 1.0 / 64},
+    {{"t^6", "t"}, {-1, 1}, 1.01, 1},
+    {{"t^6", "2*t^6", "t"}, {0, 1}, 0.04, 0.03493856214843422},
+    {{"t", "abs(t)"}, {-1, 1}, 3, 2.23606797749979},
+    {{"3*t", "abs(t)", "4*t"}, {-1, 1}, 11, 10.04987562112089},
+};
+
+TEST(the_error_of_a_piece_is_what_its_sixth_derivative_leaves_or_the_box_of_a_chord)
+{
+    for (int i = 0; i < COUNT(bounds); i++) {
+        batten_equation *read[3] = {NULL, NULL, NULL};
+        batten_equation_curves made = {0};
+        int count = 0;
+        for (; count < 3 && bounds[i].text[count]; count++)
+            CHECK_OK(batten_equation_read(bounds[i].text[count], &names, &read[count]));
+        CHECK_OK(batten_curve_parametric(count, (const batten_equation *const *)read,
+                                         bounds[i].range, bounds[i].tolerance, NULL, &made));
+        CHECK_INT(batten_curve_point_count(made.curves[0]), 6);
+        CHECK_NEAR(made.error, bounds[i].error, 1e-13);
+        CHECK_INT(made.boxes, 1);
+        batten_equation_curves_release(&made);
+        for (int k = 0; k < 3; k++)
+            batten_equation_free(read[k]);
+    }
+}
+
+/* What is special, and where. */
+static const struct {
+    const char *text[2];
+    batten_interval range;
+    double tolerance;
+    int count;
+    struct {
+        batten_equation_point_kind kind;
+        double at, x, y;
+    } point[3];
+} specials[] = {
+    {{"t", "abs(t - 0.3)"}, {-1, 1}, 1e-6, 1, {{BATTEN_EQUATION_CORNER, 0.3, 0.3, 0}}},
+    {{"t", "abs(t - 0.3)"}, {-1, 1}, 9, 1, {{BATTEN_EQUATION_CORNER, 0.3, 0.3, 0}}},
+    {{"t", "max(t, 0)"}, {-1, 1}, 1e-6, 1, {{BATTEN_EQUATION_CORNER, 0, 0, 0}}},
+    {{"t", "sqrt(1 - t^2)"},
+     {-1, 1},
+     1e-6,
+     2,
+     {{BATTEN_EQUATION_CORNER, -1, -1, 0}, {BATTEN_EQUATION_CORNER, 1, 1, 0}}},
+    {{"t^2", "t^3"}, {-1, 1.5}, 1e-6, 1, {{BATTEN_EQUATION_HALT, 0, 0, 0}}},
+    {{"t - sin(t)", "1 - cos(t)"},
+     {1, 20},
+     1e-6,
+     3,
+     {{BATTEN_EQUATION_HALT, 6.283185307179586, 6.283185307179586, 0},
+      {BATTEN_EQUATION_HALT, 12.566370614359172, 12.566370614359172, 0},
+      {BATTEN_EQUATION_HALT, 18.84955592153876, 18.84955592153876, 0}}},
+    {{"t^2", "1"}, {0, 1}, 1e-6, 1, {{BATTEN_EQUATION_HALT, 0, 0, 1}}},
+    {{"t^2 - 2*t", "1"}, {0, 1}, 1e-6, 1, {{BATTEN_EQUATION_HALT, 1, -1, 1}}},
+};
+
+TEST(corners_and_halts_have_their_parameters_and_places)
+{
+    for (int i = 0; i < COUNT(specials); i++) {
+        batten_equation *read[2] = {NULL, NULL};
+        batten_equation_curves made = {0};
+        for (int k = 0; k < 2; k++)
+            CHECK_OK(batten_equation_read(specials[i].text[k], &names, &read[k]));
+        CHECK_OK(batten_curve_parametric(2, (const batten_equation *const *)read,
+                                         specials[i].range, specials[i].tolerance, NULL,
+                                         &made));
+        CHECK_INT(made.point_count, specials[i].count);
+        for (int k = 0; k < made.point_count; k++) {
+            CHECK_INT(made.points[k].kind, specials[i].point[k].kind);
+            CHECK_NEAR(made.points[k].parameter, specials[i].point[k].at, 2e-6);
+            CHECK_NEAR(made.points[k].point.x, specials[i].point[k].x, 2e-6);
+            CHECK_NEAR(made.points[k].point.y, specials[i].point[k].y, 2e-3);
+            CHECK(made.points[k].point.z == 0 && made.points[k].branches == 0);
+        }
+        batten_equation_curves_release(&made);
+        batten_equation_free(read[0]);
+        batten_equation_free(read[1]);
+    }
+}
+
+/* The largest fraction so far; falls and what is beyond 1 are counted. */
+typedef struct {
+    double last;
+    int calls, wrong;
+} seen;
+
+static void see(void *user, double fraction, const char *what)
+{
+    seen *s = user;
+    s->calls++;
+    s->wrong +=
+        !(fraction >= s->last && fraction <= 1) || strcmp(what, "curve of equations") != 0;
+    s->last = fraction;
+}
+
+TEST(progress_rises_to_1_and_a_limit_of_work_or_pieces_ends_the_curve)
+{
+    batten_equation *read = NULL;
+    batten_equation_curves made = {0};
+    batten_job job = BATTEN_JOB;
+    seen s = {0, 0, 0};
+    job.progress = see;
+    job.user = &s;
+    CHECK_OK(batten_equation_read("sin(t)", &names, &read));
+    const batten_equation *const one[] = {read};
+    CHECK_OK(batten_curve_parametric(1, one, (batten_interval){3, 13}, 1e-9, &job, &made));
+    CHECK(s.wrong == 0 && s.last == 1 && s.calls == made.boxes);
+    batten_equation_curves_release(&made);
+    job.work_limit = 2;
+    CHECK_STATUS(batten_curve_parametric(1, one, (batten_interval){3, 13}, 1e-9, &job, &made),
+                 BATTEN_INCOMPLETE);
+    CHECK(made.count == 0 && !made.curves);
+    CHECK_STATUS(batten_curve_parametric(1, one, (batten_interval){0, 1e6}, 1e-3, NULL, &made),
+                 BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("more than 20000 pieces; 0.001 is too fine, or the curve winds too often");
+    batten_equation_free(read);
 }
 
 TEST(coordinates_ranges_and_tolerances_are_checked_with_their_numbers)
