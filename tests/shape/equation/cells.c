@@ -5,17 +5,24 @@
 #include "systems.h"
 
 /* Divide [-1, 1] in each coordinate. */
-static batten_status divide(test_system *s, double least, size_t most, bat_cells *cells)
+static batten_status divide_with(test_system *s, const batten_job *job, double least,
+                                 size_t most, bat_cells *cells)
 {
     const bat_cell whole = {{{-1, 1}, {-1, 1}, {-1, 1}}};
     bat_cell_list list = {NULL, 0, 0};
-    *cells = (bat_cells){.system = &s->system, .whole = whole, .most = most};
+    *cells =
+        (bat_cells){.system = &s->system, .whole = whole, .most = most, .work = {.job = job}};
     batten_status status = BAT_LIST_ADD(list.items, list.count, list.room, whole);
     if (status == BATTEN_OK)
         status = bat_cells_divide(cells, &list, least);
     if (status != BATTEN_OK)
         bat_cells_release(cells);
     return status;
+}
+
+static batten_status divide(test_system *s, double least, size_t most, bat_cells *cells)
+{
+    return divide_with(s, NULL, least, most, cells);
 }
 
 /* Graphs in the whole box: one piece, with ends in the order of the axis along which it runs most. */
@@ -129,15 +136,10 @@ TEST(a_job_ends_the_division_after_its_work)
 {
     test_system s;
     bat_cells cells;
-    bat_cell_list list = {NULL, 0, 0};
     batten_job job = BATTEN_JOB;
     job.work_limit = 5;
     begin_test_system(&s, "x*y", NULL);
-    cells = (bat_cells){.system = &s.system, .most = 1000, .work = {.job = &job}};
-    const bat_cell whole = {{{-1, 1}, {-1, 1}}};
-    CHECK_OK(BAT_LIST_ADD(list.items, list.count, list.room, whole));
-    CHECK_STATUS(bat_cells_divide(&cells, &list, 1e-6), BATTEN_INCOMPLETE);
-    CHECK(!list.items && list.count == 0 && cells.examined <= 7);
-    bat_cells_release(&cells);
+    CHECK_STATUS(divide_with(&s, &job, 1e-6, 1000, &cells), BATTEN_INCOMPLETE);
+    CHECK(cells.examined <= 7 && !cells.pieces && !cells.undecided.items);
     end_test_system(&s);
 }
