@@ -8,10 +8,23 @@ const batten_frame hand_world = {.x = {1, 0, 0}, .z = {0, 0, 1}};
 
 hand hand_begin(void)
 {
-    hand m;
+    hand m = {.turn = 0};
     bat_builder_begin(&m.builder, 1e-6);
     CHECK_OK(bat_builder_shell(&m.builder, false));
     return m;
+}
+
+hand hand_turned(int turn)
+{
+    hand m = hand_begin();
+    m.turn = turn;
+    return m;
+}
+
+void hand_every_turn(void (*of)(int turn))
+{
+    for (int turn = 0; turn < 8; turn++)
+        of(turn);
 }
 
 static int vertex_at(hand *m, const double p[3])
@@ -59,11 +72,54 @@ int hand_arc(hand *m, double radius, double z, double start, double angle)
     return hand_edge(m, curve);
 }
 
+/* The same with u for v. */
+static batten_surface *transposed(const batten_surface *surface)
+{
+    const int nu = batten_surface_point_count(surface, BATTEN_U),
+              nv = batten_surface_point_count(surface, BATTEN_V);
+    const double *from = batten_surface_points(surface),
+                 *weights = batten_surface_weights(surface);
+    double *points = test_array((size_t)nu * nv, 3 * sizeof *points),
+           *other = test_array((size_t)nu * nv, sizeof *other);
+    batten_axis axes[2];
+    batten_surface *made = NULL;
+    for (int k = 0; k < 2; k++) {
+        const batten_direction d = k ? BATTEN_V : BATTEN_U;
+        axes[k] = (batten_axis){batten_surface_degree(surface, d), k ? nv : nu,
+                                batten_surface_knots(surface, d),
+                                batten_surface_is_periodic(surface, d)};
+    }
+    for (int i = 0; i < nu; i++)
+        for (int j = 0; j < nv; j++) {
+            memcpy(points + 3 * (j * nu + i), from + 3 * (i * nv + j), 3 * sizeof *points);
+            other[j * nu + i] = weights ? weights[i * nv + j] : 1;
+        }
+    CHECK_OK(
+        batten_surface_create(3, &axes[1], &axes[0], points, weights ? other : NULL, &made));
+    return made;
+}
+
+static void take_over(batten_surface **surface, batten_surface *by)
+{
+    batten_surface_unref(*surface);
+    *surface = by;
+}
+
 /* Takes the surface over. */
 void hand_face(hand *m, batten_surface *surface, bool reversed)
 {
-    CHECK_OK(bat_builder_face(&m->builder,
-                              &(batten_body_face){.surface = surface, .reversed = reversed}));
+    batten_surface *turned = NULL;
+    if (m->turn & 1)
+        take_over(&surface, transposed(surface));
+    for (int k = 0; k < 2; k++)
+        if (m->turn & (k ? 4 : 2)) {
+            CHECK_OK(batten_surface_reverse(surface, k ? BATTEN_V : BATTEN_U, &turned));
+            take_over(&surface, turned);
+        }
+    const int turns = (m->turn & 1) + (m->turn >> 1 & 1) + (m->turn >> 2);
+    CHECK_OK(bat_builder_face(
+        &m->builder,
+        &(batten_body_face){.surface = surface, .reversed = reversed != (turns % 2 == 1)}));
     batten_surface_unref(surface);
 }
 

@@ -6,11 +6,15 @@
 
 typedef struct {
     bat_builder builder;
+    int turn; /* how parameters of its surfaces run: 1 changes u and v, 2 reverses u, 4 reverses v */
 } hand;
 
 extern const batten_frame hand_world;
 
 hand hand_begin(void);
+hand hand_turned(int turn);
+/* Of 0 to 7: the faces stay as they are, whatever the parameters. */
+void hand_every_turn(void (*of)(int turn));
 /* Takes the curve over. */
 int hand_edge(hand *m, batten_curve *curve);
 int hand_line(hand *m, double x0, double y0, double z0, double x1, double y1, double z1);

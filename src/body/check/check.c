@@ -265,8 +265,8 @@ batten_status batten_body_check(const batten_body *body, double tolerance,
     const batten_body_parts *parts = batten_body_view(body);
     batten_body_faults faults = {.gaps = 0};
     bat_check check = {parts, tolerance, {.job = job}, notes, &faults, parts, NULL};
-    edge_uses *uses = bat_array((size_t)parts->edge_count + 1, sizeof *uses);
-    bat_edge_ways *ways = bat_array((size_t)parts->edge_count + 1, sizeof *ways);
+    edge_uses *uses = bat_array((size_t)parts->edge_count, sizeof *uses);
+    bat_edge_ways *ways = bat_array((size_t)parts->edge_count, sizeof *ways);
     batten_status status = uses && ways ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = check_edges(&check, uses, ways);

@@ -85,7 +85,7 @@ static bool share_earlier_cell(const bat_passages *all, int a, int b, int grid)
  * vertex differ. */
 static batten_status find_touches(bat_check *check, int face, bat_passages *all)
 {
-    in_cell *sorted = bat_array((size_t)all->count + 1, sizeof *sorted);
+    in_cell *sorted = bat_array((size_t)all->count, sizeof *sorted);
     if (!sorted)
         return BATTEN_OUT_OF_MEMORY;
     for (int grid = 0; grid < 4; grid++) {

@@ -21,9 +21,9 @@ typedef struct {
 
 static batten_status make_lists(const batten_body_parts *parts, part_lists *lists)
 {
-    lists->uses = bat_array((size_t)parts->use_count + 1, sizeof *lists->uses);
-    lists->loops = bat_array((size_t)parts->loop_count + 1, sizeof *lists->loops);
-    lists->faces = bat_array((size_t)parts->face_count + 1, sizeof *lists->faces);
+    lists->uses = bat_array((size_t)parts->use_count, sizeof *lists->uses);
+    lists->loops = bat_array((size_t)parts->loop_count, sizeof *lists->loops);
+    lists->faces = bat_array((size_t)parts->face_count, sizeof *lists->faces);
     return lists->uses && lists->loops && lists->faces ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
@@ -89,7 +89,7 @@ static batten_status trace_round(const batten_body_parts *from, double tolerance
     batten_body *some = NULL;
     bat_traced traced = {0};
     batten_body_trace_report report = {0};
-    int *numbers = bat_array((size_t)from->face_count + 1, sizeof *numbers);
+    int *numbers = bat_array((size_t)from->face_count, sizeof *numbers);
     batten_status status = numbers ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = take_faces(from, all->is_failed, numbers, &some);
@@ -115,7 +115,7 @@ batten_status bat_trace_all(const batten_body *body, double coarsest, const batt
         *out = (bat_traced_all){.count = 1, .at = {{.body = batten_body_ref(body)}}};
         return BATTEN_OK;
     }
-    all.is_failed = bat_array((size_t)from->face_count + 1, sizeof *all.is_failed);
+    all.is_failed = bat_array((size_t)from->face_count, sizeof *all.is_failed);
     batten_status status = all.is_failed ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int f = 0; f < from->face_count && status == BATTEN_OK; f++)
         all.is_failed[f] = true;

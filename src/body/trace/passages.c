@@ -54,12 +54,10 @@ batten_status bat_passages_gather(const batten_body_parts *p, int face, bat_pass
     for (int l = 0; l < of->count; l++)
         uses += p->loops[of->first + l].count;
     *all = (bat_passages){0};
-    all->at = bat_array((size_t)uses + 1, sizeof *all->at);
-    all->is_bad = bat_array((size_t)of->count + 1, sizeof *all->is_bad);
+    all->at = bat_array((size_t)uses, sizeof *all->at);
+    all->is_bad = bat_array((size_t)of->count, sizeof *all->is_bad);
     if (!all->at || !all->is_bad)
         return BATTEN_OUT_OF_MEMORY;
-    memset(all->at, 0, ((size_t)uses + 1) * sizeof *all->at);
-    memset(all->is_bad, 0, ((size_t)of->count + 1) * sizeof *all->is_bad);
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int l = 0; l < of->count; l++) {
         const batten_body_loop *loop = &p->loops[of->first + l];
@@ -103,7 +101,7 @@ static bool is_joint(const bat_passages *all, const bat_crossing *crossing, cons
 
 batten_status bat_passages_cross(const bat_passages *all, bat_crossings *out)
 {
-    const batten_curve **curves = bat_array((size_t)all->count + 1, sizeof *curves);
+    const batten_curve **curves = bat_array((size_t)all->count, sizeof *curves);
     bat_crossings found = {0};
     if (!curves)
         return BATTEN_OUT_OF_MEMORY;
@@ -132,12 +130,9 @@ batten_status bat_passages_cross(const bat_passages *all, bat_crossings *out)
 static batten_status set_lengths(const batten_body_parts *p, bat_passages *all)
 {
     enum { STEPS = 8 };
-    double sum = 0;
     for (int i = 0; i < all->count; i++) {
         bat_passage *one = &all->at[i];
         const batten_curve *curve = p->edges[p->uses[one->use].edge].curve;
-        sum = i > 0 && all->at[i - 1].loop == one->loop ? sum : 0;
-        one->before = sum;
         double last[3], here[3];
         for (int k = 0; curve && k <= STEPS; k++, memcpy(last, here, sizeof last)) {
             const batten_interval on = batten_curve_domain(curve);
@@ -147,7 +142,8 @@ static batten_status set_lengths(const batten_body_parts *p, bat_passages *all)
                 return status;
             one->length += k > 0 ? bat_distance(3, last, here) : 0;
         }
-        sum += one->length;
+        if (one->next > i)
+            all->at[one->next].before = one->before + one->length;
     }
     return BATTEN_OK;
 }
@@ -155,8 +151,8 @@ static batten_status set_lengths(const batten_body_parts *p, bat_passages *all)
 static double length_of_loop(const bat_passages *all, int of)
 {
     int last = of;
-    while (last + 1 < all->count && all->at[last + 1].loop == all->at[of].loop)
-        last++;
+    while (all->at[last].next > last)
+        last = all->at[last].next;
     return all->at[last].before + all->at[last].length;
 }
 

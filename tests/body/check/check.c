@@ -101,6 +101,23 @@ static batten_notes *new_notes(void)
     return notes;
 }
 
+/* So many notes say this of this entity, or of any. */
+static void check_noted(const batten_notes *notes, const char *entity, const char *text,
+                        int due)
+{
+    int count = 0;
+    for (int i = 0; i < batten_notes_count(notes); i++) {
+        const batten_note *note = batten_notes_at(notes, i);
+        count +=
+            strcmp(note->text, text) == 0 && (!entity || strcmp(note->entity, entity) == 0);
+    }
+    /* With failing allocations a check is tried again, and says it twice. */
+    if (test_cases(10) >= 10)
+        CHECK_INT(count, due);
+    else
+        CHECK(due == 0 ? count == 0 : count >= due || batten_notes_dropped(notes) > 0);
+}
+
 TEST(a_missing_face_leaves_free_edges_and_an_open_shell)
 {
     changed *c = begin_change();
@@ -127,10 +144,16 @@ TEST(a_turned_face_has_wrong_edges)
         c->uses[i] = batten_body_view(c->box)->uses[3 - i];
         c->uses[i].reversed = !c->uses[i].reversed;
     }
-    const batten_body_faults f = end_change(c, 1e-6, NULL);
+    batten_notes *notes = new_notes();
+    const batten_body_faults f = end_change(c, 1e-6, notes);
     CHECK_INT(f.wrong_edges, 4);
     CHECK_INT(f.shared_edges, 8);
     CHECK_INT(f.open_shells, 0);
+    check_noted(notes, NULL,
+                "two uses the same way: its faces are turned against each other: 2 uses; "
+                "it is of face 1 \"left\"",
+                4);
+    batten_notes_free(notes);
 }
 
 /* The same face twice: its edges have three uses. */
@@ -153,9 +176,12 @@ TEST(edges_of_three_faces_are_crowded)
     c->parts.use_count = 28;
     c->parts.loop_count = c->parts.face_count = 7;
     c->shells[0].count = 7;
-    const batten_body_faults f = end_change(c, 1e-6, NULL);
+    batten_notes *notes = new_notes();
+    const batten_body_faults f = end_change(c, 1e-6, notes);
     CHECK_INT(f.crowded_edges, 4);
     CHECK_INT(f.shared_edges, 8);
+    check_noted(notes, NULL, "more than two uses: 3 uses; it is of face 1 \"left\"", 4);
+    batten_notes_free(notes);
 }
 
 TEST(a_moved_vertex_leaves_gaps_with_their_size)
@@ -204,19 +230,78 @@ TEST(edges_below_the_tolerance_are_tiny)
 {
     batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 1, 1e-4});
     CHECK_INT(faults_of(box, 1e-3).tiny_edges, 4);
+    CHECK_INT(faults_of(box, 1.0001e-4).tiny_edges, 4);
+    CHECK_INT(faults_of(box, 0.9999e-4).tiny_edges, 0);
     CHECK_INT(faults_of(box, 1e-5).tiny_edges, 0);
     batten_body_unref(box);
+}
+
+/* An edge of length 1 with 8 teeth, whose feet are the places that are looked at first. */
+TEST(an_edge_is_tiny_by_its_length_and_not_by_a_few_places)
+{
+    static const double tolerances[] = {5, 9};
+    double points[9 * 3];
+    for (int i = 0; i < 2; i++) {
+        changed *c = begin_change();
+        batten_notes *notes = new_notes();
+        batten_curve *saw = NULL;
+        const double *a = c->vertices + 3 * (size_t)c->edges[0].vertices[0],
+                     *b = c->vertices + 3 * (size_t)c->edges[0].vertices[1];
+        for (int k = 0; k < 27; k++)
+            points[k] = a[k % 3] + (b[k % 3] - a[k % 3]) * (k / 3) / 8 +
+                        (k / 3 % 2 && a[k % 3] == b[k % 3] ? sqrt(0.5) : 0);
+        CHECK_OK(batten_curve_polyline((batten_points){3, 9, points}, &saw));
+        c->edges[0].curve = saw;
+        CHECK_INT(end_change(c, tolerances[i], notes).tiny_edges, i ? 12 : 11);
+        check_noted(notes, "edge 1",
+                    "shorter than the tolerance: 8.06226 units; it is of face 1 \"left\"", i);
+        batten_notes_free(notes);
+        batten_curve_unref(saw);
+    }
 }
 
 TEST(K6_knots_that_nearly_coincide_are_told)
 {
     changed *c = begin_change();
     batten_curve *refined = NULL;
-    static const double more[] = {0.5, 0.5 + 1e-8};
+    batten_surface *divided = NULL;
+    batten_notes *notes = new_notes();
+    static const double more[] = {0.5, 0.5 + 0x1p-24};
     CHECK_OK(batten_curve_refine(c->edges[3].curve, 2, more, &refined));
+    CHECK_OK(batten_surface_refine(c->faces[4].surface, BATTEN_V, 2, more, &divided));
     c->edges[3].curve = refined;
-    CHECK_INT(end_change(c, 1e-6, NULL).close_knots, 1);
+    c->faces[4].surface = divided;
+    CHECK_INT(end_change(c, 1e-6, notes).close_knots, 2);
+    check_noted(notes, "edge 4",
+                "its curve has knots very near each other: 5.96046e-08 of the domain; it "
+                "is of face 1 \"left\"",
+                1);
+    check_noted(notes, "face 5 \"bottom\"",
+                "its surface has knots very near each other: 5.96046e-08 of the domain", 1);
+    batten_notes_free(notes);
     batten_curve_unref(refined);
+    batten_surface_unref(divided);
+}
+
+/* An edge that no face uses: its curve is looked at, its uses are not. */
+TEST(an_edge_of_no_face_is_looked_at_alone)
+{
+    changed *c = begin_change();
+    batten_notes *notes = new_notes();
+    batten_body_edge edges[13];
+    memcpy(edges, c->edges, sizeof c->edges);
+    edges[12] = c->edges[0];
+    edges[12].vertices[0] = c->edges[0].vertices[1];
+    c->parts.edges = edges;
+    c->parts.edge_count = 13;
+    const batten_body_faults f = end_change(c, 1e-6, notes);
+    CHECK_INT(f.shared_edges, 12);
+    CHECK_INT(f.free_edges + f.wrong_edges + f.crowded_edges + f.poles, 0);
+    CHECK_INT(f.gaps, 1);
+    CHECK_BITS(f.largest_gap, 1);
+    check_noted(notes, "edge 13",
+                "an end of the curve misses its vertex: 1 units; it is of no face", 1);
+    batten_notes_free(notes);
 }
 
 /* ---- loops ---- */
@@ -277,6 +362,7 @@ TEST(N6_a_tolerance_of_nothing_is_refused)
     batten_body *box = unit_box();
     batten_body_faults f;
     CHECK_STATUS(batten_body_check(box, 0, NULL, NULL, &f), BATTEN_BAD_ARGUMENT);
+    CHECK_TEXT(batten_message(), "the tolerance is 0; it must be positive");
     CHECK_STATUS(batten_body_check(box, NAN, NULL, NULL, &f), BATTEN_BAD_ARGUMENT);
     batten_body_unref(box);
 }

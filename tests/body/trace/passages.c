@@ -69,3 +69,27 @@ TEST(of_two_loops_that_cross_the_shorter_is_in_doubt)
     CHECK_NEAR(doubt_of(&m), 2 * length * length / acos(-1),
                0.06 * 2 * length * length / acos(-1));
 }
+
+/* A square, a bow that crosses itself beside its middle, and another square or a circle of one edge. */
+TEST(only_the_length_of_the_loop_that_crosses_itself_counts)
+{
+    static const double square[][2] = {{-8, -8}, {8, -8}, {8, 8}, {-8, 8}};
+    static const double bow[][2] = {{0, 0}, {4, 4}, {4, 0}, {0, 2}};
+    const double shorter = sqrt(32) + 4 + sqrt(20) + 2 - 8.0 / 3 * sqrt(2) - 4 - sqrt(80.0 / 9);
+    for (int last = 0; last < 2; last++) {
+        hand m = polygon(4, square);
+        for (int i = 0; i < 4; i++)
+            hand_line(&m, bow[i][0], bow[i][1], 0, bow[(i + 1) % 4][0], bow[(i + 1) % 4][1], 0);
+        const int circle = 1 + hand_arc(&m, 0.5, 0, 0, 360);
+        batten_curve *aside = NULL;
+        const batten_frame frame = {.origin = {-4, -4, 0}, .x = {1, 0, 0}, .z = {0, 0, 1}};
+        CHECK_OK(batten_curve_arc_in(&frame, 1, 0, 2 * acos(-1), &aside));
+        CHECK_INT(hand_edge(&m, aside), circle);
+        if (last)
+            HAND_LOOP(&m, -circle - 1);
+        HAND_LOOP(&m, 5, 6, 7, 8);
+        if (!last)
+            HAND_LOOP(&m, -circle - 1);
+        CHECK_NEAR(doubt_of(&m), shorter * shorter / acos(-1), 1e-5);
+    }
+}

@@ -53,9 +53,9 @@ TEST(loops_that_run_the_wrong_way_are_turned)
     }
 }
 
-TEST(a_cylinder_with_a_seam_edge_keeps_it)
+static void check_seam_edge(int turn)
 {
-    hand m = hand_begin();
+    hand m = hand_turned(turn);
     batten_body_trace_report report;
     hand_arc(&m, 2, 0, 0, 360);
     hand_arc(&m, 2, 5, 0, 360);
@@ -70,9 +70,14 @@ TEST(a_cylinder_with_a_seam_edge_keeps_it)
     batten_body_unref(body);
 }
 
-TEST(a_seam_edge_elsewhere_than_that_of_the_surface_is_kept)
+TEST(a_cylinder_with_a_seam_edge_keeps_it)
 {
-    hand m = hand_begin();
+    hand_every_turn(check_seam_edge);
+}
+
+static void check_other_seam_edge(int turn)
+{
+    hand m = hand_turned(turn);
     batten_body_trace_report report;
     hand_arc(&m, 2, 0, 50, 360);
     hand_arc(&m, 2, 5, 50, 360);
@@ -86,62 +91,76 @@ TEST(a_seam_edge_elsewhere_than_that_of_the_surface_is_kept)
     batten_body_unref(body);
 }
 
+TEST(a_seam_edge_elsewhere_than_that_of_the_surface_is_kept)
+{
+    hand_every_turn(check_other_seam_edge);
+}
+
 /* With lids, so that the circles are shared. */
-TEST(a_cylinder_between_two_circles_gets_a_seam)
+static void check_between(int turn)
 {
     static const double starts[][2] = {{0, 0}, {90, 90}, {30, 30}, {10, 200}, {0, 180}};
-    for (int i = 0; i < COUNT(starts); i++) {
-        hand m = hand_begin();
-        batten_body_trace_report report;
-        hand_arc(&m, 2, 0, starts[i][0], 360);
-        hand_arc(&m, 2, 5, starts[i][1], 360);
-        hand_face(&m, hand_cylinder(2, 5), false);
-        HAND_LOOP(&m, 1);
-        HAND_LOOP(&m, -2);
-        hand_plate(&m, -3, -3, 3, 3, 0);
-        ((batten_body_face *)(uintptr_t)m.builder.parts.faces)[1].reversed = true;
-        HAND_LOOP(&m, -1);
-        hand_plate(&m, -3, -3, 3, 3, 5);
-        HAND_LOOP(&m, 2);
-        batten_body *body = hand_trace(&m, 1e-6, &report);
-        const batten_body_parts *p = batten_body_view(body);
-        CHECK_INT(p->face_count, 3);
-        CHECK_INT(report.seams, 1);
-        CHECK_INT(p->edge_count, starts[i][0] == starts[i][1] ? 3 : 4);
-        CHECK_INT(hand_shared(body), p->edge_count);
-        CHECK_NEAR(hand_area(body), 28 * acos(-1), 1e-4);
-        CHECK_NEAR(hand_volume(body), 20 * acos(-1), 1e-4);
-        batten_body_unref(body);
-    }
+    const int i = turn % COUNT(starts);
+    hand m = hand_turned(turn);
+    batten_body_trace_report report;
+    hand_arc(&m, 2, 0, starts[i][0], 360);
+    hand_arc(&m, 2, 5, starts[i][1], 360);
+    hand_face(&m, hand_cylinder(2, 5), false);
+    HAND_LOOP(&m, 1);
+    HAND_LOOP(&m, -2);
+    hand_plate(&m, -3, -3, 3, 3, 0);
+    batten_body_face *bottom = (batten_body_face *)(uintptr_t)m.builder.parts.faces + 1;
+    bottom->reversed = !bottom->reversed;
+    HAND_LOOP(&m, -1);
+    hand_plate(&m, -3, -3, 3, 3, 5);
+    HAND_LOOP(&m, 2);
+    batten_body *body = hand_trace(&m, 1e-6, &report);
+    const batten_body_parts *p = batten_body_view(body);
+    CHECK_INT(p->face_count, 3);
+    CHECK_INT(report.seams, 1);
+    CHECK_INT(p->edge_count, starts[i][0] == starts[i][1] ? 3 : 4);
+    CHECK_INT(hand_shared(body), p->edge_count);
+    CHECK_NEAR(hand_area(body), 28 * acos(-1), 1e-4);
+    CHECK_NEAR(hand_volume(body), 20 * acos(-1), 1e-4);
+    batten_body_unref(body);
+}
+
+TEST(a_cylinder_between_two_circles_gets_a_seam)
+{
+    hand_every_turn(check_between);
+}
+
+static void check_halves(int turn)
+{
+    static const double starts[] = {0, 90, 77, -90, 270.5};
+    const int i = turn % COUNT(starts);
+    hand m = hand_turned(turn);
+    batten_body_trace_report report;
+    const double at = starts[i] * acos(-1) / 180;
+    const double c = 2 * cos(at), s = 2 * sin(at);
+    hand_arc(&m, 2, 0, starts[i], 180);
+    hand_arc(&m, 2, 5, starts[i], 180);
+    hand_arc(&m, 2, 0, starts[i] + 180, 180);
+    hand_arc(&m, 2, 5, starts[i] + 180, 180);
+    hand_line(&m, c, s, 0, c, s, 5);
+    hand_line(&m, -c, -s, 0, -c, -s, 5);
+    hand_face(&m, hand_cylinder(2, 5), false);
+    HAND_LOOP(&m, 1, 6, -2, -5);
+    hand_face(&m, hand_cylinder(2, 5), false);
+    HAND_LOOP(&m, 3, 5, -4, -6);
+    batten_body *body = hand_trace(&m, 1e-6, &report);
+    const batten_body_parts *p = batten_body_view(body);
+    CHECK_INT(p->face_count, 2);
+    CHECK_INT(p->edge_count, 6);
+    CHECK_INT(report.seams, 0);
+    CHECK_INT(hand_shared(body), 2);
+    CHECK_NEAR(hand_area(body), 20 * acos(-1), 1e-4);
+    batten_body_unref(body);
 }
 
 TEST(half_cylinders_have_no_seam)
 {
-    static const double starts[] = {0, 90, 77, -90, 270.5};
-    for (int i = 0; i < COUNT(starts); i++) {
-        hand m = hand_begin();
-        batten_body_trace_report report;
-        const double at = starts[i] * acos(-1) / 180;
-        const double c = 2 * cos(at), s = 2 * sin(at);
-        hand_arc(&m, 2, 0, starts[i], 180);
-        hand_arc(&m, 2, 5, starts[i], 180);
-        hand_arc(&m, 2, 0, starts[i] + 180, 180);
-        hand_arc(&m, 2, 5, starts[i] + 180, 180);
-        hand_line(&m, c, s, 0, c, s, 5);
-        hand_line(&m, -c, -s, 0, -c, -s, 5);
-        hand_face(&m, hand_cylinder(2, 5), false);
-        HAND_LOOP(&m, 1, 6, -2, -5);
-        hand_face(&m, hand_cylinder(2, 5), false);
-        HAND_LOOP(&m, 3, 5, -4, -6);
-        batten_body *body = hand_trace(&m, 1e-6, &report);
-        const batten_body_parts *p = batten_body_view(body);
-        CHECK_INT(p->face_count, 2);
-        CHECK_INT(p->edge_count, 6);
-        CHECK_INT(report.seams, 0);
-        CHECK_INT(hand_shared(body), 2);
-        CHECK_NEAR(hand_area(body), 20 * acos(-1), 1e-4);
-        batten_body_unref(body);
-    }
+    hand_every_turn(check_halves);
 }
 
 /* A window from -20 to 30 degrees; as a face, and as a hole of the band. */
@@ -155,9 +174,9 @@ static void window(hand *m, int first)
     hand_line(m, 2 * cos(a), 2 * sin(a), 1, 2 * cos(a), 2 * sin(a), 3);
 }
 
-TEST(a_face_across_the_seam_of_a_cylinder_is_one_face_of_a_surface_with_another_seam)
+static void check_face_across(int turn)
 {
-    hand m = hand_begin();
+    hand m = hand_turned(turn);
     batten_body_trace_report report;
     window(&m, 1);
     hand_face(&m, hand_cylinder(2, 5), false);
@@ -170,9 +189,14 @@ TEST(a_face_across_the_seam_of_a_cylinder_is_one_face_of_a_surface_with_another_
     batten_body_unref(body);
 }
 
-TEST(a_hole_across_the_seam_of_a_band_moves_the_seam)
+TEST(a_face_across_the_seam_of_a_cylinder_is_one_face_of_a_surface_with_another_seam)
 {
-    hand m = hand_begin();
+    hand_every_turn(check_face_across);
+}
+
+static void check_hole_across(int turn)
+{
+    hand m = hand_turned(turn);
     batten_body_trace_report report;
     hand_arc(&m, 2, 0, 0, 360);
     hand_arc(&m, 2, 5, 0, 360);
@@ -191,9 +215,14 @@ TEST(a_hole_across_the_seam_of_a_band_moves_the_seam)
     batten_body_unref(body);
 }
 
-TEST(a_sphere_without_loops_gets_its_border)
+TEST(a_hole_across_the_seam_of_a_band_moves_the_seam)
 {
-    hand m = hand_begin();
+    hand_every_turn(check_hole_across);
+}
+
+static void check_sphere(int turn)
+{
+    hand m = hand_turned(turn);
     batten_body_trace_report report;
     batten_surface *sphere = NULL;
     CHECK_OK(batten_surface_sphere(&hand_world, 2, &sphere));
@@ -207,10 +236,15 @@ TEST(a_sphere_without_loops_gets_its_border)
     batten_body_unref(body);
 }
 
-TEST(hemispheres_get_a_seam_and_a_pole)
+TEST(a_sphere_without_loops_gets_its_border)
+{
+    hand_every_turn(check_sphere);
+}
+
+static void check_hemispheres(int turn)
 {
     for (int side = 0; side < 2; side++) {
-        hand m = hand_begin();
+        hand m = hand_turned(turn);
         batten_body_trace_report report;
         batten_surface *sphere = NULL;
         hand_arc(&m, 2, 0, 10, 360);
@@ -234,10 +268,15 @@ TEST(hemispheres_get_a_seam_and_a_pole)
     }
 }
 
-TEST(a_circle_on_a_sphere_bounds_a_cap_or_all_but_a_cap)
+TEST(hemispheres_get_a_seam_and_a_pole)
+{
+    hand_every_turn(check_hemispheres);
+}
+
+static void check_caps(int turn)
 {
     for (int side = 0; side < 2; side++) {
-        hand m = hand_begin();
+        hand m = hand_turned(turn);
         batten_body_trace_report report;
         batten_surface *sphere = NULL;
         batten_curve *circle = NULL;
@@ -258,9 +297,14 @@ TEST(a_circle_on_a_sphere_bounds_a_cap_or_all_but_a_cap)
     }
 }
 
-TEST(an_octant_of_a_sphere_has_a_pole)
+TEST(a_circle_on_a_sphere_bounds_a_cap_or_all_but_a_cap)
 {
-    hand m = hand_begin();
+    hand_every_turn(check_caps);
+}
+
+static void check_octant(int turn)
+{
+    hand m = hand_turned(turn);
     batten_body_trace_report report;
     batten_surface *sphere = NULL;
     batten_curve *curve = NULL;
@@ -282,37 +326,47 @@ TEST(an_octant_of_a_sphere_has_a_pole)
     batten_body_unref(body);
 }
 
-/* The pole is within the box of the circle's points, or, where a quarter ends at the pole, at its rim. */
-TEST(a_circle_through_a_pole_is_divided_there)
+TEST(an_octant_of_a_sphere_has_a_pole)
 {
-    static const double starts[] = {0.2, 0, 1.2};
-    for (int i = 0; i < COUNT(starts); i++)
-        for (int side = -1; side <= 1; side += 2) {
-            hand m = hand_begin();
-            batten_body_trace_report report;
-            batten_surface *sphere = NULL;
-            batten_curve *circle = NULL;
-            /* In the plane x + z = 2 of the sphere: through (0, 0, 2) and (2, 0, 0); or its image below. */
-            const double h = sqrt(0.5);
-            const batten_frame frame = {
-                .origin = {1, 0, side}, .x = {0, 1, 0}, .z = {h, 0, side * h}};
-            CHECK_OK(batten_curve_arc_in(&frame, sqrt(2), starts[i], 2 * acos(-1), &circle));
-            hand_edge(&m, circle);
-            CHECK_OK(batten_surface_sphere(&hand_world, 2, &sphere));
-            hand_face(&m, sphere, false);
-            HAND_LOOP(&m, 1);
-            batten_body *body = hand_trace(&m, 1e-5, &report);
-            CHECK_INT(batten_body_view(body)->face_count, 1);
-            CHECK_INT(report.poles, 1);
-            CHECK_NEAR(hand_area(body), 4 * acos(-1) * (2 - sqrt(2)), 1e-4);
-            batten_body_unref(body);
-        }
+    hand_every_turn(check_octant);
 }
 
-TEST(a_cone_from_its_rim_to_its_apex_gets_a_seam)
+/* The pole is within the box of the circle's points, or, where a quarter ends at the pole, at its rim. */
+static void check_through_pole(int turn)
+{
+    static const double starts[] = {0.2, 0, 1.2};
+    const int i = turn % COUNT(starts);
+    for (int side = -1; side <= 1; side += 2) {
+        hand m = hand_turned(turn);
+        batten_body_trace_report report;
+        batten_surface *sphere = NULL;
+        batten_curve *circle = NULL;
+        /* In the plane x + z = 2 of the sphere: through (0, 0, 2) and (2, 0, 0); or its image below. */
+        const double h = sqrt(0.5);
+        const batten_frame frame = {
+            .origin = {1, 0, side}, .x = {0, 1, 0}, .z = {h, 0, side * h}};
+        CHECK_OK(batten_curve_arc_in(&frame, sqrt(2), starts[i], 2 * acos(-1), &circle));
+        hand_edge(&m, circle);
+        CHECK_OK(batten_surface_sphere(&hand_world, 2, &sphere));
+        hand_face(&m, sphere, false);
+        HAND_LOOP(&m, 1);
+        batten_body *body = hand_trace(&m, 1e-5, &report);
+        CHECK_INT(batten_body_view(body)->face_count, 1);
+        CHECK_INT(report.poles, 1);
+        CHECK_NEAR(hand_area(body), 4 * acos(-1) * (2 - sqrt(2)), 1e-4);
+        batten_body_unref(body);
+    }
+}
+
+TEST(a_circle_through_a_pole_is_divided_there)
+{
+    hand_every_turn(check_through_pole);
+}
+
+static void check_cone(int turn)
 {
     for (int turned = 0; turned < 2; turned++) {
-        hand m = hand_begin();
+        hand m = hand_turned(turn);
         batten_body_trace_report report;
         batten_surface *cone = NULL;
         hand_arc(&m, 2, 0, 70, 360);
@@ -328,10 +382,15 @@ TEST(a_cone_from_its_rim_to_its_apex_gets_a_seam)
     }
 }
 
-TEST(bands_around_a_torus_get_a_seam)
+TEST(a_cone_from_its_rim_to_its_apex_gets_a_seam)
+{
+    hand_every_turn(check_cone);
+}
+
+static void check_bands(int turn)
 {
     for (int side = 0; side < 2; side++) {
-        hand m = hand_begin();
+        hand m = hand_turned(turn);
         batten_body_trace_report report;
         /* The circles on top and below, outside or inside of which the band is. */
         hand_arc(&m, 3, 1, 20, 360);
@@ -345,6 +404,11 @@ TEST(bands_around_a_torus_get_a_seam)
         CHECK_NEAR(hand_area(body), 2 * acos(-1) * (3 * acos(-1) + (side ? -2 : 2)), 1e-4);
         batten_body_unref(body);
     }
+}
+
+TEST(bands_around_a_torus_get_a_seam)
+{
+    hand_every_turn(check_bands);
 }
 
 /* All edges begin and end in one vertex: the order in which they come may be another way
@@ -375,10 +439,10 @@ TEST(a_torus_cut_open_along_two_circles_is_the_whole_of_it)
         }
 }
 
-TEST(a_pipe_bend_between_two_circles_gets_a_seam)
+static void check_bend(int turn)
 {
     for (int side = 0; side < 2; side++) {
-        hand m = hand_begin();
+        hand m = hand_turned(turn);
         batten_body_trace_report report;
         batten_curve *circle = NULL;
         const batten_frame first = {.origin = {3, 0, 0}, .x = {1, 0, 0}, .z = {0, -1, 0}};
@@ -396,4 +460,9 @@ TEST(a_pipe_bend_between_two_circles_gets_a_seam)
         CHECK_NEAR(hand_area(body), acos(-1) * acos(-1) * (side ? 9 : 3), 1e-4);
         batten_body_unref(body);
     }
+}
+
+TEST(a_pipe_bend_between_two_circles_gets_a_seam)
+{
+    hand_every_turn(check_bend);
 }
