@@ -304,59 +304,6 @@ TEST(an_edge_of_no_face_is_looked_at_alone)
     batten_notes_free(notes);
 }
 
-/* ---- loops ---- */
-
-static int crossing_in(int count, const double (*corners)[2], const int *sizes, int loops)
-{
-    batten_body *body = sheet_with_loops(count, corners, sizes, loops);
-    const batten_body_faults f = faults_of(body, 1e-6);
-    CHECK_INT(f.loose + f.gaps, 0);
-    batten_body_unref(body);
-    return f.crossing_loops;
-}
-
-TEST(G8_loops_that_cross_or_touch_are_found)
-{
-    static const double inside[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
-    static const double over_rim[][2] = {{3, 1}, {3, 2}, {5, 2}, {5, 1}};
-    static const double bow_tie[][2] = {{1, 1}, {2, 2}, {2, 1}, {1, 2}};
-    static const double two[][2] = {{1, 1},     {1, 2},   {2, 2}, {2, 1},
-                                    {1.5, 1.5}, {1.5, 3}, {3, 3}, {3, 1.5}};
-    static const double at_corner[][2] = {{0, 0}, {1, 2}, {2, 1}};
-    static const double at_each_other[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 2}, {2, 3}, {3, 2}};
-    static const double apart[][2] = {{1, 1}, {1, 2}, {2, 2}, {2.5, 2}, {2.5, 3}, {3, 2}};
-    static const int four[] = {4, 4}, three[] = {3, 3};
-    static const double twice[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1},
-                                      {1, 1}, {1, 2}, {2, 2}, {2, 1}};
-    CHECK_INT(crossing_in(8, twice, four, 2), 2);
-    CHECK_INT(crossing_in(0, NULL, NULL, 0), 0);
-    CHECK_INT(crossing_in(4, inside, four, 1), 0);
-    CHECK_INT(crossing_in(4, over_rim, four, 1), 2);
-    CHECK_INT(crossing_in(4, bow_tie, four, 1), 1);
-    CHECK_INT(crossing_in(8, two, four, 2), 2);
-    CHECK_INT(crossing_in(3, at_corner, three, 1), 2);
-    CHECK_INT(crossing_in(6, at_each_other, three, 2), 2);
-    CHECK_INT(crossing_in(6, apart, three, 2), 0);
-}
-
-TEST(G8_a_crossing_is_named_with_its_place)
-{
-    static const double over_rim[][2] = {{3, 1}, {3, 2}, {5, 2}, {5, 1}};
-    static const int four[] = {4};
-    batten_body *body = sheet_with_loops(4, over_rim, four, 1);
-    batten_notes *notes = new_notes();
-    batten_body_faults f;
-    CHECK_OK(batten_body_check(body, 1e-6, NULL, notes, &f));
-    if (batten_notes_dropped(notes) == 0) {
-        CHECK(batten_notes_count(notes) >= 2);
-        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "face 1 \"sheet\"");
-        CHECK_CONTAINS(batten_notes_at(notes, 0)->text,
-                       "edges 2 and 8 of its loops 1 and 2 cross at (u, v) = (4, 1)");
-    }
-    batten_notes_free(notes);
-    batten_body_unref(body);
-}
-
 TEST(N6_a_tolerance_of_nothing_is_refused)
 {
     batten_body *box = unit_box();
@@ -365,62 +312,6 @@ TEST(N6_a_tolerance_of_nothing_is_refused)
     CHECK_TEXT(batten_message(), "the tolerance is 0; it must be positive");
     CHECK_STATUS(batten_body_check(box, NAN, NULL, NULL, &f), BATTEN_BAD_ARGUMENT);
     batten_body_unref(box);
-}
-
-/* A ball with a round void, each as its outside is said to be. */
-static batten_body *hollow_ball(bool outer_turned, bool void_turned, bool is_solid)
-{
-    const batten_frame world = batten_frame_world();
-    batten_surface *outer = NULL, *inner = NULL;
-    batten_body *body = NULL;
-    bat_builder b;
-    bat_builder_begin(&b, 1e-9);
-    CHECK_OK(batten_surface_sphere(&world, 2, &outer));
-    CHECK_OK(batten_surface_sphere(&world, 1, &inner));
-    CHECK_OK(bat_builder_shell(&b, true));
-    CHECK_OK(
-        bat_builder_face(&b, &(batten_body_face){.surface = outer, .reversed = outer_turned}));
-    CHECK_OK(bat_builder_shell(&b, true));
-    CHECK_OK(
-        bat_builder_face(&b, &(batten_body_face){.surface = inner, .reversed = !void_turned}));
-    b.parts.is_solid = is_solid;
-    CHECK_OK(batten_body_create(&b.parts, &body));
-    bat_builder_end(&b);
-    batten_surface_unref(outer);
-    batten_surface_unref(inner);
-    return body;
-}
-
-TEST(shells_that_are_turned_inside_out_are_told)
-{
-    static const struct {
-        bool outer, inner;
-        const char *entity, *words;
-    } cases[] = {
-        {false, false, NULL, NULL},
-        {true, false, "shell 1", "bounds the solid and is turned inward: its volume is -33.51"},
-        {false, true, "shell 2",
-         "bounds a void of the solid and is turned outward: its volume is 4.188"}};
-    for (int i = 0; i < 3; i++) {
-        batten_body *body = hollow_ball(cases[i].outer, cases[i].inner, true);
-        batten_notes *notes = new_notes();
-        batten_body_faults f = {.gaps = -1};
-        CHECK_OK(batten_body_check(body, 1e-6, NULL, notes, &f));
-        CHECK_INT(f.turned_shells, i > 0);
-        if (batten_notes_dropped(notes) == 0)
-            CHECK_INT(batten_notes_count(notes), i > 0);
-        if (batten_notes_dropped(notes) == 0 && i > 0) {
-            CHECK_TEXT(batten_notes_at(notes, 0)->entity, cases[i].entity);
-            CHECK_CONTAINS(batten_notes_at(notes, 0)->text, cases[i].words);
-        }
-        batten_notes_free(notes);
-        batten_body_unref(body);
-    }
-    batten_body *both = hollow_ball(true, true, true), *sheets = hollow_ball(true, true, false);
-    CHECK_INT(faults_of(both, 1e-6).turned_shells, 2);
-    CHECK_INT(faults_of(sheets, 1e-6).turned_shells, 0);
-    batten_body_unref(both);
-    batten_body_unref(sheets);
 }
 
 /* Faces of a box that look inward; of a shell that does not close the side is not asked. */

@@ -124,3 +124,62 @@ TEST(a_face_whose_loops_do_not_close_is_named)
         batten_body_unref(body);
     }
 }
+
+static batten_body_faults faults_of(const batten_body *body)
+{
+    batten_body_faults f = {.gaps = -1};
+    CHECK_OK(batten_body_check(body, 1e-6, NULL, NULL, &f));
+    return f;
+}
+
+static int crossing_in(int count, const double (*corners)[2], const int *sizes, int loops)
+{
+    batten_body *body = sheet_with_loops(count, corners, sizes, loops);
+    const batten_body_faults f = faults_of(body);
+    CHECK_INT(f.loose + f.gaps, 0);
+    batten_body_unref(body);
+    return f.crossing_loops;
+}
+
+TEST(G8_loops_that_cross_or_touch_are_found)
+{
+    static const double inside[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
+    static const double over_rim[][2] = {{3, 1}, {3, 2}, {5, 2}, {5, 1}};
+    static const double bow_tie[][2] = {{1, 1}, {2, 2}, {2, 1}, {1, 2}};
+    static const double two[][2] = {{1, 1},     {1, 2},   {2, 2}, {2, 1},
+                                    {1.5, 1.5}, {1.5, 3}, {3, 3}, {3, 1.5}};
+    static const double at_corner[][2] = {{0, 0}, {1, 2}, {2, 1}};
+    static const double at_each_other[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 2}, {2, 3}, {3, 2}};
+    static const double apart[][2] = {{1, 1}, {1, 2}, {2, 2}, {2.5, 2}, {2.5, 3}, {3, 2}};
+    static const int four[] = {4, 4}, three[] = {3, 3};
+    static const double twice[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1},
+                                      {1, 1}, {1, 2}, {2, 2}, {2, 1}};
+    CHECK_INT(crossing_in(8, twice, four, 2), 2);
+    CHECK_INT(crossing_in(0, NULL, NULL, 0), 0);
+    CHECK_INT(crossing_in(4, inside, four, 1), 0);
+    CHECK_INT(crossing_in(4, over_rim, four, 1), 2);
+    CHECK_INT(crossing_in(4, bow_tie, four, 1), 1);
+    CHECK_INT(crossing_in(8, two, four, 2), 2);
+    CHECK_INT(crossing_in(3, at_corner, three, 1), 2);
+    CHECK_INT(crossing_in(6, at_each_other, three, 2), 2);
+    CHECK_INT(crossing_in(6, apart, three, 2), 0);
+}
+
+TEST(G8_a_crossing_is_named_with_its_place)
+{
+    static const double over_rim[][2] = {{3, 1}, {3, 2}, {5, 2}, {5, 1}};
+    static const int four[] = {4};
+    batten_body *body = sheet_with_loops(4, over_rim, four, 1);
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(100, &notes));
+    batten_body_faults f;
+    CHECK_OK(batten_body_check(body, 1e-6, NULL, notes, &f));
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK(batten_notes_count(notes) >= 2);
+        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "face 1 \"sheet\"");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text,
+                       "edges 2 and 8 of its loops 1 and 2 cross at (u, v) = (4, 1)");
+    }
+    batten_notes_free(notes);
+    batten_body_unref(body);
+}

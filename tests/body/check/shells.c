@@ -112,3 +112,66 @@ TEST(progress_of_a_check_is_a_part_of_the_whole)
     CHECK(told >= 1);
     batten_body_unref(box);
 }
+
+static int turned_in(const batten_body *body)
+{
+    batten_body_faults f = {.gaps = -1};
+    CHECK_OK(batten_body_check(body, 1e-6, NULL, NULL, &f));
+    return f.turned_shells;
+}
+
+/* A ball with a round void, each as its outside is said to be. */
+static batten_body *hollow_ball(bool outer_turned, bool void_turned, bool is_solid)
+{
+    const batten_frame world = batten_frame_world();
+    batten_surface *outer = NULL, *inner = NULL;
+    batten_body *body = NULL;
+    bat_builder b;
+    bat_builder_begin(&b, 1e-9);
+    CHECK_OK(batten_surface_sphere(&world, 2, &outer));
+    CHECK_OK(batten_surface_sphere(&world, 1, &inner));
+    CHECK_OK(bat_builder_shell(&b, true));
+    CHECK_OK(
+        bat_builder_face(&b, &(batten_body_face){.surface = outer, .reversed = outer_turned}));
+    CHECK_OK(bat_builder_shell(&b, true));
+    CHECK_OK(
+        bat_builder_face(&b, &(batten_body_face){.surface = inner, .reversed = !void_turned}));
+    b.parts.is_solid = is_solid;
+    CHECK_OK(batten_body_create(&b.parts, &body));
+    bat_builder_end(&b);
+    batten_surface_unref(outer);
+    batten_surface_unref(inner);
+    return body;
+}
+
+TEST(shells_that_are_turned_inside_out_are_told)
+{
+    static const struct {
+        bool outer, inner;
+        const char *entity, *words;
+    } cases[] = {
+        {false, false, NULL, NULL},
+        {true, false, "shell 1", "bounds the solid and is turned inward: its volume is -33.51"},
+        {false, true, "shell 2",
+         "bounds a void of the solid and is turned outward: its volume is 4.188"}};
+    for (int i = 0; i < 3; i++) {
+        batten_body *body = hollow_ball(cases[i].outer, cases[i].inner, true);
+        batten_notes *notes = new_notes();
+        batten_body_faults f = {.gaps = -1};
+        CHECK_OK(batten_body_check(body, 1e-6, NULL, notes, &f));
+        CHECK_INT(f.turned_shells, i > 0);
+        if (batten_notes_dropped(notes) == 0)
+            CHECK_INT(batten_notes_count(notes), i > 0);
+        if (batten_notes_dropped(notes) == 0 && i > 0) {
+            CHECK_TEXT(batten_notes_at(notes, 0)->entity, cases[i].entity);
+            CHECK_CONTAINS(batten_notes_at(notes, 0)->text, cases[i].words);
+        }
+        batten_notes_free(notes);
+        batten_body_unref(body);
+    }
+    batten_body *both = hollow_ball(true, true, true), *sheets = hollow_ball(true, true, false);
+    CHECK_INT(turned_in(both), 2);
+    CHECK_INT(turned_in(sheets), 0);
+    batten_body_unref(both);
+    batten_body_unref(sheets);
+}
