@@ -31,13 +31,17 @@ void fact_near_point(const subject *of, const fact *f, const double *actual,
         fact_near(of, f, actual[k], expected[k]);
 }
 
-static void says(const subject *of, const fact *f, const char *text)
+static void fact_false(const subject *of, const fact *f, const char *text)
 {
-    if (text && strstr(text, f->rest))
-        return;
     wrong++;
     fprintf(stderr, "a: %s\n    %s %s: found %s\n", of->feature, f->word, f->rest,
             text ? text : "nothing");
+}
+
+static void says(const subject *of, const fact *f, const char *text)
+{
+    if (!text || !strstr(text, f->rest))
+        fact_false(of, f, text);
 }
 
 /* ---- facts ---- */
@@ -175,6 +179,24 @@ static void check_notes(subject *of, const fact *f)
     says(of, f, all);
 }
 
+static void check_lacks(subject *of, const fact *f)
+{
+    for (int i = 0; i < batten_notes_count(of->notes); i++)
+        if (strstr(batten_notes_at(of->notes, i)->text, f->rest))
+            fact_false(of, f, batten_notes_at(of->notes, i)->text);
+}
+
+static void check_colour(subject *of, const fact *f)
+{
+    fact_near(of, f, of->object->has_colour, 1);
+    fact_near_point(of, f, of->object->colour, f->number);
+}
+
+static void check_plain(subject *of, const fact *f)
+{
+    fact_near(of, f, of->object->has_colour, 0);
+}
+
 static void check_silent(subject *of, const fact *f)
 {
     fact_near(of, f, batten_notes_count(of->notes), 0);
@@ -187,7 +209,8 @@ static const known_fact own_facts[] = {
     {"closed", check_closed},   {"domain", check_domain}, {"control", check_control},
     {"data", check_data},       {"error", check_error},   {"exact", check_exact},
     {"notes", check_notes},     {"silent", check_silent}, {"moves", check_moves},
-    {"spans", check_spans},
+    {"spans", check_spans},     {"lacks", check_lacks},   {"colour", check_colour},
+    {"plain", check_plain},
 };
 
 static bool check_in(const known_fact *table, int count, subject *of, const fact *f)

@@ -31,7 +31,8 @@
  *     error e                  the error that is reported is at most e, and is reported
  *     moves n d                fairing moved n points, none farther than d
  *     exact                    no error is reported
- *     notes words              the notes say so;  silent: there are no notes
+ *     notes words              the notes say so;  lacks words: none does;  silent: there are no notes
+ *     colour r g b             of the object, 0 to 1;  plain: it has none
  */
 typedef struct {
     const char *feature; /* what follows "a: " */

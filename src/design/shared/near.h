@@ -57,7 +57,7 @@ static inline batten_status bat_make_smooth(const bat_run *run, const bat_data *
                                             batten_curve_smooth_options *options,
                                             bat_made *made)
 {
-    batten_fit_report report = {0};
+    batten_fit_report report;
     options->order = bat_count(run, "order");
     batten_status status = bat_smooth_options(run, data, options);
     if (status == BATTEN_OK)

@@ -90,7 +90,7 @@ static batten_status check_given(const bat_run *run)
 static batten_status make_aerofoil(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_aerofoil_options options = batten_curve_aerofoil_defaults();
-    batten_curve_aerofoil_report report = {0};
+    batten_curve_aerofoil_report report;
     options.chord = number_or(run, "chord", 0);
     options.trailing_edge = number_or(run, "trailing-edge", -1);
     options.thickness = number_or(run, "thickness", 0);

@@ -26,7 +26,7 @@ static batten_status draw_circle(bat_run *run, const char *name,
 static batten_status make_fit_circle(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_fitted_circle circle;
-    batten_primitive_report report = {0};
+    batten_primitive_report report;
     batten_status status =
         batten_circle_fit((batten_points){3, data->count, data->points},
                           (batten_circle_method)bat_word(run, "by"), &report, &circle);

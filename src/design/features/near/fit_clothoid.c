@@ -22,7 +22,7 @@ static batten_status draw_clothoid(bat_run *run, const bat_data *data, const bat
 static batten_status make_fit_clothoid(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_span span;
-    batten_primitive_report report = {0};
+    batten_primitive_report report;
     batten_status status = batten_clothoid_fit((batten_points){2, data->count, data->points},
                                                made->parameters, &report, &span);
     if (status == BATTEN_OK)

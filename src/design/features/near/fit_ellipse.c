@@ -46,7 +46,7 @@ static batten_status draw_fit_ellipse(const batten_fitted_ellipse *e, bool whole
 static batten_status make_fit_ellipse(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_fitted_ellipse ellipse;
-    batten_primitive_report report = {0};
+    batten_primitive_report report;
     batten_status status =
         batten_ellipse_fit((batten_points){2, data->count, data->points}, &report, &ellipse);
     if (status == BATTEN_OK) {

@@ -33,7 +33,7 @@ static batten_status make_fit_line(bat_run *run, const bat_data *data, bat_made 
 {
     (void)run;
     batten_fitted_line line;
-    batten_primitive_report report = {0};
+    batten_primitive_report report;
     batten_status status =
         batten_line_fit((batten_points){3, data->count, data->points}, &report, &line);
     if (status == BATTEN_OK) {

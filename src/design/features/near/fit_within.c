@@ -24,7 +24,7 @@ static const batten_parameter parameters[] = {
 static batten_status make_fit_within(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_curve_within_options options = batten_curve_within_defaults();
-    batten_curve_within_report report = {0};
+    batten_curve_within_report report;
     int *corners = NULL;
     options.tolerance = bat_number(run, "within");
     options.method = (batten_within_method)bat_word(run, "by");

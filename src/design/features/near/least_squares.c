@@ -53,7 +53,7 @@ static batten_status make_least_squares(bat_run *run, const bat_data *data, bat_
     options.hold_start = options.hold_end = bat_yes(run, "hold-ends") && !options.closed;
     options.corrections = data->dimension > 1 ? bat_count(run, "corrections") : 0;
     options.robust = (batten_robust)bat_word(run, "robust");
-    batten_fit_report report = {0};
+    batten_fit_report report;
     double *weights = NULL;
     batten_condition *conditions = NULL;
     batten_status status = bat_check_closed(run, data);

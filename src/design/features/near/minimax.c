@@ -14,15 +14,17 @@ static const batten_parameter parameters[] = {
 
 static batten_status make_minimax(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_curve_minimax_report report = {0};
+    batten_curve_minimax_report report;
     const batten_status status =
         batten_curve_minimax(data->count, data->abscissae, data->points,
                              bat_count(run, "degree"), &report, &made->curve);
+    if (status != BATTEN_OK)
+        return status;
     memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *made->parameters);
-    made->has_error = status == BATTEN_OK;
+    made->has_error = true;
     made->error_max = report.error;
     made->error_rms = report.rms;
-    return status;
+    return BATTEN_OK;
 }
 
 static batten_status run_minimax(bat_run *run)

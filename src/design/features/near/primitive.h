@@ -15,10 +15,12 @@
 static inline batten_status bat_made_primitive(const batten_primitive_report *report,
                                                batten_status status, bat_made *made)
 {
-    made->has_error = status == BATTEN_OK;
+    if (status != BATTEN_OK)
+        return status;
+    made->has_error = true;
     made->error_max = report->error;
     made->error_rms = report->rms;
-    return status;
+    return BATTEN_OK;
 }
 
 #endif

@@ -23,16 +23,18 @@ static batten_status make_schoenberg(bat_run *run, const bat_data *data, bat_mad
     options.given = data->abscissae;
     options.closed = bat_yes(run, "closed");
     options.bernstein = bat_word(run, "knots") == 1;
-    batten_curve_schoenberg_report report = {0};
+    batten_curve_schoenberg_report report;
     batten_status status = bat_check_closed(run, data);
     if (status == BATTEN_OK)
         status =
             batten_curve_schoenberg((batten_points){data->dimension, data->count, data->points},
                                     &options, made->parameters, &report, &made->curve);
-    made->has_error = status == BATTEN_OK;
+    if (status != BATTEN_OK)
+        return status;
+    made->has_error = true;
     made->error_max = report.error;
     made->error_rms = report.rms;
-    return status;
+    return BATTEN_OK;
 }
 
 static batten_status run_schoenberg(bat_run *run)

@@ -162,7 +162,7 @@ static batten_status make_curve(const wanted *w, const batten_polyline *line, do
                                 double *error, batten_curve **out)
 {
     batten_curve_within_options options = batten_curve_within_defaults();
-    batten_curve_within_report report = {0};
+    batten_curve_within_report report;
     options.tolerance = 0.5 * w->within;
     options.corner = 20 * BAT_PI / 180;
     options.closed = line->closed;
@@ -170,13 +170,14 @@ static batten_status make_curve(const wanted *w, const batten_polyline *line, do
     if (w->smooth && line->count >= 4) {
         const batten_status status = batten_curve_within(
             (batten_points){3, line->count, line->points}, &options, NULL, &report, out);
-        *error = bat_max(report.error, report.apart) + rise;
-        if (status == BATTEN_OK && *error <= w->within)
-            return BATTEN_OK;
-        if (status == BATTEN_OK)
-            batten_curve_unref(*out);
-        else if (status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED)
+        if (status == BATTEN_OUT_OF_MEMORY)
             return status;
+        if (status == BATTEN_OK) {
+            *error = bat_max(report.error, report.apart) + rise;
+            if (*error <= w->within)
+                return BATTEN_OK;
+            batten_curve_unref(*out);
+        }
     }
     *error = rise;
     return make_polyline(line, out);

@@ -16,7 +16,9 @@ static const char data[] =
     "  turned: {points: [[1, 5, 1], [1, 3.2, 1.4], [1, 2, 3], [1, 3.2, 4.6], [1, 5, 5]]}\n"
     "  line: {line: [[0, 0], [3, 4]]}\n"
     "  fold: {points: [[0, 0], [1, 0], [0.2, 0.4], [1, 0.5]]}\n"
-    "  few: {points: [[0, 0], [1, 2]]}\n";
+    "  few: {points: [[0, 0], [1, 2]]}\n"
+    "  loops: {points: [[0, 0], [1, 0], [0.5, 0.001], [1.5, 0], [1, 0.001], [2, 0]]}\n"
+    "  big: {points: [[3, 4], [-3, 4], [-4, -3]]}\n";
 
 /* Curvatures 2 sin(phi - theta) / l of the chords, and their derivatives 2 cos(phi - theta) / l. */
 static const expect_row of_arcs[] = {
@@ -29,6 +31,10 @@ static const expect_row of_arcs[] = {
      "notes 'row' has 2 arcs turning by more than 180 degrees"},
     {"{sequential-arcs: pair, start-angle: 120 deg}", BATTEN_OK,
      "notes 'pair' has 1 arc turning by more than 180 degrees"},
+    {"{sequential-arcs: row, start-angle: 45 deg}", BATTEN_OK, "lacks more than 180 degrees"},
+    {"{biarcs: loops}", BATTEN_OK, "notes 'loops' has 4 arcs turning by more than 180 degrees"},
+    {"{biarcs: row}", BATTEN_OK, "silent"},
+    {"{biarcs: ring}", BATTEN_OK, "silent"},
     {"{arcs: square, within: 0.001}", BATTEN_OK,
      "notes 'square': 0 arcs and 2 lines, 0 beside it to the left and ; notes least "
      "radius inf, largest corner 90 degrees"},

@@ -7,6 +7,11 @@ static const char shapes[] =
     "  slope: {bezier-surface: net}\n"
     "  flat: {points: [[0, 0, 5], [2, 0, 5], [0, 1, 5], [2, 1, 5]], columns: 2}\n"
     "  level: {bezier-surface: flat}\n"
+    "  steep: {bilinear: [[0, 0, 0], [1, 0, 0], [1, 1, 12], [0, 1, 12]]}\n"
+    "  steeper: {bilinear: [[0, 0, 0], [1, 0, 0], [1, 1, 24], [0, 1, 24]]}\n"
+    "  tall: {bilinear: [[0, 0, 0], [1, 0, 0], [1, 1, 60], [0, 1, 60]]}\n"
+    "  taller: {bilinear: [[0, 0, 0], [1, 0, 0], [1, 1, 120], [0, 1, 120]]}\n"
+    "  tallest: {bilinear: [[0, 0, 0], [1, 0, 0], [1, 1, 121], [0, 1, 121]]}\n"
     "  drops: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 1]]}\n"
     "  three: {bezier-triangle: drops}\n"
     "  ball: {sphere: 2}\n"
@@ -14,12 +19,14 @@ static const char shapes[] =
     "  ring: {circle: 2}\n"
     "  bend: {arc: 2, angle: 180 deg}\n"
     "  corner: {polyline: [[0, 0], [4, 0], [4, 3]]}\n"
+    "  tilted: {line: [[0, 0, 0], [1, 2, 2]]}\n"
+    "  vee: {points: [[-1, 1], [0, -1], [1, 1]]}\n  bow: {bezier: vee}\n"
     "  one: {line: [[0, 0], [4, 0]]}\n"
     "  c1: {line: [[0, 0], [2, 0]]}\n  c2: {line: [[2, 0], [2, 1]]}\n  c3: {line: [[2, 1], [1, 1]]}\n"
     "  c4: {line: [[1, 1], [1, 2]]}\n  c5: {line: [[1, 2], [0, 2]]}\n  c6: {line: [[0, 2], [0, 0]]}\n"
     "  hole: {fill: [c1, c2, c3, c4, c5, c6], form: sheet}\n"
     "  raised: {move: slope, by: [0, 0, 1]}\n"
-    "  lines: {collect: [one, corner]}\n";
+    "  lines: {collect: [one, corner]}\n  twos: {collect: [one, one]}\n";
 
 TEST(curves_of_surfaces_lie_at_their_parameters)
 {
@@ -50,7 +57,20 @@ TEST(contours_have_equal_heights)
         {"{contours: ball, levels: [1], within: 0.0001}", BATTEN_OK,
          "within 0.001;on 0 0 1 1;distance 2 0 0 0;closed 1;error 0.0001"},
         {"{contours: ball, levels: [1], as: polylines}", BATTEN_OK,
-         "degree 1;within 0.01;on 0 0 1 1;closed 1;error 0.001"},
+         "degree 1;within 0.01;on 0 0 1 1;closed 1;error 0.001;silent"},
+        /* Smooth, unless memory is short: a polyline is no answer then. */
+        {"{contours: ball, levels: [1]}", BATTEN_OK, "degree 3;rational 0;closed 1;silent"},
+        {"{contours: [ball, slope], levels: [1]}", BATTEN_OK,
+         "objects 2;named ball at 1;object 1;named slope at 1;silent"},
+        {"{contours: slope, levels: [1, 2, 7]}", BATTEN_OK, "objects 2;silent"},
+        /* A twelfth of 12 is 1, of 24 is 2, of 60 is 5 and of 120 is 10. */
+        {"{contours: steep}", BATTEN_OK, "on 0 0 1 1;object 10;on 0 0 1 11"},
+        {"{contours: steeper}", BATTEN_OK, "on 0 0 1 2;object 10;on 0 0 1 22"},
+        {"{contours: tall}", BATTEN_OK, "on 0 0 1 5;object 10;on 0 0 1 55"},
+        {"{contours: taller}", BATTEN_OK, "on 0 0 1 10;object 10;on 0 0 1 110"},
+        {"{contours: tallest}", BATTEN_OK, "on 0 0 1 20;object 5;on 0 0 1 120"},
+        {"{contours: slope, spacing: 0.00301}", BATTEN_OK, "on 0 0 1 0.00301"},
+        {"{contours: slope, spacing: 0.003}", BATTEN_TOO_LARGE, "apart from 0 to 3: more than"},
         {"{contours: ball, levels: [1], within: 1e-7}", BATTEN_OK,
          "degree 3;within 1e-6;on 0 0 1 1;distance 2 0 0 0;closed 1"},
         {"{contours: three, levels: [0.5]}", BATTEN_OK, "on 0 0 1 0.5;length 0.5"},
@@ -87,6 +107,21 @@ TEST(curves_are_divided_into_equal_parts)
         {"{divide: bend, count: 2}", BATTEN_OK, "within 1e-6;data 1 0 2 0"},
         {"{divide: bend, chords: 3}", BATTEN_OK,
          "count 4;within 1e-6;data 1 1 1.7320508075688772 0"},
+        /* An affine map of the arc is an ellipse: points at equal angles stay so. */
+        {"{divide: bend, count: 3, by: affine}", BATTEN_OK,
+         "count 4;within 1e-6;data 1 1 1.7320508075688772 0;data 2 -1 1.7320508075688772 0"},
+        {"{divide: bow, count: 2, by: length}", BATTEN_OK, "within 1e-6;data 1 0 0 0"},
+        {"{divide: corner, chords: 2}", BATTEN_OK,
+         "count 3;within 1e-6;data 0 0 0 0;data 1 3.125 0 0;data 2 4 3 0"},
+        {"{divide: one, within: 0.01}", BATTEN_OK, "count 2;data 1 4 0 0"},
+        {"{divide: one, within: 0.01, angle: 1 deg}", BATTEN_OK, "count 2;data 1 4 0 0"},
+        {"{divide: bend, within: 3, angle: 45 deg}", BATTEN_OK,
+         "count 5;within 1e-6;data 1 1.4142135623730951 1.4142135623730951 0;data 4 -2 0 0"},
+        {"{divide: one, count: 1000001}", BATTEN_BAD_ARGUMENT,
+         "a curve is not cut into 1000001 parts"},
+        {"{divide: one, count: 2, angle: 2 deg}", BATTEN_BAD_ARGUMENT, "one of 'count'"},
+        {"{divide: one, pieces: spans, angle: 2 deg}", BATTEN_BAD_ARGUMENT, "one of 'count'"},
+        {"{divide: tilted, count: 2}", BATTEN_OK, "data 1 0.5 1 1;data 2 1 2 2"},
         {"{divide: bend, count: 2, by: affine}", BATTEN_OK, "count 3;within 1e-6;data 1 0 2 0"},
         {"{divide: bend, angle: 45 deg}", BATTEN_OK,
          "count 5;within 1e-6;data 1 1.4142135623730951 1.4142135623730951 0"},
@@ -146,6 +181,9 @@ TEST(frames_stand_across_their_curve)
         {"{frames: lines, count: 2}", BATTEN_OK,
          "objects 2;named frames of one;object 1;named frames of corner"},
         {"{frames: one, as: ribbon, size: 3}", BATTEN_OK, "kind surface;within 1e-8;area 12"},
+        {"{frames: one, as: ribbon}", BATTEN_OK, "kind surface;within 1e-8;area 0.8"},
+        {"{frames: one, count: 0}", BATTEN_BAD_ARGUMENT,
+         "0 frames are asked for; at least 2 are needed"},
         {"{frames: bend, as: ribbon, size: 1, kind: fixed}", BATTEN_OK, "kind surface"},
         {"{frames: ring, kind: frenet, count: 4, size: 1}", BATTEN_OK,
          "within 1e-6;control 1 1 0 0;control 0 2 0 0;control 3 2 0 0.5"},
@@ -213,6 +251,8 @@ TEST(collected_objects_of_one_name_get_numbers)
         {"{collect: one}", BATTEN_OK, "objects 1;named a"},
         {"{collect: [one, one, one]}", BATTEN_OK,
          "objects 3;named one;object 1;named one (2);object 2;named one (3)"},
+        {"{collect: [lines, one, twos]}", BATTEN_OK,
+         "objects 5;object 2;named one (2);object 3;named one (3);object 4;named one (2) (2)"},
         {"{collect: [lines, one, ball]}", BATTEN_OK,
          "objects 4;object 2;named one (2);object 3;named ball"},
     };

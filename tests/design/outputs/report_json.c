@@ -1,0 +1,167 @@
+#include "design/expect.h"
+
+#include <batten/design.h>
+#include <batten/text.h>
+
+/* Reports as JSON: every figure that a feature reports, under its name; what is found of the objects. */
+
+static const char shapes[] =
+    "  ducks: {points: [[0, 0], [1, 0.1], [2, 0.4], [3, 0.8], [4, 1.7], [5, 2.4]]}\n"
+    "  lifted: {move: ducks, by: [0, 0, 1]}\n"
+    "  higher: {move: ducks, by: [0, 1, 3]}\n"
+    "  c1: {interpolate: ducks}\n"
+    "  c2: {interpolate: lifted}\n"
+    "  c3: {reverse: up}\n"
+    "  up: {interpolate: higher}\n"
+    "  f1: {fair: c1, within: 0.02}\n"
+    "  near: {least-squares: ducks, points: 2, degree: 1}\n"
+    "  skin: {skin: [c1, c2]}\n"
+    "  three: {skin: [c1, c2, c3], within: 0.01}\n"
+    "  away: {move: skin, by: [0, 0, 0.5]}\n"
+    "  corner: {polyline: [[0, 0], [4, 0], [4, 3]]}\n"
+    "  \"odd\\\"name\": {line: [[4, 3], [4, 5]]}\n"
+    "  parts: {split: bow, parameter: 0.5}\n"
+    "  vee: {points: [[-1, 1], [0, -1], [1, 1]]}\n"
+    "  bow: {bezier: vee}\n"
+    "  flat: {bilinear: [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]}\n"
+    "  wall: {bilinear: [[1, 0, 0], [1, 0, 1], [1, 1, 1], [1, 1, 0]]}\n"
+    "  net: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 1]]}\n"
+    "  sail: {bezier-triangle: net}\n"
+    "  ball: {sphere: 1}\n"
+    "  crowd: {mesh: flat}\n";
+
+static const expect_row of_objects[] = {
+    /* Of y = x^2 from -1 to 1 all is known: see compare.c. */
+    {"k.json: {check: bow}", BATTEN_OK,
+     "{\n  \"ok\": true, \"fair\": true, \"unit\": \"m\", \"within\": null,\n  \"features\": "
+     "[\n    {\"name\": \"vee\", \"operation\": \"points\"},\n    {\"name\": \"bow\", "
+     "\"operation\": \"bezier\"}\n  ],\n  \"objects\": [\n    {\"name\": \"bow\", \"type\": "
+     "\"curve\", \"fairness\": {\"fair\": true, \"inflections\": 0, \"excess_inflections\": 0, "
+     "\"curvature_extrema\": 1, \"jumps\": 0, \"energy\": 2.6236530|, \"variation\": "
+     "7.2878949|, \"max_curvature\": 2, \"corners\": 0, \"curvature_jumps\": 0, \"halts\": 0, "
+     "\"cusps\": 0, \"unbounded\": 0, \"energy_error\": |, \"variation_error\": |, "
+     "\"largest_turn\": 0, \"largest_jump\": 0}|\n  ],\n  \"creases\": 0, \"edge_jumps\": 0, "
+     "\"folds\": 0,\n  \"joins\": [],\n  \"messages\": []\n}\n"},
+    {"k.json: {check: [corner, 'odd\"name']}", BATTEN_OK,
+     "\"fair\": false, |\"name\": \"corner\", \"type\": \"curve\", \"fairness\": {\"fair\": "
+     "false, |\"energy\": null, \"variation\": null, \"max_curvature\": 0, \"corners\": 1, "
+     "|\"largest_turn\": 1.5707963|\"continuity\": {\"knots\": 1, \"c\": 0, \"g\": "
+     "0}|},\n    {\"name\": \"odd\\\"name\", |\"joins\": [\n    {\"a\": \"corner\", \"side_a\": "
+     "\"end\", \"b\": \"odd\\\"name\", \"side_b\": \"start\", \"g0\": 0, \"g1\": 0, \"g2\": "
+     "0, \"g3\": 0, \"c\": |, \"g\": 3}]"},
+    /* Two halves of one parabola join in all derivatives. */
+    {"k.json: {check: parts}", BATTEN_OK,
+     "\"side_a\": \"end\", |\"side_b\": \"start\", |\"g\": 3}]"},
+    /* An edge of a unit square under a right angle, all along both. */
+    {"k.json: {check: [flat, wall]}", BATTEN_OK,
+     "\"fair\": false, |\"distances\": [],\n     \"edges\": [],\n     \"sections\": "
+     "[]}|\"creases\": 1, \"edge_jumps\": 0, \"folds\": 0,\n  \"joins\": [\n    {\"a\": "
+     "\"flat\", \"side_a\": \"u high\", \"b\": \"wall\", \"side_b\": \"u low\", \"g0\": 0, \"g1\": "
+     "1.5707963|!\"part\"|!\"knuckle\"|!\"c\":"},
+    {"k.json: {check: sail}", BATTEN_OK,
+     "\"type\": \"triangles\", \"count\": 1, \"degree\": 1, \"inner_edges\": 0, \"gap\": 0, "
+     "\"angle\": 0}|\"fair\": null"},
+    {"k.json: {check: crowd}", BATTEN_OK, "\"type\": \"mesh\""},
+};
+
+TEST(figures_of_objects_and_joins_stand_under_their_names)
+{
+    EXPECT_OUTPUTS(shapes, of_objects);
+}
+
+static const expect_row of_distances[] = {
+    {"k.json: {check: c1, within: 0.5}", BATTEN_OK,
+     "\"within\": 0.5,|\"distances\": [{\"from\": \"c1\", \"faired\": false, \"points\": 6, "
+     "\"max\": |, \"rms\": |, \"at\": ["},
+    {"k.json: {check: away}", BATTEN_OK,
+     "\"distances\": [{\"from\": \"ducks\", \"faired\": false, \"points\": 6, \"max\": 0.5, "
+     "\"rms\": 0.|\"fair\": null"},
+    {"k.json: {check: f1}", BATTEN_OK,
+     "\"distances\": [{\"from\": \"f1\", \"faired\": true, \"points\": 6, "},
+};
+
+TEST(distances_from_the_points_stand_under_their_names)
+{
+    EXPECT_OUTPUTS(shapes, of_distances);
+}
+
+/* ---- figures of features, from their results ---- */
+
+static char *check_as_json(const char *feature, batten_design **out)
+{
+    char text[3000], *data = NULL;
+    size_t size;
+    snprintf(text, sizeof text,
+             "batten: 1\nunits: m\nfeatures:\n%soutputs:\n  k.json: {check: %s}\n", shapes,
+             feature);
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, out));
+    CHECK_OK(batten_design_output(*out, 0, NULL, NULL, &data, &size));
+    return data;
+}
+
+/* "name": value, as it stands in the report of this feature. */
+static void check_figure(const char *json, const char *name, double value)
+{
+    char number[BATTEN_NUMBER_SIZE], wanted[100];
+    batten_number_write(value, number);
+    snprintf(wanted, sizeof wanted, "\"%s\": %s", name, number);
+    CHECK_CONTAINS(json, wanted);
+}
+
+TEST(all_figures_of_a_faired_curve_are_in_its_report)
+{
+    batten_design *design = NULL;
+    char *json = check_as_json("f1", &design);
+    const batten_feature_result *r = batten_design_result(design, "f1");
+    const char *at = strstr(json, "\"operation\": \"fair\"");
+    CHECK(at && r->fairing);
+    check_figure(at, "moved\": {\"max", r->move_max);
+    check_figure(at, "count", r->moved_count);
+    CHECK_CONTAINS(at, "\"set\": 0, \"index\": ");
+    check_figure(at, "excess_inflections\": {\"before", r->fairing->before.excess_inflections);
+    check_figure(at, "energy\": {\"before", r->fairing->before.energy);
+    check_figure(at, "after", r->fairing->after.excess_inflections);
+    check_figure(at, "after", r->fairing->after.energy);
+    check_figure(at, "suspects", r->fairing->suspect_count);
+    batten_release(json);
+    batten_design_free(design);
+}
+
+TEST(all_figures_of_a_skin_are_in_its_report)
+{
+    batten_design *design = NULL;
+    char *json = check_as_json("three", &design);
+    const batten_feature_result *r = batten_design_result(design, "three");
+    const char *at = strstr(json, "\"operation\": \"skin\"");
+    CHECK(at && r->skin);
+    const batten_surface_skin_report *s = r->skin;
+    CHECK(s->reversed_count == 1);
+    check_figure(at, "skin\": {\"deviation", s->error);
+    check_figure(at, "worst_section", s->worst_section);
+    check_figure(at, "exact_knots", s->exact_knot_count);
+    check_figure(at, "knots", s->knot_count);
+    check_figure(at, "span_ratio", s->span_ratio);
+    check_figure(at, "normal_jump", s->normal_jump);
+    check_figure(at, "speed_jump", s->speed_jump);
+    check_figure(at, "crease", s->crease);
+    CHECK_CONTAINS(at, "\"cure\": \"none\"");
+    check_figure(at, "reversed", s->reversed_count);
+    check_figure(at, "turned", s->turned_count);
+    check_figure(at, "crossings", s->crossing_count);
+    check_figure(at, "disorders", s->disorder_count);
+    batten_release(json);
+    batten_design_free(design);
+}
+
+TEST(the_error_of_a_feature_is_in_its_report)
+{
+    batten_design *design = NULL;
+    char *json = check_as_json("near", &design);
+    const batten_feature_result *r = batten_design_result(design, "near");
+    const char *at = strstr(json, "\"operation\": \"least-squares\"");
+    CHECK(at && r->has_error && r->error_rms < r->error_max);
+    check_figure(at, "error\": {\"max", r->error_max);
+    check_figure(at, "rms", r->error_rms);
+    batten_release(json);
+    batten_design_free(design);
+}
