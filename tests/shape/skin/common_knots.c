@@ -281,26 +281,6 @@ TEST(as_many_knots_as_the_exact_union_are_not_better_than_it)
     unref_all(3, sections);
 }
 
-/* A closed profile at jittered places: periodic, with knots of its own. */
-static batten_curve *jittered_ring(test_random *random, int count, double x)
-{
-    double points[3 * 64], s[65];
-    for (int i = 0; i < count; i++) {
-        s[i] = (i + (i > 0 ? test_random_in(random, -0.3, 0.3) : 0)) / count;
-        const double a = 4 * acos(0) * s[i], r = 1 + 0.1 * x + 0.2 * cos(2 * a + 0.3 * x);
-        points[3 * i] = r * cos(a), points[3 * i + 1] = r * sin(a), points[3 * i + 2] = x;
-    }
-    s[count] = 1;
-    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
-    options.parameters = BATTEN_GIVEN;
-    options.given = s;
-    options.closed = true;
-    batten_curve *curve = NULL;
-    CHECK_OK(
-        batten_curve_interpolate((batten_points){3, count, points}, &options, NULL, &curve));
-    return curve;
-}
-
 TEST(K7_closed_profiles_share_few_knots_and_stay_periodic)
 {
     enum { COUNT_ALL = 20 };
@@ -360,6 +340,35 @@ TEST(K7_held_knots_stand_in_the_result_to_the_bit)
         CHECK_INT(times, 1);
     }
     CHECK(deviation[0] <= 1e-2 && deviation[1] <= 1e-2);
+    unref_all(2, common);
+    unref_all(2, sections);
+}
+
+/* A held knot stays where none is needed, beside those that the shape needs. */
+TEST(a_held_knot_stays_beside_free_ones)
+{
+    static const double held[] = {0.123};
+    double points[2][14][3];
+    batten_curve *sections[2] = {NULL, NULL}, *common[2] = {NULL, NULL};
+    double deviation[2];
+    bat_work work = {NULL, 0};
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < 14; i++)
+            memcpy(points[k][i], (double[]){i, i > 5 ? 2 * sin(1.3 * i + k) : 0, k},
+                   sizeof points[k][i]);
+        CHECK_OK(batten_curve_interpolate((batten_points){3, 14, points[k][0]}, NULL, NULL,
+                                          &sections[k]));
+    }
+    const bat_common_request request = {.tolerance = 0.5, .held_count = 1, .held = held};
+    CHECK_OK(bat_common_knots_held(2, (const batten_curve *const *)sections, &request, &work,
+                                   common, deviation));
+    double spans[30];
+    const int count = batten_curve_spans(common[0], spans);
+    int times = 0;
+    for (int i = 0; i < count; i++)
+        times += spans[i] == held[0];
+    CHECK_INT(times, 1);
+    CHECK(count > 4 && count < 20);
     unref_all(2, common);
     unref_all(2, sections);
 }

@@ -4,26 +4,6 @@
 
 #include <batten/interpolate.h>
 
-/* A closed profile at jittered places: periodic, with knots of its own. */
-static batten_curve *jittered_ring(test_random *random, int count, double x)
-{
-    double points[3 * 64], s[65];
-    for (int i = 0; i < count; i++) {
-        s[i] = (i + (i > 0 ? test_random_in(random, -0.3, 0.3) : 0)) / count;
-        const double a = 4 * acos(0) * s[i], r = 1 + 0.1 * x + 0.2 * cos(2 * a + 0.3 * x);
-        points[3 * i] = r * cos(a), points[3 * i + 1] = r * sin(a), points[3 * i + 2] = x;
-    }
-    s[count] = 1;
-    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
-    options.parameters = BATTEN_GIVEN;
-    options.given = s;
-    options.closed = true;
-    batten_curve *curve = NULL;
-    CHECK_OK(
-        batten_curve_interpolate((batten_points){3, count, points}, &options, NULL, &curve));
-    return curve;
-}
-
 /* Closed curves without periodic knots: the ends stay, and so do two derivatives across them. */
 TEST(K7_curves_that_close_smoothly_still_do_with_held_knots)
 {

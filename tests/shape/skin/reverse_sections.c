@@ -157,3 +157,31 @@ TEST(starts_outside_of_their_section_or_of_open_ones_are_refused_with_their_numb
     batten_curve_unref(line);
     unref_all(2, circles);
 }
+
+/* A square that is run round twice: it fits as well from either of its rounds on. */
+static batten_curve *double_square(double z)
+{
+    static const double corners[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+    double points[9][3];
+    batten_curve *curve = NULL;
+    for (int i = 0; i < 9; i++)
+        memcpy(points[i], (double[]){corners[i % 4][0], corners[i % 4][1], z},
+               sizeof points[i]);
+    CHECK_OK(batten_curve_polyline((batten_points){3, 9, points[0]}, &curve));
+    return curve;
+}
+
+TEST(of_starts_that_fit_equally_well_the_present_one_stays)
+{
+    batten_curve *sections[2] = {double_square(0), double_square(1)};
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface_skin_report report = {0};
+    batten_surface *surface = NULL;
+    options.align = options.untwist = true;
+    CHECK_OK(batten_surface_skin((batten_curve_row){2, (const batten_curve *const *)sections},
+                                 &options, NULL, NULL, &report, &surface));
+    CHECK_INT(report.turned_count, 0);
+    CHECK_INT(report.reversed_count, 0);
+    batten_surface_unref(surface);
+    unref_all(2, sections);
+}

@@ -129,3 +129,21 @@ TEST(twists_and_scales_that_are_no_numbers_or_turn_inside_out_are_named)
     batten_curve_unref(spine);
     batten_curve_unref(section);
 }
+
+/* Its lengths are tabulated over a rest of no length, too. */
+TEST(a_spine_that_rests_where_it_begins_has_no_direction_there)
+{
+    const double points[9] = {0, 0, 5, 0, 0, 5, 0, 0, 14}, knots[5] = {0, 0, 0.5, 1, 1};
+    batten_curve *section = drawn(), *spine = NULL;
+    const batten_curve *sections[3] = {section, section, section};
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 1, NULL, knots, &spine));
+    options.spine = spine;
+    CHECK_STATUS(batten_surface_skin((batten_curve_row){3, sections}, &options, NULL, NULL,
+                                     NULL, &surface),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("at 0");
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}

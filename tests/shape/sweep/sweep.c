@@ -461,6 +461,33 @@ TEST(several_sections_are_met_where_they_stand)
     batten_curve_unref(spine);
 }
 
+/* Straight sections of half-lengths 1, 3 and 2: 1 + 7 v - 6 v^2 between. */
+TEST(sections_without_places_stand_evenly_along_the_spine)
+{
+    static const double halves[3] = {1, 3, 2}, spine_ends[2][3] = {{0, 0, 0}, {0, 0, 8}};
+    batten_curve *sections[3] = {NULL}, *spine = NULL;
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
+    batten_surface *surface = NULL;
+    for (int k = 0; k < 3; k++)
+        CHECK_OK(batten_curve_line(2, (double[]){-halves[k], 0}, (double[]){halves[k], 0},
+                                   &sections[k]));
+    CHECK_OK(batten_curve_line(3, spine_ends[0], spine_ends[1], &spine));
+    CHECK_OK(batten_surface_sweep_procedural((batten_curve_row){3, (curves)sections}, spine,
+                                             &options, &surface));
+    const batten_interval v = batten_surface_domain(surface, BATTEN_V);
+    for (int i = 0; i <= 8; i++) {
+        double p[3];
+        const double s = i / 8.0;
+        CHECK_OK(batten_surface_evaluate(surface, 1, v.a + s * (v.b - v.a), 0, p));
+        CHECK_NEAR(hypot(p[0], p[1]), 1 + 7 * s - 6 * s * s, 1e-12);
+        CHECK_NEAR(p[2], 8 * s, 1e-12);
+    }
+    batten_surface_unref(surface);
+    batten_curve_unref(spine);
+    for (int k = 0; k < 3; k++)
+        batten_curve_unref(sections[k]);
+}
+
 /* ---- screws ---- */
 
 TEST(a_helical_surface_is_its_formula_within_the_tolerance)
@@ -701,6 +728,63 @@ TEST(where_a_pipe_is_too_thick_is_said)
     batten_surfaces_release(&made);
     batten_curve_unref(spine);
     batten_curve_unref(flat);
+}
+
+/* The whole ellipse bends so twice, at a quarter and at three quarters of its parameter: the message names
+ * the first stretch, the report the least clearance. A radius of 0.6 is too much where 1 + 3 sin^2 is at most 1.2^(2/3),
+ * within 0.2087 radians: u from 0.2134 to 0.2866, and places are 1/128 apart. */
+TEST(of_several_folds_the_first_is_named_and_they_can_be_allowed)
+{
+    batten_curve *flat = NULL, *spine = NULL;
+    batten_surfaces made = {0, NULL};
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
+    batten_surface_sweep_report report;
+    options.tolerance = 1e-3;
+    CHECK_OK(batten_curve_ellipse(2, 1, -PI / 2, 2 * PI, &flat));
+    CHECK_OK(batten_curve_to_dimension(flat, 3, &spine));
+    CHECK_STATUS(batten_surfaces_pipe(0.6, spine, &options, NULL, NULL, &made),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("run into each other from 0.21875 to 0.28125 of the spine");
+    options.allow_folds = true;
+    CHECK_OK(batten_surfaces_pipe(0.6, spine, &options, NULL, &report, &made));
+    CHECK_NEAR(report.clearance, -0.2, 1e-9);
+    CHECK_NEAR(report.clearance_at, 0.25, 0);
+    batten_surfaces_release(&made);
+    batten_curve_unref(spine);
+    batten_curve_unref(flat);
+}
+
+/* A parabola that reaches 1 or -1 to the side in the middle of its only span. */
+static batten_curve *bulge(double reach)
+{
+    const double points[6] = {0, -1, 2 * reach, 0, 0, 1}, knots[6] = {0, 0, 0, 1, 1, 1};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_create((batten_points){2, 3, points}, 2, NULL, knots, &curve));
+    return curve;
+}
+
+TEST(the_clearance_is_one_less_the_curvature_times_the_farthest_reach_inwards)
+{
+    const batten_vec3 up = {0, 0, 1};
+    batten_curve *spine = circle(4);
+    double found[2];
+    for (int k = 0; k < 2; k++) {
+        batten_curve *section = bulge(k ? -1 : 1);
+        batten_surface_sweep_options options = batten_surface_sweep_defaults();
+        batten_surface_sweep_report report;
+        batten_surface *surface = NULL;
+        options.up = &up;
+        options.tolerance = 1e-4;
+        CHECK_OK(batten_surface_sweep((batten_curve_row){1, (curves)&section}, spine, &options,
+                                      NULL, &report, &surface));
+        found[k] = report.clearance;
+        CHECK_NEAR(report.length, 8 * PI, 1e-9);
+        batten_surface_unref(surface);
+        batten_curve_unref(section);
+    }
+    CHECK_NEAR(fmin(found[0], found[1]), 0.75, 1e-12);
+    CHECK_NEAR(fmax(found[0], found[1]), 1, 1e-12);
+    batten_curve_unref(spine);
 }
 
 TEST(the_volume_of_a_pipe_around_a_circle_is_that_of_the_torus)

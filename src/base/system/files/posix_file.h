@@ -1,5 +1,5 @@
 /*
- * The calls through which files are written: a table, so that a test can let each of them fail.
+ * The calls through which files are read and written: a table, so that a test can let each of them fail.
  * A file that includes this begins with _XOPEN_SOURCE 700.
  */
 #ifndef BAT_FILE_H
@@ -19,6 +19,7 @@ typedef struct {
     int (*close)(int file);
     int (*rename)(const char *from, const char *to);
     int (*unlink)(const char *path);
+    void (*prefer_large_pages)(void *from, size_t size); /* a wish: the system may refuse it */
 } bat_file_calls;
 
 /* Written by tests alone. */

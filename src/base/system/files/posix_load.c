@@ -27,8 +27,19 @@ static int open_file(const char *path, int flags, mode_t mode)
     return file;
 }
 
-bat_file_calls bat_system = {open_file, stat,  readlink, read,   write,
-                             fchmod,    fsync, close,    rename, unlink};
+static void prefer_large_pages(void *from, size_t size)
+{
+#ifdef MADV_HUGEPAGE
+    madvise(from, size, MADV_HUGEPAGE);
+#else
+    (void)from;
+    (void)size;
+#endif
+}
+
+bat_file_calls bat_system = {
+    open_file, stat,   readlink,          read, write, fchmod, fsync, close,
+    rename,    unlink, prefer_large_pages};
 
 batten_status bat_file_refused(const char *doing, const char *path, int reason)
 {
@@ -58,18 +69,12 @@ static batten_status too_large(const loading *load)
                     bat_shown(load->path, strlen(load->path), shown), load->limit);
 }
 
-/* Asking the system for its small pages one by one takes longer than filling them. It may well
- * refuse: this is a wish. */
-static void prefer_large_pages(char *data, size_t size)
+/* Asking the system for its small pages one by one takes longer than filling them. */
+static void take_large_pages(char *data, size_t size)
 {
-#ifdef MADV_HUGEPAGE
     const size_t large = (size_t)2 << 20, before = (large - (uintptr_t)data % large) % large;
     if (size >= before + large)
-        madvise(data + before, (size - before) / large * large, MADV_HUGEPAGE);
-#else
-    (void)data;
-    (void)size;
-#endif
+        bat_system.prefer_large_pages(data + before, (size - before) / large * large);
 }
 
 /* Room for `capacity` bytes, but for no more than one beyond the limit. */
@@ -80,7 +85,7 @@ static batten_status reserve(loading *load, size_t capacity)
     char *data = bat_resize(load->data, capacity + 1, 1);
     if (!data)
         return BATTEN_OUT_OF_MEMORY;
-    prefer_large_pages(data, capacity);
+    take_large_pages(data, capacity);
     load->data = data;
     load->capacity = capacity;
     return BATTEN_OK;

@@ -98,9 +98,17 @@ static void install(int call, int reason)
     fail_errno = reason;
     failed_call = "";
     calls_made[0] = '\0';
-    bat_system = (bat_file_calls){
-        failing_open,   failing_stat,  failing_readlink, failing_read,   failing_write,
-        failing_fchmod, failing_fsync, failing_close,    failing_rename, failing_unlink};
+    bat_system = (bat_file_calls){failing_open,
+                                  failing_stat,
+                                  failing_readlink,
+                                  failing_read,
+                                  failing_write,
+                                  failing_fchmod,
+                                  failing_fsync,
+                                  failing_close,
+                                  failing_rename,
+                                  failing_unlink,
+                                  real_system.prefer_large_pages};
 }
 
 static void uninstall(void)
@@ -524,14 +532,33 @@ TEST(a_file_that_changes_meanwhile_is_not_overwritten)
 static ssize_t no_write(int file, const void *bytes, size_t size)
 {
     (void)file, (void)bytes, (void)size;
+    errno = EIO; /* which has nothing to say where nothing failed */
     return 0;
 }
+
+static int links_read;
 
 static ssize_t endless_readlink(const char *path, char *buffer, size_t size)
 {
     (void)path;
+    links_read++;
     memset(buffer, 'x', size);
     return (ssize_t)size;
+}
+
+static ssize_t circular_readlink(const char *path, char *buffer, size_t size)
+{
+    (void)path, (void)size;
+    links_read++;
+    buffer[0] = 'x';
+    return 1;
+}
+
+static void check_refused_with(batten_status status, const char *reason)
+{
+    CHECK(status == BATTEN_FILE_ERROR || status == BATTEN_OUT_OF_MEMORY);
+    if (status == BATTEN_FILE_ERROR)
+        CHECK_MESSAGE(reason);
 }
 
 TEST(W1_a_system_that_writes_nothing_or_links_without_end_is_not_waited_for)
@@ -541,11 +568,15 @@ TEST(W1_a_system_that_writes_nothing_or_links_without_end_is_not_waited_for)
     bat_system.write = no_write;
     batten_status status = save(path, "text");
     uninstall();
-    CHECK(status == BATTEN_FILE_ERROR || status == BATTEN_OUT_OF_MEMORY);
-    bat_system.readlink = endless_readlink;
-    status = save(path, "text");
-    uninstall();
-    CHECK(status == BATTEN_FILE_ERROR || status == BATTEN_OUT_OF_MEMORY);
+    check_refused_with(status, "No space left on device");
+    for (int links = 0; links < 2; links++) {
+        links_read = 0;
+        bat_system.readlink = links ? circular_readlink : endless_readlink;
+        status = save(path, "text");
+        uninstall();
+        check_refused_with(status, "Too many levels of symbolic links");
+        CHECK(status == BATTEN_OUT_OF_MEMORY || links_read == (links ? 41 : 1));
+    }
     CHECK_INT(entry_count(folder("odd_system")), 0);
 }
 

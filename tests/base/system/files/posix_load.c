@@ -145,3 +145,46 @@ TEST(a_file_that_is_not_open_has_no_writer_to_wait_for)
     CHECK_STATUS(bat_file_wait_for_writer(-1, "hull.step"), BATTEN_FILE_ERROR);
     CHECK_MESSAGE("hull.step");
 }
+
+enum { LARGE_PAGE = 2 << 20 };
+
+/* What was wished for since the last load began. */
+static struct {
+    int count;
+    char *from;
+    size_t size;
+} wished;
+
+static void note_wish(void *from, size_t size)
+{
+    wished.count++;
+    wished.from = from;
+    wished.size = size;
+}
+
+TEST(large_pages_are_wished_for_wherever_a_whole_one_lies_within_the_file)
+{
+    static const int sizes[] = {1, LARGE_PAGE / 2, 2 * LARGE_PAGE, 5 * LARGE_PAGE + 12345};
+    const char *path = in(folder("large_pages"), "a");
+    const bat_file_calls real = bat_system;
+    for (int i = 0; i < COUNT(sizes); i++) {
+        char *data = NULL;
+        size_t size = 0;
+        put(path, "x");
+        CHECK(truncate(path, sizes[i]) == 0);
+        wished.count = 0;
+        bat_system.prefer_large_pages = note_wish;
+        const batten_status status = batten_load_file(path, SIZE_MAX, &data, &size);
+        bat_system = real;
+        CHECK(status == BATTEN_OUT_OF_MEMORY || wished.count == (sizes[i] > LARGE_PAGE));
+        if (status == BATTEN_OK && wished.count > 0) {
+            CHECK_INT((uintptr_t)wished.from % LARGE_PAGE, 0);
+            CHECK_INT(wished.size % LARGE_PAGE, 0);
+            CHECK(wished.from >= data && wished.from - data < LARGE_PAGE);
+            /* There is room for one byte more than the file has. */
+            const ptrdiff_t left = data + size + 1 - (wished.from + wished.size);
+            CHECK(left >= 0 && left < LARGE_PAGE);
+        }
+        batten_release(data);
+    }
+}
