@@ -44,10 +44,9 @@ typedef struct {
 
 static void normal_of(const bat_row_point *p, double sign, double out[3])
 {
-    const double *a = p->derivative[0], *b = p->derivative[1];
-    out[0] = sign * (a[1] * b[2] - a[2] * b[1]);
-    out[1] = sign * (a[2] * b[0] - a[0] * b[2]);
-    out[2] = sign * (a[0] * b[1] - a[1] * b[0]);
+    bat_cross(p->derivative[0], p->derivative[1], out);
+    for (int c = 0; c < 3; c++)
+        out[c] *= sign;
 }
 
 static void add_point(const region *r, const bat_row_point *p, double weight,

@@ -95,3 +95,42 @@ TEST(without_a_tolerance_or_a_flotation_there_is_no_waterline)
     CHECK_NEAR(along.a + along.b + across.a + across.b, 34, 0);
     batten_hull_free(hull);
 }
+
+/* y = 2 t - t^2, z = 2 t^2 from x = 0 to 4; the section in u or in v. */
+static batten_hull *parabolic_hull(bool transposed)
+{
+    static const double section[3][2] = {{0, 0}, {1, 0}, {1, 2}}, ends[2] = {0, 4};
+    static const double knots[2][6] = {{0, 0, 1, 1}, {0, 0, 0, 1, 1, 1}};
+    const batten_axis straight = {1, 2, knots[0], false}, bent = {2, 3, knots[1], false};
+    double points[6][3];
+    batten_surface *half = NULL;
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 3; j++) {
+            double *p = points[transposed ? 2 * j + i : 3 * i + j];
+            p[0] = ends[i];
+            p[1] = section[j][0];
+            p[2] = section[j][1];
+        }
+    CHECK_OK(batten_surface_create(3, transposed ? &bent : &straight,
+                                   transposed ? &straight : &bent, points[0], NULL, &half));
+    return hull_of(half);
+}
+
+/* The water is h - 0.1 x high, and so widest at x = 0. */
+TEST(waterlines_of_patches_whose_degrees_differ_end_at_their_sides)
+{
+    const double trim = atan(0.1);
+    static const double heights[] = {0.5, 1.2, 1.9};
+    for (int k = 0; k < 6; k++) {
+        batten_hull *hull = parabolic_hull(k % 2);
+        const double h = heights[k / 2], t = sqrt(h / 2), c = cos(trim), s = sin(trim);
+        const batten_flotation at = {h, trim, 0};
+        batten_interval along, across;
+        CHECK_OK(batten_hull_waterline(hull, &at, 1e-9, &along, &across));
+        CHECK_NEAR(along.b, 4 * c - (h - 0.4) * s, 2e-9);
+        CHECK_NEAR(along.a, -h * s, 2e-9);
+        CHECK_NEAR(across.b, 2 * t - t * t, 2e-9);
+        CHECK_NEAR(across.a, -across.b, 2e-9);
+        batten_hull_free(hull);
+    }
+}
