@@ -1,5 +1,6 @@
 /* Which parts of lines are hidden by facets in front of them, cell by cell. */
 #include "picture/lines/hidden.h"
+#include "base/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -115,16 +116,7 @@ typedef struct {
 
 static batten_status add_interval(intervals *list, double from, double to)
 {
-    if (list->count == list->capacity) {
-        const size_t capacity = 2 * list->capacity + 64;
-        interval *larger = bat_resize(list->all, capacity, sizeof *larger);
-        if (!larger)
-            return BATTEN_OUT_OF_MEMORY;
-        list->all = larger;
-        list->capacity = capacity;
-    }
-    list->all[list->count++] = (interval){from, to};
-    return BATTEN_OK;
+    return BAT_LIST_ADD(list->all, list->count, list->capacity, (interval){from, to});
 }
 
 /* Keep of [t[0], t[1]] where a + s (b - a) >= 0. */
@@ -253,14 +245,9 @@ static void point_at(const double *points, size_t count, double at, double xy[2]
 static batten_status add_run(bat_runs *runs, bool hidden, size_t count, const double *points,
                              double from, double to)
 {
-    if (runs->count == runs->capacity) {
-        const size_t capacity = 2 * runs->capacity + 16;
-        bat_run *larger = bat_resize(runs->runs, capacity, sizeof *larger);
-        if (!larger)
-            return BATTEN_OUT_OF_MEMORY;
-        runs->runs = larger;
-        runs->capacity = capacity;
-    }
+    const batten_status status = BAT_LIST_GROW(runs->runs, runs->count, runs->capacity, 1);
+    if (status != BATTEN_OK)
+        return status;
     const size_t first = (size_t)from + 1, last = (size_t)ceil(to); /* points between */
     bat_run run = {.hidden = hidden};
     run.xy = bat_array3(last > first ? last - first + 2 : 2, 2, sizeof *run.xy);

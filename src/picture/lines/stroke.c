@@ -1,4 +1,5 @@
 /* Strokes: polylines in space, with room for their parameters; and curves as strokes. */
+#include "base/list.h"
 #include "numeric/box.h"
 #include "picture/lines/trace.h"
 
@@ -70,18 +71,11 @@ void bat_stroke_free(bat_stroke *stroke)
 
 batten_status bat_strokes_add(bat_strokes *list, bat_stroke stroke)
 {
-    if (list->count == list->capacity) {
-        const size_t capacity = 2 * list->capacity + 16;
-        bat_stroke *strokes = bat_resize(list->strokes, capacity, sizeof *strokes);
-        if (!strokes) {
-            bat_stroke_free(&stroke);
-            return BATTEN_OUT_OF_MEMORY;
-        }
-        list->strokes = strokes;
-        list->capacity = capacity;
-    }
-    list->strokes[list->count++] = stroke;
-    return BATTEN_OK;
+    const batten_status status =
+        BAT_LIST_ADD(list->strokes, list->count, list->capacity, stroke);
+    if (status != BATTEN_OK)
+        bat_stroke_free(&stroke);
+    return status;
 }
 
 void bat_strokes_free(bat_strokes *list)

@@ -1,5 +1,6 @@
 /* How finely a drawn line follows its curve: spans are halved until their chords are near. */
 #include "picture/lines/trace.h"
+#include "base/list.h"
 #include "numeric/vector.h"
 
 #include <string.h>
@@ -15,7 +16,7 @@ typedef struct {
 typedef struct {
     const bat_traced *traced;
     size_t count, capacity;
-    double *points;
+    double (*points)[3];
 } polyline;
 
 static batten_status evaluate(const polyline *line, double at, bool from_left, spot *out)
@@ -30,16 +31,10 @@ static batten_status evaluate(const polyline *line, double at, bool from_left, s
 
 static batten_status add_point(polyline *line, const double point[3])
 {
-    if (line->count == line->capacity) {
-        const size_t capacity = 2 * line->capacity + 32;
-        double *larger = bat_resize(line->points, capacity, 3 * sizeof *larger);
-        if (!larger)
-            return BATTEN_OUT_OF_MEMORY;
-        line->points = larger;
-        line->capacity = capacity;
-    }
-    memcpy(line->points + 3 * line->count++, point, 3 * sizeof *point);
-    return BATTEN_OK;
+    const batten_status status = BAT_LIST_GROW(line->points, line->count, line->capacity, 1);
+    if (status == BATTEN_OK)
+        memcpy(line->points[line->count++], point, sizeof *line->points);
+    return status;
 }
 
 /* From `here`, which is there already, to `end`. A chord is kept when the points in its middle
@@ -114,7 +109,7 @@ batten_status bat_trace(const bat_traced *traced, int knot_count, const double *
     polyline line = {.traced = traced};
     const batten_status status = trace_spans(&line, knot_count, knots);
     if (status == BATTEN_OK)
-        *out = (bat_stroke){line.count, line.points};
+        *out = (bat_stroke){line.count, line.points[0]};
     else
         bat_release(line.points);
     return status;

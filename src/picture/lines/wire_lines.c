@@ -1,5 +1,6 @@
 /* The list of wires, and the isolines, edges and creases among them. */
 #include "picture/lines/wire_lines.h"
+#include "base/list.h"
 #include "picture/lines/wires.h"
 
 /* ---- the list ---- */
@@ -7,18 +8,11 @@
 batten_status bat_wires_add(bat_wires *w, bat_wire_kind kind, int object, double value,
                             bat_stroke stroke)
 {
-    if (w->count == w->capacity) {
-        const size_t capacity = 2 * w->capacity + 64;
-        bat_wire *larger = bat_resize(w->wires, capacity, sizeof *larger);
-        if (!larger) {
-            bat_stroke_free(&stroke);
-            return BATTEN_OUT_OF_MEMORY;
-        }
-        w->wires = larger;
-        w->capacity = capacity;
-    }
-    w->wires[w->count++] = (bat_wire){kind, object, value, stroke, NULL};
-    return BATTEN_OK;
+    const batten_status status = BAT_LIST_ADD(w->wires, w->count, w->capacity,
+                                              (bat_wire){kind, object, value, stroke, NULL});
+    if (status != BATTEN_OK)
+        bat_stroke_free(&stroke);
+    return status;
 }
 
 void bat_wires_drop(bat_wires *w, size_t count)

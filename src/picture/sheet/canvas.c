@@ -1,5 +1,6 @@
 /* A canvas of cairo for SVG, PDF and PNG, and its bytes when it is done. */
 #include "picture/sheet/canvas.h"
+#include "base/list.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
@@ -293,17 +294,9 @@ static void show_text(bat_canvas *canvas, bat_colour colour, double size, bat_an
 
 void bat_canvas_take(bat_canvas *canvas, bat_rectangle place)
 {
-    if (canvas->taken_count == canvas->taken_capacity) {
-        const size_t capacity = 2 * canvas->taken_capacity + 64;
-        bat_rectangle *taken = bat_resize(canvas->taken, capacity, sizeof *taken);
-        if (!taken) {
-            canvas->status = BATTEN_OUT_OF_MEMORY;
-            return;
-        }
-        canvas->taken = taken;
-        canvas->taken_capacity = capacity;
-    }
-    canvas->taken[canvas->taken_count++] = place;
+    if (BAT_LIST_ADD(canvas->taken, canvas->taken_count, canvas->taken_capacity, place) !=
+        BATTEN_OK)
+        canvas->status = BATTEN_OUT_OF_MEMORY;
 }
 
 /* Names keep away from this text. */

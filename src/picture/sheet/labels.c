@@ -1,4 +1,5 @@
 /* Labels: at their place or not at all; and names, which look for a place where they cover nothing. */
+#include "base/list.h"
 #include "picture/sheet/canvas.h"
 
 #include <stdio.h>
@@ -137,19 +138,11 @@ void bat_canvas_name(bat_canvas *canvas, bat_lettering how, int count, const dou
 {
     if (!*text)
         return;
-    if (canvas->name_count == canvas->name_capacity) {
-        const size_t capacity = 2 * canvas->name_capacity + 32;
-        bat_name *names = bat_resize(canvas->names, capacity, sizeof *names);
-        if (!names) {
-            canvas->status = BATTEN_OUT_OF_MEMORY;
-            return;
-        }
-        canvas->names = names;
-        canvas->name_capacity = capacity;
-    }
-    bat_name *name = &canvas->names[canvas->name_count++];
-    *name = (bat_name){
+    bat_name name = {
         .how = how, .room = canvas->clip, .count = bat_min_int(count, BAT_NAME_PLACES)};
-    memcpy(name->at, at, (size_t)name->count * sizeof *name->at);
-    snprintf(name->text, sizeof name->text, "%s", text);
+    memcpy(name.at, at, (size_t)name.count * sizeof *name.at);
+    snprintf(name.text, sizeof name.text, "%s", text);
+    if (BAT_LIST_ADD(canvas->names, canvas->name_count, canvas->name_capacity, name) !=
+        BATTEN_OK)
+        canvas->status = BATTEN_OUT_OF_MEMORY;
 }
