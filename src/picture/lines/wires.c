@@ -1,8 +1,8 @@
 /* Lines of a model for line drawings: isolines, borders, edges of bodies and meshes. */
 #include "picture/lines/wires.h"
 #include "base/plural.h"
+#include "numeric/box.h"
 #include "picture/lines/wire_lines.h"
-
 #include "picture/sheet/sheet.h"
 
 #include <stdlib.h>
@@ -142,11 +142,10 @@ batten_status bat_wires_measure(bat_wires *w)
             "mesh: nothing hides a line",
             batten_model_count(w->model), bat_plural(batten_model_count(w->model)));
     batten_model_box(w->model, &w->box);
-    const batten_vec3 a = w->box.low, b = w->box.high;
-    w->size = bat_hypot(bat_hypot(b.x - a.x, b.y - a.y), b.z - a.z);
+    w->size = bat_box_diagonal(w->box);
     if (!isfinite(w->size))
-        return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw", a.x,
-                        b.x);
+        return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw",
+                        w->box.low.x, w->box.high.x);
     return BATTEN_OK;
 }
 

@@ -2,6 +2,7 @@
 #include "picture/scenes.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* The lines of a model as seen from an axonometric view at one scale, cut where they vanish. */
 typedef struct {
@@ -227,5 +228,144 @@ TEST(bad_line_drawings_are_refused)
                  BATTEN_BAD_ARGUMENT);
     CHECK(data == NULL);
     batten_model_unref(empty);
+    batten_model_unref(model);
+}
+
+/* The words of a drawing, one after the other, with a blank between. */
+static const char *words_of(const batten_model *model, batten_draw_options *options)
+{
+    enum { ROOM = 20000 };
+    char *data = NULL, *text = test_array(ROOM, 1);
+    size_t size = 0, length = 0;
+    options->format = BATTEN_PICTURE_PDF;
+    CHECK_OK(batten_draw_surface_lines(model, options, NULL, &data, &size));
+    const scene_words words = scene_read_pdf(data, size);
+    scene_check_words(&words, options->width, options->height);
+    for (int i = 0; i < words.count && length + 66 < ROOM; i++)
+        length += (size_t)snprintf(text + length, ROOM - length, " %s", words.words[i].text);
+    strcat(text, " ");
+    batten_release(data);
+    return text;
+}
+
+/* Fields of a paraboloid in metres, with what is written below. */
+static const struct {
+    batten_field_kind kind;
+    double apart;
+    const char *legend;
+} legends[] = {
+    {BATTEN_FIELD_HEIGHT, 0.5, " contours of height, 0.5 m apart "},
+    {BATTEN_FIELD_GAUSSIAN, 0.25, " contours of Gaussian curvature, 0.25 1/m\u00b2 apart "},
+    {BATTEN_FIELD_MEAN, 0.125, " contours of mean curvature, 0.125 1/m apart "},
+    {BATTEN_FIELD_KAPPA1, 0.5, " contours of larger principal curvature, 0.5 1/m apart "},
+    {BATTEN_FIELD_KAPPA2, 0.5, " contours of smaller principal curvature, 0.5 1/m apart "},
+    {BATTEN_FIELD_ISOPHOTE, 0.1, " contours of light n \u00b7 l, 0.1 apart "},
+    {BATTEN_FIELD_DRAFT, 0.2, " contours of draft angle, 0.2 rad apart "},
+};
+
+/* z = x^2 + y^2 over [-1, 1]^2. */
+static batten_model *bowl(void)
+{
+    static const double z[3] = {1, -1, 1};
+    double points[9][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            memcpy(points[3 * i + j], (double[]){i - 1, j - 1, z[i] + z[j]}, sizeof points[0]);
+    return scene_of(scene_net(2, 3, 2, 3, points[0]));
+}
+
+TEST(the_legend_names_the_field_and_how_far_its_contours_are_apart)
+{
+    batten_model *model = bowl();
+    for (int i = 0; i < COUNT(legends); i++) {
+        batten_draw_options options = hiding();
+        options.width = 600;
+        options.height = 400;
+        options.contours = true;
+        options.contour_field.kind = legends[i].kind;
+        options.contour_field.direction = (batten_vec3){0, 0, 1};
+        options.contour_spacing = legends[i].apart;
+        const char *text = words_of(model, &options);
+        if (!strstr(text, legends[i].legend))
+            fprintf(stderr, "%s\n", text);
+        CHECK(strstr(text, legends[i].legend));
+    }
+    batten_model_unref(model);
+}
+
+/* A plane of the given breadth that rises by 2.9 over a length of 4: levels from 0.5 to 2.5 cross it. */
+static batten_model *slope(double breadth)
+{
+    const double points[] = {0, 0, 0, 0, breadth, 0, 4, 0, 2.9, 4, breadth, 2.9};
+    return scene_of(scene_net(1, 2, 1, 2, points));
+}
+
+TEST(contours_have_their_values_beside_them_where_there_is_room)
+{
+    static const char *const labels[] = {" 1 ", " 1.5 ", " 2 ", " 2.5 "};
+    for (int narrow = 0; narrow < 2; narrow++) {
+        batten_model *model = slope(narrow ? 0.1 : 3);
+        batten_draw_options options = hiding();
+        options.view = BATTEN_VIEW_TOP;
+        options.width = 600;
+        options.height = 450;
+        options.contours = true;
+        options.contour_spacing = 0.5;
+        options.title = "Ramp";
+        const char *text = words_of(model, &options);
+        CHECK(strstr(text, " Ramp "));
+        for (int i = 0; i < COUNT(labels); i++)
+            CHECK_INT(strstr(text, labels[i]) != NULL, !narrow);
+        batten_model_unref(model);
+    }
+}
+
+/* What an SVG says of its lines. */
+static const char *svg_of(const batten_model *model, batten_draw_options *options)
+{
+    char *data = NULL;
+    size_t size = 0;
+    options->format = BATTEN_PICTURE_SVG;
+    CHECK_OK(batten_draw_surface_lines(model, options, NULL, &data, &size));
+    char *text = test_array(size + 1, 1);
+    memcpy(text, data, size);
+    batten_release(data);
+    return text;
+}
+
+/* How many lines of an SVG have this width. */
+static int count_width(const char *svg, double width)
+{
+    static const char name[] = "stroke-width";
+    int count = 0;
+    for (const char *at = strstr(svg, name); at; at = strstr(at + 1, name)) {
+        at += sizeof name - 1;
+        count += fabs(strtod(at + strspn(at, ":=\" "), NULL) - width) < 1e-6;
+    }
+    return count;
+}
+
+TEST(lines_are_as_strong_as_their_kind_and_hidden_ones_thin_and_dashed)
+{
+    static const double above[] = {0, 1, 9, 4, 2, 9}, below[] = {1, 1, -9, 3, 2, -9};
+    batten_model *model = slope(3);
+    scene_add_curve(model, "above", scene_curve(3, 1, 2, above));
+    scene_add_curve(model, "below", scene_curve(3, 1, 2, below));
+    batten_draw_options options = hiding();
+    options.view = BATTEN_VIEW_TOP;
+    options.isolines = 3;
+    options.contours = true;
+    options.contour_spacing = 0.5;
+    for (int dashed = 0; dashed < 2; dashed++) {
+        options.hidden = dashed ? BATTEN_HIDDEN_DASHED : BATTEN_HIDDEN_DROPPED;
+        const char *svg = svg_of(model, &options);
+        CHECK_INT(count_width(svg, 0.5), 4);       /* isolines, two in each direction */
+        CHECK_INT(count_width(svg, 0.9), 4);       /* contours */
+        CHECK_INT(count_width(svg, 0.9 * 1.7), 1); /* the fifth */
+        CHECK_INT(count_width(svg, 1.4), 4);       /* edges */
+        CHECK_INT(count_width(svg, 1.8), 1);       /* the curve above */
+        CHECK_INT(count_width(svg, 1.08), dashed); /* and the one below */
+        CHECK_INT(strstr(svg, "dasharray") != NULL, dashed);
+    }
     batten_model_unref(model);
 }
