@@ -47,6 +47,12 @@ TEST(triangles_without_area_paint_nothing)
     CHECK_INT(fill(&raster, at(5, 5, 0, 1), at(5, 5, 0, 1), at(5, 5, 0, 1)), 0);
     CHECK_INT(fill(&raster, at(-50, 5, 0, 1), at(-9, 5, 0, 1), at(-20, 30, 0, 1)), 0);
     CHECK_INT(fill(&raster, at(NAN, 5, 0, 1), at(50, 5, 0, 1), at(20, 30, 0, 1)), 0);
+    /* Beyond any integer, to all sides. */
+    for (int far = -1; far <= 1; far += 2) {
+        const double x = 1e12 * far;
+        CHECK_INT(fill(&raster, at(x, 5, 0, 1), at(2 * x, 5, 0, 1), at(x, 30, 0, 1)), 0);
+        CHECK_INT(fill(&raster, at(5, x, 0, 1), at(50, x, 0, 1), at(5, 2 * x, 0, 1)), 0);
+    }
     bat_raster_free(&raster);
 }
 
