@@ -137,14 +137,24 @@ static double square_root_of_mean(const expected_samples *e, int x, int y, int c
     return 255 * sqrt(fmin(1, sum / (BAT_SAMPLES * BAT_SAMPLES)));
 }
 
-static void check_picture(const bat_shaded *p, const expected_samples *e)
+static batten_status draw_filled(const bat_shaded *p, char **data, size_t *size)
 {
     bat_canvas canvas;
+    batten_status status = bat_canvas_begin(BATTEN_PICTURE_PNG, WIDE, HIGH, 10, "", &canvas);
+    if (status != BATTEN_OK)
+        return status;
+    status = bat_shaded_fill(p, &canvas);
+    if (status == BATTEN_OK)
+        return bat_canvas_finish(&canvas, data, size);
+    bat_canvas_end(&canvas);
+    return status;
+}
+
+static void check_picture(const bat_shaded *p, const expected_samples *e)
+{
     char *data = NULL;
     size_t size = 0;
-    CHECK_OK(bat_canvas_begin(BATTEN_PICTURE_PNG, WIDE, HIGH, 10, "", &canvas));
-    CHECK_OK(bat_shaded_fill(p, &canvas));
-    CHECK_OK(bat_canvas_finish(&canvas, &data, &size));
+    CHECK_OK(draw_filled(p, &data, &size));
     const scene_image image = scene_decode(data, size);
     batten_release(data);
     for (int y = 0; y < HIGH; y++)
