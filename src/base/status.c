@@ -52,9 +52,23 @@ batten_status batten_fail(batten_status status, const char *format, ...)
     return status;
 }
 
+/* 0 times what is finite is 0, else no number; the sums of a block say whether to look. */
+static bool block_is_finite(const double *values, size_t count)
+{
+    double even = 0, odd = 0;
+    for (size_t i = 0; i < count; i += 2) {
+        even += 0 * values[i];
+        odd += 0 * values[i + 1];
+    }
+    return even + odd == 0;
+}
+
 size_t bat_first_not_finite(const double *values, size_t count)
 {
+    enum { BLOCK = 16 };
     size_t i = 0;
+    while (count - i >= BLOCK && block_is_finite(values + i, BLOCK))
+        i += BLOCK;
     while (i < count && isfinite(values[i]))
         i++;
     return i;

@@ -4,10 +4,15 @@
  * On a block of spans S_u is a positive combination of the differences of control points along u, and S_v of those along v. Seen
  * along some direction, both fill cones in a plane; where every vector of the second cone lies to the left of every one of the
  * first, by less than half a turn, the normal stays on one side. Blocks for which that does not hold are halved, down to a span.
+ * The derivative of a rational curve, too, is a positive combination of those differences (Floater, Derivatives of rational
+ * Bezier curves, CAGD 9, 1992); of a surface where the lines across have the same weights but for a factor.
  */
 #include "inspect/fold_cones.h"
+#include "base/list.h"
 #include "numeric/vector.h"
 #include "spline/surface/surface.h"
+
+#include <float.h>
 
 /* A product of slopes below 1 by more than roundings of the differences of near points. */
 static const double surely_below_one = 1 - 1e-6;
@@ -16,8 +21,8 @@ typedef struct {
     const double *points;
     int dimension, count_v;
     int degree[2];
-    int *spans[2];       /* the knot where each span begins */
-    bat_span_range open; /* what is not proved */
+    int *spans[2];        /* the knot where each span begins */
+    bat_span_ranges open; /* what is not proved */
 } net;
 
 /* Control points first .. last of each direction. */
@@ -85,45 +90,72 @@ static bool cannot_fold(const net *n, const window *w)
     return true;
 }
 
-/* Leave spans open. */
-static void leave_open(net *n, const bat_span_range *block)
+/* The spans to be looked at for a range: one more at each side. */
+static double looked_at(const bat_span_range *range)
 {
-    for (int k = 0; k < 2; k++) {
-        n->open.first[k] = bat_min_int(n->open.first[k], block->first[k]);
-        n->open.end[k] = bat_max_int(n->open.end[k], block->end[k]);
-    }
+    return (range->end[0] - range->first[0] + 2.0) * (range->end[1] - range->first[1] + 2.0);
 }
 
-static bool is_open_already(const net *n, const bat_span_range *block)
+/* One range for those from `first` on, where that is no more work. */
+static void join_ranges(bat_span_ranges *open, int first)
 {
-    return n->open.first[0] <= block->first[0] && n->open.end[0] >= block->end[0] &&
-           n->open.first[1] <= block->first[1] && n->open.end[1] >= block->end[1];
+    if (open->count - first < 2)
+        return;
+    bat_span_range whole = open->at[first];
+    double apart = 0;
+    for (int i = first; i < open->count; i++) {
+        const bat_span_range *range = &open->at[i];
+        for (int k = 0; k < 2; k++) {
+            whole.first[k] = bat_min_int(whole.first[k], range->first[k]);
+            whole.end[k] = bat_max_int(whole.end[k], range->end[k]);
+        }
+        apart += looked_at(range);
+    }
+    if (apart < looked_at(&whole))
+        return;
+    open->at[first] = whole;
+    open->count = first + 1;
 }
 
 /* Halving goes no deeper than twice the digits of a count. */
-static void prove_block(net *n, bat_span_range block)
+static batten_status prove_block(net *n, bat_span_range block)
 {
     window w;
-    if (is_open_already(n, &block))
-        return;
     for (int k = 0; k < 2; k++) {
         w.first[k] = n->spans[k][block.first[k]] - n->degree[k];
         w.last[k] = n->spans[k][block.end[k] - 1];
     }
     if (cannot_fold(n, &w))
-        return;
+        return BATTEN_OK;
     const int size[2] = {block.end[0] - block.first[0], block.end[1] - block.first[1]};
-    const int k = size[1] > size[0];
-    if (size[k] == 1) {
-        leave_open(n, &block);
-        return;
-    }
+    const int k = size[1] > size[0], proved_before = n->open.count;
+    if (size[k] == 1)
+        return BAT_LIST_ADD(n->open.at, n->open.count, n->open.room, block);
     const int middle = block.first[k] + size[k] / 2, end = block.end[k];
     block.end[k] = middle;
-    prove_block(n, block);
+    batten_status status = prove_block(n, block);
     block.first[k] = middle;
     block.end[k] = end;
-    prove_block(n, block);
+    if (status == BATTEN_OK)
+        status = prove_block(n, block);
+    join_ranges(&n->open, proved_before);
+    return status;
+}
+
+/* Are the weights products of those of a row and of a column, but for rounding? */
+static bool weights_are_products(const batten_surface *surface)
+{
+    const double *w = batten_surface_weights(surface);
+    const int count_u = batten_surface_point_count(surface, BATTEN_U),
+              count_v = batten_surface_point_count(surface, BATTEN_V);
+    for (int i = 1; w && i < count_u; i++)
+        for (int j = 1; j < count_v; j++) {
+            const double row = w[(size_t)i * (size_t)count_v], product = row * (w[j] / w[0]);
+            if (!(fabs(w[(size_t)i * (size_t)count_v + (size_t)j] - product) <=
+                  8 * DBL_EPSILON * product))
+                return false;
+        }
+    return true;
 }
 
 /* The knots where the spans of a direction begin. */
@@ -139,27 +171,30 @@ static int *list_spans(const batten_surface *surface, batten_direction direction
     return spans;
 }
 
-batten_status bat_folds_possible(const batten_surface *surface, bat_span_range *out)
+batten_status bat_folds_possible(const batten_surface *surface, bat_span_ranges *out)
 {
     const bat_span_range all = {{0, 0},
                                 {batten_surface_spans(surface, BATTEN_U, NULL) - 1,
                                  batten_surface_spans(surface, BATTEN_V, NULL) - 1}};
-    *out = all;
-    if (surface->kind != &bat_nurbs_kind || batten_surface_is_rational(surface))
-        return BATTEN_OK;
-    net n = {.points = batten_surface_points(surface),
-             .dimension = batten_surface_dimension(surface),
-             .count_v = batten_surface_point_count(surface, BATTEN_V),
-             .degree = {batten_surface_degree(surface, BATTEN_U),
-                        batten_surface_degree(surface, BATTEN_V)},
-             .spans = {list_spans(surface, BATTEN_U), list_spans(surface, BATTEN_V)},
-             .open = {{all.end[0], all.end[1]}, {0, 0}}};
-    const batten_status status = n.spans[0] && n.spans[1] ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK) {
-        prove_block(&n, all);
-        *out = n.open;
+    net n = {.open = {NULL, 0, 0}};
+    batten_status status = BATTEN_OK;
+    if (surface->kind != &bat_nurbs_kind || !weights_are_products(surface)) {
+        status = BAT_LIST_ADD(n.open.at, n.open.count, n.open.room, all);
+    } else {
+        n.points = batten_surface_points(surface);
+        n.dimension = batten_surface_dimension(surface);
+        n.count_v = batten_surface_point_count(surface, BATTEN_V);
+        for (int k = 0; k < 2; k++) {
+            n.degree[k] = batten_surface_degree(surface, (batten_direction)k);
+            n.spans[k] = list_spans(surface, (batten_direction)k);
+        }
+        status = n.spans[0] && n.spans[1] ? prove_block(&n, all) : BATTEN_OUT_OF_MEMORY;
     }
     bat_release(n.spans[0]);
     bat_release(n.spans[1]);
+    if (status == BATTEN_OK)
+        *out = n.open;
+    else
+        bat_release(n.open.at);
     return status;
 }

@@ -104,31 +104,40 @@ static batten_status compare(const batten_surface *surface, int direction, const
     return status;
 }
 
-/* The places in one direction, off the knots, and both ends: a fold at a rim or a corner is seen however narrow it is. They are those
- * of the spans in `range` and of one more at each side. */
-static batten_status list_places(const batten_surface *surface, batten_direction direction,
-                                 const bat_span_range *range, double **out, int *count)
+/* One direction: its spans, and the places where a range of them is looked at, with room for all. */
+typedef struct {
+    int spans, each, count;
+    double *knots, *at;
+} places;
+
+static batten_status begin_places(const batten_surface *surface, batten_direction direction,
+                                  places *p)
 {
-    const int spans = batten_surface_spans(surface, direction, NULL) - 1;
-    const int each = spans * IN_SPAN >= AT_LEAST ? IN_SPAN : (AT_LEAST + spans - 1) / spans;
-    const int first = bat_max_int(0, range->first[direction] - 1),
-              end = bat_min_int(spans, range->end[direction] + 1);
-    double *knots = bat_array((size_t)spans + 1, sizeof *knots);
-    *out = bat_array((size_t)(end - first) * (size_t)each + 2, sizeof **out);
-    *count = 0;
-    if (knots && *out) {
-        batten_surface_spans(surface, direction, knots);
-        if (first == 0)
-            (*out)[(*count)++] = knots[0];
-        for (int k = first; k < end; k++)
-            for (int j = 0; j < each; j++)
-                (*out)[(*count)++] = knots[k] + (j + 0.5) / each * (knots[k + 1] - knots[k]);
-        if (end == spans)
-            (*out)[(*count)++] = knots[spans];
-    }
-    const bool good = knots && *out;
-    bat_release(knots);
-    return good ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    p->spans = batten_surface_spans(surface, direction, NULL) - 1;
+    p->each = p->spans * IN_SPAN >= AT_LEAST ? IN_SPAN : (AT_LEAST + p->spans - 1) / p->spans;
+    p->knots = bat_array((size_t)p->spans + 1, sizeof *p->knots);
+    p->at = bat_array((size_t)p->spans * (size_t)p->each + 2, sizeof *p->at);
+    if (!p->knots || !p->at)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_surface_spans(surface, direction, p->knots);
+    return BATTEN_OK;
+}
+
+/* Places off the knots, and both ends: a fold at a rim or a corner is seen however narrow it is. They are those of the spans
+ * first .. end - 1 and of one more at each side. */
+static void list_places(places *p, int first, int end)
+{
+    first = bat_max_int(0, first - 1);
+    end = bat_min_int(p->spans, end + 1);
+    p->count = 0;
+    if (first == 0)
+        p->at[p->count++] = p->knots[0];
+    for (int k = first; k < end; k++)
+        for (int j = 0; j < p->each; j++)
+            p->at[p->count++] =
+                p->knots[k] + (j + 0.5) / p->each * (p->knots[k + 1] - p->knots[k]);
+    if (end == p->spans)
+        p->at[p->count++] = p->knots[p->spans];
 }
 
 /* Lines of places, each compared with the one before; both lines stand in turn in `pair`. */
@@ -158,46 +167,62 @@ static batten_status scan_line(const scanner *s, int line, double u, const doubl
     return status;
 }
 
-static batten_status scan(const batten_surface *surface, int count_u, const double *u,
-                          int count_v, const double *v, batten_surface_fold *fold)
+static batten_status scan(const batten_surface *surface, const places *u, const places *v,
+                          batten_surface_fold *fold)
 {
-    const size_t n = (size_t)count_v, line = n * 3 * (size_t)batten_surface_dimension(surface);
+    const size_t n = (size_t)v->count, line = n * 3 * (size_t)batten_surface_dimension(surface);
     double *values = bat_array3(LINES, line, sizeof *values);
-    const scanner s = {surface, count_v, v, bat_array3(2, n, sizeof *s.pair)};
+    const scanner s = {surface, v->count, v->at, bat_array3(2, n, sizeof *s.pair)};
     batten_status status = values && s.pair ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < count_u && status == BATTEN_OK && !fold->found; i += LINES) {
-        const int lines = bat_min_int(LINES, count_u - i);
-        const batten_uv_grid grid = {(size_t)lines, n, u + i, v};
+    for (int i = 0; i < u->count && status == BATTEN_OK && !fold->found; i += LINES) {
+        const int lines = bat_min_int(LINES, u->count - i);
+        const batten_uv_grid grid = {(size_t)lines, n, u->at + i, v->at};
         status = batten_surface_evaluate_grid(surface, grid, 1, NULL, values);
         for (int k = 0; k < lines && status == BATTEN_OK && !fold->found; k++)
-            status = scan_line(&s, i + k, u[i + k], values + (size_t)k * line, fold);
+            status = scan_line(&s, i + k, u->at[i + k], values + (size_t)k * line, fold);
     }
     bat_release(s.pair);
     bat_release(values);
     return status;
 }
 
+/* The first fold in the order of u, then v, whatever the order of the ranges. */
+static batten_status scan_ranges(const batten_surface *surface, const bat_span_ranges *ranges,
+                                 batten_surface_fold *first)
+{
+    places along[2] = {{.count = 0}, {.count = 0}};
+    batten_status status = begin_places(surface, BATTEN_U, &along[0]);
+    if (status == BATTEN_OK)
+        status = begin_places(surface, BATTEN_V, &along[1]);
+    for (int i = 0; i < ranges->count && status == BATTEN_OK; i++) {
+        batten_surface_fold fold = {.found = false};
+        for (int k = 0; k < 2; k++)
+            list_places(&along[k], ranges->at[i].first[k], ranges->at[i].end[k]);
+        status = scan(surface, &along[0], &along[1], &fold);
+        if (fold.found &&
+            (!first->found || fold.u < first->u || (fold.u == first->u && fold.v < first->v)))
+            *first = fold;
+    }
+    for (int k = 0; k < 2; k++) {
+        bat_release(along[k].knots);
+        bat_release(along[k].at);
+    }
+    return status;
+}
+
 batten_status batten_surface_find_fold(const batten_surface *surface, batten_surface_fold *out)
 {
     const int d = batten_surface_dimension(surface);
-    double *u = NULL, *v = NULL;
-    int count_u = 0, count_v = 0;
     batten_surface_fold fold = {.found = false};
+    bat_span_ranges ranges = {NULL, 0, 0};
     if (d != 2 && d != 3)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "folds are looked for in 2 or 3 dimensions, and there are %d", d);
-    bat_span_range range;
-    batten_status status = bat_folds_possible(surface, &range);
-    const bool possible = status == BATTEN_OK && range.first[0] < range.end[0];
-    if (possible)
-        status = list_places(surface, BATTEN_U, &range, &u, &count_u);
-    if (possible && status == BATTEN_OK)
-        status = list_places(surface, BATTEN_V, &range, &v, &count_v);
-    if (possible && status == BATTEN_OK)
-        status = scan(surface, count_u, u, count_v, v, &fold);
+    batten_status status = bat_folds_possible(surface, &ranges);
+    if (status == BATTEN_OK && ranges.count > 0)
+        status = scan_ranges(surface, &ranges, &fold);
     if (status == BATTEN_OK)
         *out = fold;
-    bat_release(u);
-    bat_release(v);
+    bat_release(ranges.at);
     return status;
 }

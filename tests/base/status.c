@@ -2,6 +2,24 @@
 
 #include "support/test.h"
 
+#include <float.h>
+
+TEST(of_many_numbers_the_first_that_is_none_is_found_wherever_it_stands)
+{
+    enum { COUNT_OF = 67 };
+    static const double none[] = {INFINITY, -INFINITY, NAN};
+    double values[COUNT_OF];
+    for (int at = 0; at < COUNT_OF; at++) {
+        for (int i = 0; i < COUNT_OF; i++)
+            values[i] = i % 2 ? -DBL_MAX : 0x1p-1074;
+        CHECK_INT(bat_first_not_finite(values, COUNT_OF), COUNT_OF);
+        values[COUNT_OF - 1] = NAN;
+        values[at] = none[at % 3];
+        CHECK_INT(bat_first_not_finite(values, COUNT_OF), at);
+        CHECK_INT(bat_first_not_finite(values, (size_t)at), at);
+    }
+}
+
 TEST(every_status_has_a_name_and_a_text)
 {
     for (int i = 0; i < BATTEN_STATUS_COUNT; i++) {

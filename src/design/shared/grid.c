@@ -55,11 +55,8 @@ static void find_uneven(const bat_grid *grid, bool along_rows, int *line, bat_sp
     const size_t step = along_rows ? (size_t)grid->count_v : 1,
                  next = along_rows ? 1 : (size_t)grid->count_v;
     for (int l = 0; l < lines; l++) {
-        bat_spread spread;
-        const double *p = grid->points + 3 * (size_t)l * next;
-        bat_spread_begin(&spread);
-        for (int i = 1; i < count; i++, p += 3 * step)
-            bat_spread_add(&spread, i - 1, p, p + 3 * step);
+        const bat_spread spread =
+            bat_spread_of(count, grid->points + 3 * (size_t)l * next, step);
         if (bat_spread_is_uneven(&spread) &&
             spread.most * worst->least > worst->most * spread.least) {
             *worst = spread;

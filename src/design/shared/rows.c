@@ -168,9 +168,14 @@ double *bat_points_in_plane(int axis, int count, const double *points)
 {
     double *plane = bat_array3((size_t)count, axis < 0 ? 3 : 2, sizeof *plane);
     double *to = plane;
-    for (int i = 0; plane && i < 3 * count; i++)
-        if (i % 3 != axis)
-            *to++ = points[i];
+    if (plane && axis < 0)
+        memcpy(plane, points, 3 * (size_t)count * sizeof *plane);
+    const int first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
+    for (const double *from = points; plane && axis >= 0 && to < plane + 2 * (size_t)count;
+         from += 3) {
+        *to++ = from[first];
+        *to++ = from[second];
+    }
     return plane;
 }
 
@@ -203,13 +208,21 @@ batten_status bat_curve_in_plane(const batten_curve *curve, int axis, batten_cur
     return status;
 }
 
+/* @param step  from a point to the next, in points */
+static double largest_coordinate(int count, const double *points, size_t step)
+{
+    double largest = 0;
+    for (size_t i = 0; i < (size_t)count; i++)
+        for (size_t k = 0; k < 3; k++)
+            largest = bat_max(largest, fabs(points[3 * i * step + k]));
+    return largest;
+}
+
 batten_status bat_points_check_size(int count, const double *points)
 {
     /* Cubes of lengths, and their inverses, must neither overflow nor vanish: 1e308 has room for these. */
     static const double least = 1e-90, most = 1e90;
-    double size = 0;
-    for (int i = 0; i < 3 * count; i++)
-        size = fmax(size, fabs(points[i]));
+    const double size = largest_coordinate(count, points, 1);
     if (size == 0 || (size >= least && size <= most))
         return BATTEN_OK;
     return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -225,19 +238,28 @@ static const double most_uneven = 1e6;
 /* What a method loses to rounding, as a share of the largest coordinate: some ten operations on each. */
 static const double lost = 64 * DBL_EPSILON;
 
-void bat_spread_begin(bat_spread *spread)
+bat_spread bat_spread_of(int count, const double *points, size_t step)
 {
-    *spread = (bat_spread){.least = HUGE_VAL};
-}
-
-void bat_spread_add(bat_spread *spread, int at, const double *from, const double *to)
-{
-    const double chord = bat_distance(3, from, to);
-    spread->most = bat_max(spread->most, chord);
-    if (chord > 0 && chord < spread->least) {
-        spread->least = chord;
-        spread->at = at;
+    /* A power of two by which coordinates are at most some 1, and their squares are numbers. */
+    const double largest = largest_coordinate(count, points, step);
+    const int exponent =
+        largest > 0 ? bat_max_int(-1000, bat_min_int(1000, ilogb(largest))) : 0;
+    const double scale = ldexp(1, -exponent);
+    double least = HUGE_VAL, most = 0; /* squares */
+    bat_spread spread = {.at = 0};
+    for (int i = 0; i + 1 < count; i++) {
+        const double *from = points + 3 * step * (size_t)i, *to = from + 3 * step;
+        const double x = scale * (to[0] - from[0]), y = scale * (to[1] - from[1]),
+                     z = scale * (to[2] - from[2]), square = x * x + y * y + z * z;
+        most = bat_max(most, square);
+        if (square > 0 && square < least) {
+            least = square;
+            spread.at = i;
+        }
     }
+    spread.least = sqrt(least) / scale;
+    spread.most = sqrt(most) / scale;
+    return spread;
 }
 
 bool bat_spread_is_uneven(const bat_spread *spread)
@@ -247,9 +269,7 @@ bool bat_spread_is_uneven(const bat_spread *spread)
 
 void bat_note_reach(const bat_run *run, const char *name, int count, const double *points)
 {
-    double size = 0;
-    for (int i = 0; i < 3 * count; i++)
-        size = bat_max(size, fabs(points[i]));
+    const double size = largest_coordinate(count, points, 1);
     if (lost * size > bat_tolerance(run))
         bat_note(
             run,
@@ -260,10 +280,7 @@ void bat_note_reach(const bat_run *run, const char *name, int count, const doubl
 
 void bat_note_spacing(const bat_run *run, const char *name, int count, const double *points)
 {
-    bat_spread spread;
-    bat_spread_begin(&spread);
-    for (int i = 1; i < count; i++)
-        bat_spread_add(&spread, i - 1, points + 3 * (i - 1), points + 3 * i);
+    const bat_spread spread = bat_spread_of(count, points, 1);
     if (bat_spread_is_uneven(&spread))
         bat_note(
             run,

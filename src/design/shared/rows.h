@@ -32,8 +32,8 @@ typedef struct {
     int at;
 } bat_spread;
 
-void bat_spread_begin(bat_spread *spread);
-void bat_spread_add(bat_spread *spread, int at, const double *from, const double *to);
+/* Of `count` points, `step` points apart in memory. */
+bat_spread bat_spread_of(int count, const double *points, size_t step);
 /* A millionth or less: parameters from distances have no six digits left. */
 bool bat_spread_is_uneven(const bat_spread *spread);
 

@@ -133,21 +133,63 @@ static batten_affine map_of_frame(const batten_frame *frame)
                            {o.x, o.y, o.z}};
 }
 
-static batten_status place_curve(const task *t, batten_curve **curve)
+/* The control points of a plane curve, or of the graph of a function, in space: [count][3]. */
+static double *place_points(const batten_curve *curve, const batten_frame *frame)
 {
-    batten_curve *graph = NULL, *lifted = NULL, *placed = NULL;
-    batten_status status = BATTEN_OK;
-    if (t->data.dimension == 3)
-        return BATTEN_OK;
-    if (batten_curve_dimension(*curve) == 1)
-        status = batten_curve_from_function(*curve, &graph);
+    const batten_affine map = map_of_frame(frame);
+    const int n = batten_curve_point_count(curve), d = batten_curve_dimension(curve);
+    const double *from = batten_curve_points(curve);
+    double *points = bat_array3((size_t)n, 3, sizeof *points);
+    for (int i = 0; points && i < n; i++) {
+        const double x = d == 1 ? batten_curve_greville(curve, i) : from[d * i],
+                     y = from[d * i + d - 1];
+        for (int r = 0; r < 3; r++)
+            points[3 * i + r] = map.t[r] + map.m[r][0] * x + map.m[r][1] * y;
+    }
+    return points;
+}
+
+/* Where the control points alone change: all but rational functions and what is periodic. */
+static batten_status place_plainly(const task *t, const batten_curve *curve, batten_curve **out)
+{
+    double *points = place_points(curve, &t->plane.frame);
+    batten_status status = points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_curve_to_dimension(graph ? graph : *curve, 3, &lifted);
+        status =
+            batten_curve_create((batten_points){3, batten_curve_point_count(curve), points},
+                                batten_curve_degree(curve), batten_curve_weights(curve),
+                                batten_curve_knots(curve), out);
+    bat_release(points);
+    return status;
+}
+
+static batten_status place_step_by_step(const task *t, const batten_curve *curve,
+                                        batten_curve **out)
+{
+    batten_curve *graph = NULL, *lifted = NULL;
+    batten_status status = BATTEN_OK;
+    if (batten_curve_dimension(curve) == 1)
+        status = batten_curve_from_function(curve, &graph);
+    if (status == BATTEN_OK)
+        status = batten_curve_to_dimension(graph ? graph : curve, 3, &lifted);
     const batten_affine map = map_of_frame(&t->plane.frame);
     if (status == BATTEN_OK)
-        status = batten_curve_transform(lifted, &map, &placed);
+        status = batten_curve_transform(lifted, &map, out);
     batten_curve_unref(graph);
     batten_curve_unref(lifted);
+    return status;
+}
+
+static batten_status place_curve(const task *t, batten_curve **curve)
+{
+    batten_curve *placed = NULL;
+    const int d = batten_curve_dimension(*curve);
+    if (t->data.dimension == 3)
+        return BATTEN_OK;
+    const bool is_plain =
+        !batten_curve_is_periodic(*curve) && (d == 2 || !batten_curve_is_rational(*curve));
+    const batten_status status =
+        is_plain ? place_plainly(t, *curve, &placed) : place_step_by_step(t, *curve, &placed);
     if (status == BATTEN_OK) {
         batten_curve_unref(*curve);
         *curve = placed;

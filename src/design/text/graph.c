@@ -118,12 +118,15 @@ void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feat
     if (!entry->feature || !entry->arguments)
         return;
     const batten_feature *f = &entry->feature->shown;
-    for (int i = 0; i < f->parameter_count; i++)
-        for (int k = 0; k < entry->arguments[i].count; k++) {
+    for (int i = 0; i < f->parameter_count; i++) {
+        const batten_value_kind kind = f->parameters[i].kind;
+        const bool may_name = kind == BATTEN_VALUE_MODEL || kind == BATTEN_VALUE_POINTS;
+        for (int k = 0; may_name && k < entry->arguments[i].count; k++) {
             const bat_item *item = &entry->arguments[i].items[k];
-            if (bat_item_is_feature(f->parameters[i].kind, item) && item->count >= 0)
+            if (bat_item_is_feature(kind, item) && item->count >= 0)
                 visit(user, item->count);
         }
+    }
 }
 
 static void count_need(void *user, int feature)

@@ -8,12 +8,17 @@ typedef struct {
     double lower, diagonal, upper, right;
 } moment_row;
 
-/* How much the slope changes at point i, but for rounding. */
-static double change(const bat_chords *c, int i)
+/* By how much the slope changes at each inner point, but for rounding, for its share of the two spans. */
+static void fill_inner(const bat_chords *c, moment_row *rows)
 {
-    const double by = c->d[i] - c->d[i - 1];
-    const double zero = bat_chord_rounding(c, i - 1) + bat_chord_rounding(c, i);
-    return fabs(by) <= zero ? 0 : by;
+    double before = bat_chord_rounding(c, 0);
+    for (int i = 1; i + 1 < c->count; i++) {
+        const double after = bat_chord_rounding(c, i), by = c->d[i] - c->d[i - 1];
+        const double width = c->h[i - 1] + c->h[i];
+        const double change = fabs(by) <= before + after ? 0 : by;
+        rows[i] = (moment_row){c->h[i - 1] / width, 2, c->h[i] / width, 6 * change / width};
+        before = after;
+    }
 }
 
 /* An end, by its span h and either how much its slope must change along it or its second
@@ -30,11 +35,7 @@ static void fill(const bat_chords *c, const batten_end_kind kinds[2], double val
                  moment_row *rows)
 {
     const int n = c->count - 1;
-    for (int i = 1; i < n; i++) {
-        const double width = c->h[i - 1] + c->h[i];
-        rows[i] =
-            (moment_row){c->h[i - 1] / width, 2, c->h[i] / width, 6 * change(c, i) / width};
-    }
+    fill_inner(c, rows);
     rows[0] = end_row(kinds[0], c->h[0], c->d[0] - values[0][0], values[0][0]);
     rows[n] = end_row(kinds[1], c->h[n - 1], values[1][0] - c->d[n - 1], values[1][0]);
     rows[0].lower = rows[n].upper = 0;
@@ -49,12 +50,12 @@ static void fill(const bat_chords *c, const batten_end_kind kinds[2], double val
 }
 
 /* 1, -1, or 0 where the slopes both rise and fall. */
-static int sign_of_points(const bat_chords *c)
+static int sign_of_points(int count, const moment_row *rows)
 {
     bool rises = false, falls = false;
-    for (int i = 1; i + 1 < c->count; i++) {
-        rises = rises || change(c, i) > 0;
-        falls = falls || change(c, i) < 0;
+    for (int i = 1; i + 1 < count; i++) {
+        rises = rises || rows[i].right > 0;
+        falls = falls || rows[i].right < 0;
     }
     return falls ? (rises ? 0 : -1) : 1;
 }
@@ -82,7 +83,7 @@ static batten_status find(const bat_chords *c, const batten_end_kind kinds[2],
     if (!rows)
         return BATTEN_OUT_OF_MEMORY;
     fill(c, kinds, values, rows);
-    out->points = sign_of_points(c);
+    out->points = sign_of_points(c->count, rows);
     out->at = out->points == 0 ? -1 : first_failing(c->count, rows, out->points);
     out->promised = out->points != 0 && out->at < 0;
     bat_release(rows);

@@ -3,6 +3,8 @@
 #include "design/features/take/pieces.h"
 #include <batten/invariants.h>
 
+#include <string.h>
+
 typedef enum { LENGTH, AFFINE } measures;
 
 static const batten_parameter parameters[] = {
@@ -26,11 +28,14 @@ static batten_status put_points(bat_run *run, const batten_object *object,
     const int d = batten_curve_dimension(object->curve);
     double *points = bat_array((size_t)at->count, 3 * sizeof *points);
     batten_status status = points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < at->count && status == BATTEN_OK; i++) {
+    if (status == BATTEN_OK)
+        status = batten_curve_evaluate_many(object->curve, (size_t)at->count, at->at, 0,
+                                            run->job, points);
+    /* The last first: each moves to where no other stands any more. */
+    for (int i = at->count - 1; i >= 0 && status == BATTEN_OK && d < 3; i--) {
         double p[3] = {0};
-        status = batten_curve_evaluate(object->curve, at->at[i], 0, p);
-        for (int k = 0; k < d && status == BATTEN_OK; k++)
-            points[3 * i + k] = p[k];
+        memcpy(p, points + d * i, (size_t)d * sizeof *p);
+        memcpy(points + 3 * i, p, sizeof p);
     }
     const batten_object made = {.name = object->name,
                                 .layer = object->layer,
