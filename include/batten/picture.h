@@ -191,6 +191,12 @@ typedef struct batten_draw_lines_plan_options {
     int station_count;
     double design_waterline;  /**< height; NaN for none */
     const batten_model *data; /**< given points, drawn as crosses; or NULL */
+    int diagonals; /**< how many are chosen; -1: three, but none on a hull with knuckles */
+    const double *diagonal_at; /**< [diagonal_count] heights at which diagonals leave the centre
+                                    plane, instead; or NULL */
+    const double *diagonal_angle; /**< [diagonal_count] how far they fall below the level,
+                                       radians, above 0 and below pi / 2 */
+    int diagonal_count;
 } batten_draw_lines_plan_options;
 /** The defaults of lines plans: those beside the fields of batten_draw_lines_plan_options. */
 BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
@@ -200,6 +206,11 @@ BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
  * plan below it, and body plan, at one usual scale (1:20, 1:25, 1:30 ...), true in PDF and SVG,
  * with grid, title block, legend and the table of offsets measured on the drawn lines. The scale is
  * the largest usual one at which the views find room, whichever way they stand.
+ *
+ * Diagonals are straight in the body plan and stand below the centre line of the half-breadth plan
+ * in their true shape. Those that are chosen cross the section amidships squarely, at equal angles about
+ * its middle at the height of the sheer. Edges between surfaces at which a section turns by 10 degrees or more
+ * are knuckles: the table has their heights and half-breadths.
  *
  * The bow is at the larger x, to the right; stations are numbered from 0 at the smallest x. Of
  * a whole hull the half with y >= 0 is drawn; a half at y <= 0 is mirrored. Notes say what
@@ -211,7 +222,7 @@ BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
  * @param notes  may be NULL
  * @param[out] data  release with batten_release
  * @param[out] size  of the data, bytes
- * @return BATTEN_OK, BAD_ARGUMENT (no hull, no room on the sheet), NOT_FINITE, NOT_INCREASING,
+ * @return BATTEN_OK, BAD_ARGUMENT (no hull, no room on the sheet, the angle of a diagonal), NOT_FINITE, NOT_INCREASING,
  * TOO_LARGE (more than 400 lines of a family), OVERFLOW, OUT_OF_MEMORY, or what the sections
  * report
  *

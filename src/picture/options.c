@@ -26,5 +26,6 @@ batten_draw_options batten_draw_defaults(void)
 batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void)
 {
     return (batten_draw_lines_plan_options){.size = sizeof(batten_draw_lines_plan_options),
-                                            .design_waterline = (double)NAN};
+                                            .design_waterline = (double)NAN,
+                                            .diagonals = -1};
 }

@@ -1,17 +1,11 @@
 /* The curves of a lines plan: stations, waterlines and buttocks of half a hull. */
 #include "picture/drawings/hull.h"
-#include "base/plural.h"
 
-#include "picture/sheet/sheet.h"
 #include <batten/nearest.h>
 
 #include <string.h>
 
-static const char *const names[BAT_FAMILIES] = {"station", "buttock", "waterline"};
 static const char letters[] = "xyz";
-
-/* Beyond this a spacing is surely a wrong unit. */
-enum { CUT_LIMIT = 400 };
 
 /* ---- polylines cut by a plane ---- */
 
@@ -151,129 +145,6 @@ static batten_status measure_half(const batten_model *model, batten_notes *notes
     return BATTEN_OK;
 }
 
-/* ---- where to cut ---- */
-
-static batten_status make_cuts(bat_cuts *cuts, int count)
-{
-    cuts->cuts =
-        bat_array((size_t)count + 1, sizeof *cuts->cuts); /* and the design waterline */
-    if (!cuts->cuts)
-        return BATTEN_OUT_OF_MEMORY;
-    cuts->count = count;
-    return BATTEN_OK;
-}
-
-/* Multiples of the spacing, `from` among the planes or not. */
-static batten_status space_cuts(bat_hull *hull, bat_family family, double spacing)
-{
-    const double low = hull->low[family], high = hull->high[family];
-    const double margin = 1e-6 * (high - low);
-    const double first = ceil((low + (family == BAT_STATIONS ? -margin : margin)) / spacing);
-    const double last = floor((high + (family == BAT_STATIONS ? margin : -margin)) / spacing);
-    if (!(last - first < CUT_LIMIT))
-        return bat_fail(BATTEN_TOO_LARGE,
-                        "a %s every %g between %g and %g makes more than %d of them",
-                        names[family], spacing, low, high, CUT_LIMIT);
-    bat_cuts *cuts = &hull->families[family];
-    cuts->spacing = spacing;
-    const batten_status status = make_cuts(cuts, (int)bat_max(0, last - first + 1));
-    for (int i = 0; i < cuts->count; i++)
-        cuts->cuts[i].at = (first + i) * spacing;
-    return status;
-}
-
-static batten_status place_given(bat_hull *hull, const batten_draw_lines_plan_options *plan)
-{
-    bat_cuts *cuts = &hull->families[BAT_STATIONS];
-    if (plan->station_count < 0 || plan->station_count > CUT_LIMIT)
-        return bat_fail(BATTEN_TOO_LARGE, "%d station%s %s given; a lines plan draws up to %d",
-                        plan->station_count, bat_plural(plan->station_count),
-                        bat_one_or_many(plan->station_count, "is", "are"), CUT_LIMIT);
-    for (int i = 0; i < plan->station_count; i++) {
-        if (!isfinite(plan->station_at[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "station %d stands at %g", i + 1,
-                            plan->station_at[i]);
-        if (i > 0 && !(plan->station_at[i] > plan->station_at[i - 1]))
-            return bat_fail(BATTEN_NOT_INCREASING,
-                            "station %d at %g does not lie beyond station %d at %g", i + 1,
-                            plan->station_at[i], i - 1 + 1, plan->station_at[i - 1]);
-    }
-    const batten_status status = make_cuts(cuts, plan->station_count);
-    for (int i = 0; i < cuts->count; i++)
-        cuts->cuts[i].at = plan->station_at[i];
-    return status;
-}
-
-static batten_status place_stations(bat_hull *hull, const batten_draw_lines_plan_options *plan)
-{
-    if (plan->station_at)
-        return place_given(hull, plan);
-    if (plan->stations > 0)
-        return space_cuts(hull, BAT_STATIONS, plan->stations);
-    bat_cuts *cuts = &hull->families[BAT_STATIONS];
-    const double low = hull->low[0], length = hull->high[0] - low;
-    const batten_status status = make_cuts(cuts, 11);
-    cuts->spacing = length / 10;
-    for (int i = 0; i < cuts->count; i++)
-        cuts->cuts[i].at = low + length * i / 10;
-    return status;
-}
-
-/* Put the design waterline among the others, or mark the one that it is. */
-static void add_design_waterline(bat_hull *hull, double at, batten_notes *notes)
-{
-    bat_cuts *cuts = &hull->families[BAT_WATERLINES];
-    if (isnan(at))
-        return;
-    if (!(at > hull->low[2] && at < hull->high[2])) {
-        batten_notes_add(notes, "", 0, "design waterline",
-                         "height %g lies outside the hull, which reaches from %g to %g", at,
-                         hull->low[2], hull->high[2]);
-        return;
-    }
-    int i = cuts->count;
-    /* Nearer than a millionth of the depth two waterlines are one line of the drawing. */
-    const double same = 1e-6 * (hull->high[2] - hull->low[2]);
-    while (i > 0 && cuts->cuts[i - 1].at > at - same)
-        i--;
-    if (i == cuts->count || cuts->cuts[i].at > at + same) {
-        memmove(cuts->cuts + i + 1, cuts->cuts + i,
-                (size_t)(cuts->count - i) * sizeof *cuts->cuts);
-        cuts->cuts[i] = (bat_cut){.at = at};
-        cuts->count++;
-    }
-    cuts->cuts[i].is_design = true;
-}
-
-static batten_status check_spacing(double spacing, bat_family family)
-{
-    if (spacing >= 0 && isfinite(spacing))
-        return BATTEN_OK;
-    return bat_fail(BATTEN_BAD_ARGUMENT, "the spacing of the %ss is %g; it cannot be negative",
-                    names[family], spacing);
-}
-
-static batten_status place_cuts(bat_hull *hull, const batten_draw_lines_plan_options *plan,
-                                batten_notes *notes)
-{
-    const double given[] = {plan->stations, plan->buttocks, plan->waterlines};
-    /* At most so many when the spacing is left to us. */
-    static const int usual[] = {11, 10, 12};
-    for (int f = 0; f < BAT_FAMILIES; f++) {
-        batten_status status = check_spacing(given[f], (bat_family)f);
-        const double range = hull->high[f] - hull->low[f];
-        if (status == BATTEN_OK && f == BAT_STATIONS)
-            status = place_stations(hull, plan);
-        else if (status == BATTEN_OK)
-            status = space_cuts(hull, (bat_family)f,
-                                given[f] > 0 ? given[f] : bat_round_step(range, usual[f]));
-        if (status != BATTEN_OK)
-            return status;
-    }
-    add_design_waterline(hull, plan->design_waterline, notes);
-    return BATTEN_OK;
-}
-
 /* ---- cutting ---- */
 
 /* Cells of the grid on which a section is sought: fine enough for a smooth line on the
@@ -298,12 +169,23 @@ static batten_status keep_line(bat_strokes *list, const batten_polyline *line, h
     return status;
 }
 
+/* The plane of a cut on the side that is taken; its offset in the unit of the normal. */
+static batten_vec3 plane_of(bat_family family, half h, const bat_cut *cut, double *offset)
+{
+    *offset = family == BAT_BUTTOCKS    ? h.side * cut->at
+              : family == BAT_DIAGONALS ? cut->at * bat_cos(cut->angle)
+                                        : cut->at;
+    if (family == BAT_DIAGONALS)
+        return (batten_vec3){0, h.side * bat_sin(cut->angle), bat_cos(cut->angle)};
+    return (batten_vec3){family == BAT_STATIONS, family == BAT_BUTTOCKS,
+                         family == BAT_WATERLINES};
+}
+
 static batten_status cut_surface(const batten_surface *surface, bat_family family, half h,
                                  bat_cut *cut)
 {
-    const batten_vec3 normal = {family == BAT_STATIONS, family == BAT_BUTTOCKS,
-                                family == BAT_WATERLINES};
-    const double offset = family == BAT_BUTTOCKS ? h.side * cut->at : cut->at;
+    double offset;
+    const batten_vec3 normal = plane_of(family, h, cut, &offset);
     batten_polylines found = {0, NULL};
     batten_status status = batten_surface_section(
         surface, normal, offset, cells(surface, BATTEN_U), cells(surface, BATTEN_V), &found);
@@ -318,6 +200,9 @@ static batten_status cut_surface(const batten_surface *surface, bat_family famil
 /* A plane at the very end of the hull only touches it; there the edges are drawn. */
 static bool is_at_end(const bat_hull *hull, bat_family family, double at)
 {
+    if (family == BAT_DIAGONALS)
+        return false;
+    /* Nearer than a millionth of the size is there but for rounding. */
     const double margin = 1e-6 * (hull->high[family] - hull->low[family]);
     return fabs(at - hull->low[family]) <= margin || fabs(at - hull->high[family]) <= margin;
 }
@@ -337,8 +222,12 @@ static batten_status cut_family(const batten_model *model, bat_family family, ha
             if (status != BATTEN_OK)
                 return status;
         }
-        if (cut->lines.count == 0)
-            batten_notes_add(notes, "", 0, names[family],
+        if (cut->lines.count == 0 && family == BAT_DIAGONALS)
+            batten_notes_add(notes, "", 0, bat_family_names[family],
+                             "diagonal %d from height %g does not meet the hull", i + 1,
+                             cut->at);
+        else if (cut->lines.count == 0)
+            batten_notes_add(notes, "", 0, bat_family_names[family],
                              "the plane %c = %g does not meet the hull", letters[family],
                              cut->at);
     }
@@ -381,6 +270,18 @@ static batten_status gather_edges(const batten_model *model, half h, bat_hull *h
     return BATTEN_OK;
 }
 
+static void measure_reach(bat_hull *hull)
+{
+    const bat_cuts *diagonals = &hull->families[BAT_DIAGONALS];
+    for (int i = 0; i < diagonals->count; i++) {
+        const bat_cut *cut = &diagonals->cuts[i];
+        for (size_t k = 0; k < cut->lines.count; k++)
+            for (size_t n = 0; n < cut->lines.strokes[k].count; n++)
+                hull->reach = bat_max(
+                    hull->reach, bat_diagonal_way(cut, cut->lines.strokes[k].points + 3 * n));
+    }
+}
+
 batten_status bat_hull_cut(const batten_model *model,
                            const batten_draw_lines_plan_options *plan, batten_notes *notes,
                            bat_hull *out)
@@ -389,11 +290,18 @@ batten_status bat_hull_cut(const batten_model *model,
     half h = {1, 0};
     batten_status status = measure_half(model, notes, &hull, &h);
     if (status == BATTEN_OK)
-        status = place_cuts(&hull, plan, notes);
-    for (int f = 0; f < BAT_FAMILIES && status == BATTEN_OK; f++)
+        status = bat_hull_place_cuts(plan, notes, &hull);
+    for (int f = 0; f < BAT_AXES && status == BATTEN_OK; f++)
         status = cut_family(model, (bat_family)f, h, notes, &hull);
     if (status == BATTEN_OK)
         status = gather_edges(model, h, &hull);
+    if (status == BATTEN_OK)
+        status = bat_hull_find_knuckles(plan->data, &hull);
+    if (status == BATTEN_OK)
+        status = bat_hull_place_diagonals(plan, &hull);
+    if (status == BATTEN_OK)
+        status = cut_family(model, BAT_DIAGONALS, h, notes, &hull);
+    measure_reach(&hull);
     if (status == BATTEN_OK)
         *out = hull;
     else
@@ -409,4 +317,7 @@ void bat_hull_free(bat_hull *hull)
         bat_release(hull->families[f].cuts);
     }
     bat_strokes_free(&hull->edges);
+    for (int i = 0; i < hull->knuckle_count; i++)
+        bat_strokes_free(&hull->knuckles[i].lines);
+    bat_release(hull->knuckles);
 }

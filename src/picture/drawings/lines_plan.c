@@ -9,23 +9,8 @@ static const bat_pen centre_pen = {{0.42, 0.45, 0.49}, 0.8, BAT_CHAIN};
 
 /* ---- grid ---- */
 
-/* "0.5" for a height or breadth, the number of a station. */
-static void name_of(const bat_lines_sheet *s, bat_family family, int i, char text[static 48])
-{
-    const bat_cuts *cuts = &s->hull.families[family];
-    char number[BATTEN_NUMBER_SIZE];
-    if (family == BAT_STATIONS) {
-        snprintf(text, 48, "%d", i);
-        return;
-    }
-    const double range = s->hull.high[family] - s->hull.low[family];
-    bat_number_text(cuts->cuts[i].at, 3 - (int)floor(bat_log10(range)), number);
-    snprintf(text, 48, "%s %s",
-             cuts->cuts[i].is_design    ? "DWL"
-             : family == BAT_WATERLINES ? "WL"
-                                        : "B",
-             number);
-}
+/* Rows of names below a view. */
+enum { NAME_ROWS = 2 };
 
 static bat_pen straight_pen(const bat_lines_sheet *s, bat_family family, int i)
 {
@@ -53,7 +38,7 @@ static void draw_level(bat_canvas *canvas, const bat_lines_sheet *s, bat_lines_v
             continue;
         const double y = bat_plot_y(plot, s->hull.families[family].cuts[i].at);
         char text[48];
-        name_of(s, family, i, text);
+        bat_lines_name(s, family, i, text);
         bat_canvas_segment(canvas, straight_pen(s, family, i), left, y, right, y);
         bat_canvas_label(canvas, name_colour(s, family, i), 0.8 * em, BAT_RIGHT,
                          left - 0.3 * em, y, text);
@@ -62,7 +47,8 @@ static void draw_level(bat_canvas *canvas, const bat_lines_sheet *s, bat_lines_v
     }
 }
 
-/* The same for upright lines, named below; `sign` is -1 for the left half of the body plan. */
+/* The same for upright lines, named below, in a second row where the first has no room; `sign` is -1 for the left
+ * half of the body plan. */
 static void draw_upright(bat_canvas *canvas, const bat_lines_sheet *s, bat_lines_view view,
                          bat_family family, double sign)
 {
@@ -72,10 +58,12 @@ static void draw_upright(bat_canvas *canvas, const bat_lines_sheet *s, bat_lines
     for (int i = 0; i < s->hull.families[family].count; i++) {
         const double x = bat_plot_x(plot, sign * s->hull.families[family].cuts[i].at);
         char text[48];
-        name_of(s, family, i, text);
+        bat_lines_name(s, family, i, text);
         bat_canvas_segment(canvas, grid_pen, x, top, x, bottom);
-        bat_canvas_label(canvas, name_colour(s, family, i), 0.8 * em, BAT_MIDDLE, x,
-                         bottom + 0.7 * em, text);
+        for (int row = 0; row < NAME_ROWS; row++)
+            if (bat_canvas_label(canvas, name_colour(s, family, i), 0.8 * em, BAT_MIDDLE, x,
+                                 bottom + (0.7 + 0.85 * row) * em, text))
+                break;
     }
 }
 
@@ -181,7 +169,7 @@ static void name_curve(bat_canvas *canvas, const bat_lines_sheet *s, bat_lines_v
     const bat_strokes *lines = &s->hull.families[family].cuts[i].lines;
     const bat_plot *plot = &s->plots[view];
     char text[48];
-    name_of(s, family, i, text);
+    bat_lines_name(s, family, i, text);
     for (size_t k = 0; k < lines->count; k++) {
         const bat_stroke *line = &lines->strokes[k];
         const size_t up = (size_t)bat_lines_views[view].up, last = 3 * (line->count - 1);
@@ -270,14 +258,27 @@ static batten_status draw_view(bat_canvas *canvas, const bat_lines_sheet *s,
     return status;
 }
 
+/* That there are diagonals is said where the view is wide enough. */
+static const char *title_of(bat_canvas *canvas, const bat_lines_sheet *s, bat_lines_view view,
+                            double size)
+{
+    static const char with_diagonals[] =
+        "Half-breadth plan; below it the diagonals in their true shape";
+    /* Bold letters are up to a fifth wider. */
+    const bool fits =
+        1.2 * bat_canvas_text_width(canvas, size, with_diagonals) <= s->plots[view].frame.width;
+    return view == BREADTH && s->hull.reach > 0 && fits ? with_diagonals
+                                                        : bat_lines_views[view].title;
+}
+
 static void title_views(bat_canvas *canvas, const bat_lines_sheet *s)
 {
-    const double em = canvas->em;
+    const double em = canvas->em, size = 0.95 * em;
     for (int view = 0; view < VIEWS; view++) {
         const bat_rectangle f = s->plots[view].frame;
-        const double x = view == BODY ? f.x + 0.5 * f.width : f.x;
-        bat_canvas_bold(canvas, bat_ink, 0.95 * em, view == BODY ? BAT_MIDDLE : BAT_LEFT, x,
-                        f.y - 2.2 * em, bat_lines_views[view].title);
+        bat_canvas_bold(canvas, bat_ink, size, view == BODY ? BAT_MIDDLE : BAT_LEFT,
+                        view == BODY ? f.x + 0.5 * f.width : f.x, f.y - 2.2 * em,
+                        title_of(canvas, s, (bat_lines_view)view, size));
     }
 }
 
@@ -292,6 +293,8 @@ static batten_status draw_sheet(bat_canvas *canvas, bat_lines_sheet *s)
     canvas->draws_ground = false;
     for (int view = 0; view < VIEWS && status == BATTEN_OK; view++)
         status = draw_view(canvas, s, (bat_lines_view)view);
+    if (status == BATTEN_OK)
+        status = bat_lines_draw_diagonals(canvas, s);
     draw_given(canvas, s);
     bat_lines_draw_foot(canvas, s);
     if (!bat_lines_draw_table(canvas, s))

@@ -24,7 +24,8 @@ static const struct {
 static const bat_colour bat_lines_colours[BAT_FAMILIES] = {
     [BAT_STATIONS] = {0.13, 0.15, 0.18},
     [BAT_BUTTOCKS] = {0.07, 0.45, 0.27},
-    [BAT_WATERLINES] = {0.10, 0.36, 0.68}};
+    [BAT_WATERLINES] = {0.10, 0.36, 0.68},
+    [BAT_DIAGONALS] = {0.52, 0.20, 0.55}};
 static const bat_colour bat_lines_design_colour = {0.80, 0.18, 0.12};
 
 typedef struct {
@@ -55,6 +56,17 @@ static inline bat_pen bat_lines_curve_pen(bat_family family, bool is_design)
 static const bat_pen bat_lines_edge_pen = {{0.13, 0.15, 0.18}, 1.6, BAT_SOLID};
 static const bat_pen bat_lines_cross_pen = {{0.75, 0.30, 0.05}, 0.8, BAT_SOLID};
 
+/* ---- lines_plan_names.c ---- */
+
+/* "WL 0.5", "B 0.2", "D1", or the number of a station. */
+void bat_lines_name(const bat_lines_sheet *s, bat_family family, int i, char text[static 48]);
+
+/* ---- lines_plan_diagonals.c ---- */
+
+/* The diagonals: straight in the body plan, and in their true shape below the centre line of the half-breadth
+ * plan. */
+batten_status bat_lines_draw_diagonals(bat_canvas *canvas, const bat_lines_sheet *s);
+
 /* ---- lines_plan_layout.c ---- */
 
 /* Place the views and the foot, at the largest scale of usual ratio that has room. */
@@ -67,14 +79,17 @@ void bat_lines_draw_foot(bat_canvas *canvas, const bat_lines_sheet *s);
 
 /* ---- lines_plan_offsets.c ---- */
 
-/* Where a station crosses a waterline, its half-breadth; where it crosses a buttock, the lowest height; NaN where it
- * does not. */
+/* Where a station crosses a waterline, its half-breadth; where it crosses a buttock, the lowest height; where it
+ * crosses a diagonal, the longest way along that; NaN where it does not. */
 double bat_lines_offset(const bat_lines_sheet *s, int station, bat_family family, int line);
 /* The lowest and the highest point of a station, and how far the highest is from the middle; NaN without any. */
 typedef struct {
     double keel, sheer, breadth;
 } bat_lines_ends;
 bat_lines_ends bat_lines_ends_of(const bat_lines_sheet *s, int station);
+/* The half-breadth and the height of a knuckle at a station; NaN where it does not reach. */
+void bat_lines_knuckle_offsets(const bat_lines_sheet *s, int station, int knuckle,
+                               double yz[2]);
 
 /* ---- lines_plan_table.c ---- */
 

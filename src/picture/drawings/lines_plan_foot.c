@@ -17,7 +17,9 @@ static void spacing_text(const bat_lines_sheet *s, bat_family family, char text[
     const bat_cuts *cuts = &s->hull.families[family];
     char number[BATTEN_NUMBER_SIZE];
     bat_digits_text(cuts->spacing, 4, number);
-    if (cuts->spacing > 0)
+    if (cuts->count == 0)
+        snprintf(text, 48, "none");
+    else if (cuts->spacing > 0)
         snprintf(text, 48, "every %s %s", number, unit_of(s));
     else
         snprintf(text, 48, "%d", cuts->count);
@@ -42,7 +44,7 @@ static void write_pair(bat_canvas *canvas, bat_rectangle block, int row, int col
                        const char *name, const char *value)
 {
     static const double names_at[] = {0.03, 0.50}, values_at[] = {0.18, 0.69};
-    const double em = canvas->em, y = block.y + (4.6 + 1.7 * row) * em;
+    const double em = canvas->em, y = block.y + (4.4 + 1.4 * row) * em;
     bat_canvas_text(canvas, bat_grey, 0.85 * em, BAT_LEFT,
                     block.x + names_at[column] * block.width, y, name);
     bat_canvas_text(canvas, bat_ink, 0.85 * em, BAT_LEFT,
@@ -67,7 +69,9 @@ static void write_figures(bat_canvas *canvas, const bat_lines_sheet *s, bat_rect
     write_pair(canvas, block, 1, 1, "Waterlines", text);
     spacing_text(s, BAT_BUTTOCKS, text);
     write_pair(canvas, block, 2, 1, "Buttocks", text);
-    write_pair(canvas, block, 3, 1, "Unit", unit_of(s));
+    spacing_text(s, BAT_DIAGONALS, text);
+    write_pair(canvas, block, 3, 1, "Diagonals", text);
+    write_pair(canvas, block, 4, 0, "Unit", unit_of(s));
 }
 
 /* As large as fits, up to `size`. */
@@ -96,12 +100,14 @@ static void draw_title_block(bat_canvas *canvas, const bat_lines_sheet *s, bat_r
 
 static void fill_legend(const bat_lines_sheet *s, bat_legend *legend)
 {
-    static const char *const plurals[] = {"stations", "buttocks", "waterlines"};
+    static const char *const plurals[] = {"stations", "buttocks", "waterlines", "diagonals"};
     bat_legend_add(legend, BAT_SAMPLE_LINE, bat_lines_edge_pen,
-                   "edges: sheer, keel, stem, stern");
+                   s->hull.knuckle_count > 0 ? "edges: sheer, knuckles, keel, stem, stern"
+                                             : "edges: sheer, keel, stem, stern");
     for (int f = 0; f < BAT_FAMILIES; f++)
-        bat_legend_add(legend, BAT_SAMPLE_LINE, bat_lines_curve_pen((bat_family)f, false), "%s",
-                       plurals[f]);
+        if (f != BAT_DIAGONALS || s->hull.families[f].count > 0)
+            bat_legend_add(legend, BAT_SAMPLE_LINE, bat_lines_curve_pen((bat_family)f, false),
+                           "%s", plurals[f]);
     if (!isnan(s->plan->design_waterline))
         bat_legend_add(legend, BAT_SAMPLE_LINE, bat_lines_curve_pen(BAT_WATERLINES, true),
                        "design waterline");
@@ -121,8 +127,8 @@ void bat_lines_draw_foot(bat_canvas *canvas, const bat_lines_sheet *s)
 {
     const double em = canvas->em;
     const double wide = bat_min(46 * em, 0.55 * s->strip.width);
-    const bat_rectangle block = {s->strip.x + s->strip.width - wide, s->strip.y + 2 * em, wide,
-                                 s->strip.height - 2 * em};
+    const bat_rectangle block = {s->strip.x + s->strip.width - wide, s->strip.y + em, wide,
+                                 s->strip.height - em};
     draw_title_block(canvas, s, block);
 
     const double x = s->strip.x + 2.5 * em, room = block.x - x - 2.5 * em;

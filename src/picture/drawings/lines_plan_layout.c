@@ -7,8 +7,8 @@
 
 /* Room around a view, in em: for the numbers at both sides, the title above, the numbers
  * below. */
-static const double beside = 5, above = 3, below = 2.6;
-static const double strip_height = 13;
+static const double beside = 5, above = 3, below = 3;
+static const double strip_height = 12;
 
 /* The size of a view in model units. */
 static void view_size(const bat_hull *hull, bat_lines_view view, double size[2])
@@ -19,6 +19,8 @@ static void view_size(const bat_hull *hull, bat_lines_view view, double size[2])
     }
     if (view == BODY)
         size[0] *= 2;
+    if (view == BREADTH) /* diagonals stand below the centre line */
+        size[1] += hull->reach;
 }
 
 /* How the views stand: in two columns over the foot; one below the other over the foot; or so with the foot beside
@@ -74,10 +76,10 @@ static double largest_scale(const bat_hull *hull, bat_rectangle inside, double e
                    (room.height - 2 * row - strip_height * em) / (m.profile[1] + m.breadth[1]));
 }
 
-/* The next usual drawing scale that is not larger: 1, 1.5, 2 ... 7.5 times a power of ten. */
+/* The next usual drawing scale that is not larger: 1, 1.25, 1.5, 2 ... 7.5 times a power of ten. */
 static double usual_ratio(double least)
 {
-    static const double factors[] = {1, 1.5, 2, 2.5, 3, 4, 5, 7.5};
+    static const double factors[] = {1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 7.5};
     const double power = bat_pow(10, floor(bat_log10(least)));
     for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++)
         /* A scale that is reached but for rounding is taken. */
@@ -90,11 +92,11 @@ static void place_view(bat_lines_sheet *s, bat_lines_view view, double left, dou
 {
     double size[2];
     view_size(&s->hull, view, size);
-    s->plots[view] = (bat_plot){.frame = {left, top, size[0] * s->scale, size[1] * s->scale},
-                                .scale = s->scale,
-                                .x0 = view == BODY ? -s->hull.high[1]
-                                                   : s->hull.low[bat_lines_views[view].right],
-                                .y0 = s->hull.low[bat_lines_views[view].up]};
+    s->plots[view] = (bat_plot){
+        .frame = {left, top, size[0] * s->scale, size[1] * s->scale},
+        .scale = s->scale,
+        .x0 = view == BODY ? -s->hull.high[1] : s->hull.low[bat_lines_views[view].right],
+        .y0 = s->hull.low[bat_lines_views[view].up] - (view == BREADTH ? s->hull.reach : 0)};
 }
 
 /* Strip and table beside the body plan, or below everything with the table where a corner is free. */
@@ -105,7 +107,7 @@ static void place_foot(bat_lines_sheet *s, bat_rectangle inside, double em, arra
     const double right = inside.x + inside.width, after = (beside + 1) * em;
     const double left = body.x + body.width + after;
     s->strip = (bat_rectangle){inside.x, bottom - high, inside.width, high};
-    double top = body.y - above * em;
+    double top = how == COLUMNS ? body.y : breadth.y + breadth.height + (below + 0.5) * em;
     if (how == COMPACT) {
         s->strip.x = left;
         s->strip.width = right - left;

@@ -24,17 +24,33 @@ static void visit_station(const bat_lines_sheet *s, int station, see_line *see, 
             see(user, &s->hull.edges.strokes[i]);
 }
 
-/* The value of one coordinate where another has the value `at`: the largest, or the least. */
+/* What is measured where a line meets a plane: of all values the largest, or the least. */
 typedef struct {
-    int of, where; /* coordinates */
-    double at;
-    bool largest;
+    bat_family family;
+    const bat_cut *plane;
     double value; /* NaN until one is found */
 } crossing;
 
+/* On which side of the plane a point is, and what is measured there. */
+static double side_of(const crossing *c, const double *point)
+{
+    if (c->family == BAT_DIAGONALS)
+        return point[1] * bat_sin(c->plane->angle) +
+               (point[2] - c->plane->at) * bat_cos(c->plane->angle);
+    return point[c->family] - c->plane->at;
+}
+
+static double measure_point(const crossing *c, const double *point)
+{
+    if (c->family == BAT_DIAGONALS)
+        return bat_diagonal_way(c->plane, point);
+    return point[c->family == BAT_WATERLINES ? 1 : 2];
+}
+
 static void take_value(crossing *c, double value)
 {
-    if (isnan(c->value) || (c->largest ? value > c->value : value < c->value))
+    const bool is_least = c->family == BAT_BUTTOCKS;
+    if (isnan(c->value) || (is_least ? value < c->value : value > c->value))
         c->value = value;
 }
 
@@ -43,25 +59,32 @@ static void find_crossing(void *user, const bat_stroke *line)
     crossing *c = user;
     for (size_t i = 0; i + 1 < line->count; i++) {
         const double *p = line->points + 3 * i, *q = p + 3;
-        const double from = p[c->where] - c->at, to = q[c->where] - c->at;
+        const double from = side_of(c, p), to = side_of(c, q);
+        const double first = measure_point(c, p), second = measure_point(c, q);
         if (from == 0)
-            take_value(c, p[c->of]);
+            take_value(c, first);
         if (to == 0)
-            take_value(c, q[c->of]);
+            take_value(c, second);
         if ((from < 0) != (to < 0) && from != to)
-            take_value(c, p[c->of] + (q[c->of] - p[c->of]) * (from / (from - to)));
+            take_value(c, first + (second - first) * (from / (from - to)));
     }
 }
 
 double bat_lines_offset(const bat_lines_sheet *s, int station, bat_family family, int line)
 {
-    crossing c = {.of = family == BAT_WATERLINES ? 1 : 2,
-                  .where = family == BAT_WATERLINES ? 2 : 1,
-                  .at = s->hull.families[family].cuts[line].at,
-                  .largest = family == BAT_WATERLINES,
-                  .value = (double)NAN};
+    crossing c = {
+        .family = family, .plane = &s->hull.families[family].cuts[line], .value = (double)NAN};
     visit_station(s, station, find_crossing, &c);
     return c.value;
+}
+
+void bat_lines_knuckle_offsets(const bat_lines_sheet *s, int station, int knuckle, double yz[2])
+{
+    /* A station at the end of the knuckle, but for rounding, has it. */
+    const double margin = 1e-6 * (s->hull.high[0] - s->hull.low[0]);
+    if (!bat_knuckle_at(&s->hull.knuckles[knuckle],
+                        s->hull.families[BAT_STATIONS].cuts[station].at, margin, yz))
+        yz[0] = yz[1] = (double)NAN;
 }
 
 static void find_ends(void *user, const bat_stroke *line)

@@ -1,0 +1,29 @@
+#include "design/expect.h"
+
+/* The output 'lines-plan': stations, diagonals, chines. */
+
+static const char hull[] =
+    "  topsides: {bilinear: [[0, 1, 0.5], [4, 1, 0.5], [4, 1.4, 1], [0, 1.4, 1]]}\n"
+    "  bottom: {bilinear: [[0, 0, 0], [4, 0, 0], [4, 1, 0.5], [0, 1, 0.5]]}\n"
+    "  boat: {collect: [bottom, topsides]}\n";
+
+TEST(parameters_that_contradict_each_other_are_refused_by_name)
+{
+    static const expect_row rows[] = {
+        {"l.svg: {lines-plan: boat, stations: 1, waterlines: 0.5, buttocks: 1}", BATTEN_OK,
+         "<svg"},
+        {"l.svg: {lines-plan: boat, stations: 1, station-at: [1, 2]}", BATTEN_BAD_ARGUMENT,
+         "'stations' spaces them, 'station-at' says where they are"},
+        {"l.svg: {lines-plan: boat, stations: 1, waterlines: 0.5, diagonal-at: [1, 0.8]}",
+         BATTEN_OK, "<svg"},
+        {"l.svg: {lines-plan: boat, diagonals: 2, diagonal-at: 1}", BATTEN_BAD_ARGUMENT,
+         "'diagonals' chooses them, 'diagonal-at' says where they are"},
+        {"l.svg: {lines-plan: boat, diagonal-angle: 30 deg}", BATTEN_BAD_ARGUMENT,
+         "'diagonal-angle' belongs to the heights of 'diagonal-at'"},
+        {"l.svg: {lines-plan: boat, diagonal-at: 1, diagonal-angle: [30 deg, 40 deg]}",
+         BATTEN_BAD_ARGUMENT, "2 angles for 1 diagonal: give one for all"},
+        {"l.svg: {lines-plan: boat, diagonal-at: [1, 0.5], diagonal-angle: [30 deg, 95 deg]}",
+         BATTEN_BAD_ARGUMENT, "diagonal 2 falls by 95 degrees"},
+    };
+    EXPECT_OUTPUTS(hull, rows);
+}
