@@ -286,3 +286,89 @@ TEST(functions_and_periodic_edges_cannot_be_extended)
     batten_surface_unref(tube);
     batten_surface_unref(function);
 }
+
+/* (u, v (1 + u)): lines across v are as fast as 1 + u, those across u as sqrt(1 + v^2). */
+static batten_surface *trapezoid(void)
+{
+    const double knots[] = {0, 0, 1, 1}, points[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 2, 0};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
+    return surface;
+}
+
+static const struct {
+    batten_edge edge;
+    double to, most; /* of an extension whose shortest line is 0.5 long */
+} trapezoid_rows[] = {{BATTEN_EDGE_V0, -0.5, 1},
+                      {BATTEN_EDGE_V1, 1.5, 1},
+                      {BATTEN_EDGE_U0, -0.5, 0.5 * 1.4142135623730951},
+                      {BATTEN_EDGE_U1, 1.5, 0.5 * 1.4142135623730951}};
+
+TEST(the_shortest_line_of_an_extension_is_as_long_as_asked_and_all_is_reported)
+{
+    for (int i = 0; i < 2 * COUNT(trapezoid_rows); i++) {
+        const int row = i / 2;
+        const batten_edge edge = trapezoid_rows[row].edge;
+        const bool across_v = edge == BATTEN_EDGE_V0 || edge == BATTEN_EDGE_V1;
+        batten_surface *surface = trapezoid(), *longer = NULL;
+        batten_surface_extend_report report;
+        const batten_lengthening how = {.kind =
+                                            i % 2 ? BATTEN_EXTEND_NATURAL : BATTEN_EXTEND_LINE};
+        CHECK_OK(batten_surface_extend(surface, edge, how, 0.5, &report, &longer));
+        CHECK_NEAR(report.to, trapezoid_rows[row].to, 1e-12);
+        CHECK_NEAR(report.least, 0.5, 1e-12);
+        CHECK_NEAR(report.most, trapezoid_rows[row].most, 1e-12);
+        CHECK_NEAR(report.turn, 0, 1e-12);
+        CHECK_NEAR(report.angle, 0, 1e-7);
+        CHECK_NEAR(report.curvature, 0, 1e-12);
+        CHECK_NEAR(report.error, 0, 1e-12);
+        const batten_interval range =
+            batten_surface_domain(longer, across_v ? BATTEN_V : BATTEN_U);
+        CHECK_NEAR(report.to < 0 ? range.a : range.b, report.to, 0);
+        CHECK_NEAR(report.to < 0 ? range.b : range.a, report.to < 0 ? 1 : 0, 0);
+        for (int k = 0; k <= 8; k++) {
+            double p[3];
+            const double t = k / 8.0, u = across_v ? t : report.to,
+                         v = across_v ? report.to : t;
+            CHECK_OK(batten_surface_evaluate(longer, u, v, 0, p));
+            CHECK_NEAR(p[0], u, 1e-12);
+            CHECK_NEAR(p[1], v * (1 + u), 1e-12);
+            CHECK_NEAR(p[2], 0, 1e-12);
+        }
+        batten_surface_unref(longer);
+        batten_surface_unref(surface);
+    }
+}
+
+/* (u, sin-like bend): the quadratic (u, v, v^2 / 2) has slope 1 and curvature 1 / 2^(3/2) at v = 1; straight
+ * on, that is the jump of the curvature, and nothing turns. Naturally, to v = 1 + w it turns from 45 degrees to
+ * atan(1 + w). */
+TEST(the_jump_of_curvature_and_the_turn_of_an_extension_are_measured)
+{
+    const double knots[2][6] = {{0, 0, 1, 1}, {0, 0, 0, 1, 1, 1}};
+    const double points[] = {0, 0, 0, 0, 0.5, 0, 0, 1, 0.5, 1, 0, 0, 1, 0.5, 0, 1, 1, 0.5};
+    const batten_axis u = {1, 2, knots[0], false}, v = {2, 3, knots[1], false};
+    for (int natural = 0; natural < 2; natural++) {
+        batten_surface *surface = NULL, *longer = NULL;
+        batten_surface_extend_report report;
+        const batten_lengthening how = {.kind = natural ? BATTEN_EXTEND_NATURAL
+                                                        : BATTEN_EXTEND_LINE};
+        CHECK_OK(batten_surface_create(3, &u, &v, points, NULL, &surface));
+        CHECK_OK(batten_surface_extend(surface, BATTEN_EDGE_V1, how, 1, &report, &longer));
+        CHECK_NEAR(report.least, 1, 1e-9);
+        CHECK_NEAR(report.most, 1, 1e-9);
+        CHECK_NEAR(report.curvature, natural ? 0 : pow(2, -1.5), 1e-12);
+        CHECK_NEAR(report.turn, natural ? atan(report.to) - atan(1) : 0, 1e-12);
+        CHECK_NEAR(report.angle, 0, 1e-7);
+        if (!natural)
+            CHECK_NEAR(report.to, 1 + sqrt(0.5), 1e-12);
+        else /* the length of a parabola */
+            CHECK_NEAR((report.to * hypot(1, report.to) + asinh(report.to)) / 2 -
+                           (sqrt(2) + asinh(1)) / 2,
+                       1, 1e-9);
+        CHECK_INT(report.multiplicity, natural ? 0 : 1);
+        batten_surface_unref(longer);
+        batten_surface_unref(surface);
+    }
+}

@@ -27,6 +27,11 @@ TEST(a_ball_between_planes_leaves_a_cylinder)
         CHECK_NEAR(fillet.most, acos(-1) - theta, 1e-9);
         const batten_interval u = batten_curve_domain(fillet.spine);
         CHECK_NEAR(u.b - u.a, 3, 1e-9);
+        CHECK(fillet.error <= 1e-9 && fillet.stations >= 7);
+        /* Both planes end there. */
+        for (int end = 0; end < 2; end++)
+            CHECK(fillet.ends[end] == BATTEN_FILLET_BORDER_1 ||
+                  fillet.ends[end] == BATTEN_FILLET_BORDER_2);
         for (int k = 0; k < 30; k++) {
             double p[3], c[3];
             const double s = u.a + (u.b - u.a) * (k / 29.0);
@@ -37,6 +42,15 @@ TEST(a_ball_between_planes_leaves_a_cylinder)
             CHECK_NEAR(c[2], r, 1e-11);
             CHECK_OK(batten_curve_evaluate(fillet.contacts[1], s, 0, p));
             CHECK_NEAR(hypot(p[0], p[2]), far, 1e-11);
+            CHECK_OK(batten_curve_evaluate(fillet.contacts[0], s, 0, p));
+            CHECK_NEAR(p[0], far, 1e-11);
+            CHECK_NEAR(p[1], c[1], 1e-11);
+            CHECK_NEAR(p[2], 0, 1e-11);
+            for (int side = 0; side < 2; side++) {
+                CHECK_OK(batten_curve_evaluate(fillet.on[side], s, 0, p));
+                CHECK_NEAR(p[0], far / 4, 1e-11);
+                CHECK_NEAR(p[1], c[1] / 3, 1e-11);
+            }
         }
         batten_surface_fillet_release(&fillet);
         batten_surface_unref(a);

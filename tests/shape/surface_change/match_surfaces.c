@@ -243,3 +243,48 @@ TEST(what_cannot_be_matched_is_named_with_its_numbers)
     batten_surface_unref(linear);
     batten_surface_unref(function);
 }
+
+/* (x, y, 0) for x in [0, 1] of degree 2, and a square from (1.5, 0, 0.2) on along x, whose y may run back. */
+static batten_surface *plane_piece(int degree, double x, double z, bool back)
+{
+    const double knots[2][6] = {{0, 0, 1, 1}, {0, 0, 0, 1, 1, 1}};
+    double points[6][3];
+    for (int i = 0; i <= degree; i++)
+        for (int j = 0; j < 2; j++)
+            memcpy(points[2 * i + j], (double[]){x + (double)i / degree, back ? 1 - j : j, z},
+                   sizeof points[0]);
+    const batten_axis u = {degree, degree + 1, knots[degree - 1], false},
+                      v = {1, 2, knots[0], false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &u, &v, points[0], NULL, &surface));
+    return surface;
+}
+
+/* The edge moves by (0.5, 0, 0.2). Of degree 1 the plane then rises by 0.2 over 1.5; of degree 2 the row beside the edge
+ * moves alike, so that the section (0, 0), (1, 0.2), (1.5, 0.2) is left, which ends level with the curvature 0.4. */
+TEST(the_report_of_a_match_has_the_move_the_angle_and_the_curvature)
+{
+    for (int i = 0; i < 4; i++) {
+        const int order = i / 2;
+        const bool back = i % 2;
+        batten_surface *first = plane_piece(order + 1, 0, 0, false),
+                       *second = plane_piece(1, 1.5, 0.2, back), *made = NULL;
+        batten_surface_match_report report;
+        CHECK_OK(batten_surface_match((batten_surface_edge){first, BATTEN_EDGE_U1},
+                                      (batten_surface_edge){second, BATTEN_EDGE_U0}, order,
+                                      1e-9, &report, &made));
+        CHECK_INT(report.reversed, back);
+        CHECK_NEAR(report.gap, 0, 1e-14);
+        CHECK_NEAR(report.moved, hypot(0.5, 0.2), 1e-14);
+        CHECK_NEAR(report.angle, order ? 0 : atan(0.2 / 1.5), 1e-13);
+        CHECK_NEAR(report.curvature, order ? 0.4 : 0, 1e-13);
+        double p[3];
+        CHECK_OK(batten_surface_evaluate(made, 1, 0.25, 0, p));
+        CHECK_NEAR(p[0], 1.5, 1e-14);
+        CHECK_NEAR(p[1], 0.25, 1e-14);
+        CHECK_NEAR(p[2], 0.2, 1e-14);
+        batten_surface_unref(made);
+        batten_surface_unref(second);
+        batten_surface_unref(first);
+    }
+}

@@ -3,6 +3,16 @@
 
 #include "support/test.h"
 
+/* One linear triangle of dimension d; weights and domain may be NULL. */
+static batten_triangles *triangle(int d, const double *points, const double *weights,
+                                  const batten_triangulation *domain)
+{
+    batten_triangles *out = NULL;
+    CHECK_OK(batten_triangles_create(
+        &(batten_triangles_parts){d, 1, 1, points, weights, domain}, &out));
+    return out;
+}
+
 /* Two linear triangles over the unit square, values x + 2 y. */
 static batten_triangles *square(void)
 {
@@ -40,12 +50,9 @@ TEST(sets_of_different_dimensions_are_not_put_together)
 {
     const double flat[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const double weights[3] = {1, 2, 1};
-    batten_triangles *values = square(), *space = NULL, *rational = NULL, *both = NULL;
+    batten_triangles *values = square(), *space = triangle(3, flat, NULL, NULL),
+                     *rational = triangle(3, flat, weights, NULL), *both = NULL;
     double at[3];
-    CHECK_OK(
-        batten_triangles_create(&(batten_triangles_parts){3, 1, 1, flat, NULL, NULL}, &space));
-    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 1, 1, flat, weights, NULL},
-                                     &rational));
     CHECK_STATUS(batten_triangles_together(values, space, &both), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("1 and 3");
     CHECK_OK(batten_triangles_together(rational, space, &both));
@@ -94,11 +101,8 @@ TEST(graphs_are_of_functions)
 TEST(weights_of_one_set_alone_make_both_rational)
 {
     const double points[3] = {0, 1, 2}, weights[3] = {1, 2, 3};
-    batten_triangles *plain = NULL, *rational = NULL, *both = NULL;
-    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, 1, points, NULL, NULL},
-                                     &plain));
-    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){1, 1, 1, points, weights, NULL},
-                                     &rational));
+    batten_triangles *plain = triangle(1, points, NULL, NULL),
+                     *rational = triangle(1, points, weights, NULL), *both = NULL;
     CHECK_OK(batten_triangles_together(plain, rational, &both));
     for (int i = 0; i < 3; i++) {
         CHECK_NEAR(batten_triangles_weights(both)[i], 1, 0);
@@ -119,11 +123,8 @@ TEST(graphs_of_triangles_take_polynomial_values_over_a_domain)
                  weights[3] = {1, 2, 1};
     const int corners[3] = {0, 1, 2};
     const batten_triangulation domain = {3, vertices, corners};
-    batten_triangles *bare = NULL, *rational = NULL, *graph = NULL;
-    CHECK_OK(
-        batten_triangles_create(&(batten_triangles_parts){1, 1, 1, values, NULL, NULL}, &bare));
-    CHECK_OK(batten_triangles_create(
-        &(batten_triangles_parts){1, 1, 1, values, weights, &domain}, &rational));
+    batten_triangles *bare = triangle(1, values, NULL, NULL),
+                     *rational = triangle(1, values, weights, &domain), *graph = NULL;
     CHECK_STATUS(batten_triangles_from_function(bare, &graph), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_triangles_from_function(rational, &graph), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("polynomial triangles of dimension 1 over a domain");
