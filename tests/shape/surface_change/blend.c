@@ -151,6 +151,8 @@ TEST(folds_of_blends_are_found)
     ends[0].bulge = ends[1].bulge = 9; /* where it turns back there is no normal */
     CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
     CHECK(report.folded && report.fold[1] > 0 && report.fold[1] < 0.5);
+    CHECK_NEAR(report.fold[0], 0, 0); /* on the first line of the grid */
+    CHECK_NEAR(remainder(report.fold[1], 1.0 / 32), 0, 0);
     batten_surface_unref(a);
     batten_surface_unref(b);
     batten_surface_unref(made);

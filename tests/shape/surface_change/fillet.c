@@ -1,5 +1,6 @@
 #include <batten/blend.h>
 #include <batten/standard.h>
+#include <stdio.h>
 
 #include "support/faults.h"
 #include "support/surfaces.h"
@@ -199,17 +200,21 @@ TEST(radii_and_starts_that_cannot_be_are_named_with_their_numbers)
             rows[i].status);
         CHECK_MESSAGE(rows[i].message);
     }
-    const double radii[2] = {1, 1}, outside[4] = {0.5, 0.5, 0.5, 9}, before[4] = {-9, 0, 0, 0};
+    const double radii[2] = {1, 1};
     CHECK_OK(batten_surface_create(1, &axis, &axis, z, NULL, &function));
     const batten_surface *const flat[2] = {a, function};
     CHECK_STATUS(batten_surfaces_fillet(flat, radii, NULL, 1e-3, &fillet), BATTEN_UNSUPPORTED);
     CHECK_MESSAGE("surface 2 is not a NURBS surface in space");
-    CHECK_STATUS(batten_surfaces_fillet(pair, radii, outside, 1e-3, &fillet),
-                 BATTEN_OUT_OF_DOMAIN);
-    CHECK_MESSAGE("the start 9 on surface 2 is outside");
-    CHECK_STATUS(batten_surfaces_fillet(pair, radii, before, 1e-3, &fillet),
-                 BATTEN_OUT_OF_DOMAIN);
-    CHECK_MESSAGE("the start -9 on surface 1 is outside");
+    for (int i = 0; i < 8; i++) {
+        double start[4] = {0.5, 0.5, 0.5, 0.5};
+        char words[60];
+        start[i / 2] = i % 2 ? 9 : -9;
+        snprintf(words, sizeof words, "the start %g on surface %d is outside", start[i / 2],
+                 i / 4 + 1);
+        CHECK_STATUS(batten_surfaces_fillet(pair, radii, start, 1e-3, &fillet),
+                     BATTEN_OUT_OF_DOMAIN);
+        CHECK_MESSAGE(words);
+    }
     batten_surface_unref(function);
     batten_surface_unref(a);
     batten_surface_unref(b);
