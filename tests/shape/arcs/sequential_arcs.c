@@ -79,6 +79,41 @@ static double sum_of_jumps(const batten_chain *chain)
     return sum;
 }
 
+/* On each side of the chord alike: a mirrored row of points has the mirrored start, and none of many others is better. */
+TEST(the_best_start_of_mirrored_points_is_mirrored)
+{
+    test_random random = test_random_begin("sequential arcs");
+    for (int c = 0; c < test_cases(40); c++) {
+        double points[2][12];
+        batten_chain_sequential_arcs_report report[2];
+        for (int i = 0; i < 6; i++) {
+            points[0][2 * i] = points[1][2 * i] = i + test_random_in(&random, -0.3, 0.3);
+            points[0][2 * i + 1] = test_random_in(&random, -0.6, 0.6);
+            points[1][2 * i + 1] = -points[0][2 * i + 1];
+        }
+        double least[2];
+        for (int k = 0; k < 2; k++) {
+            batten_chain *chain = NULL;
+            CHECK_OK(batten_chain_sequential_arcs((batten_points){2, 6, points[k]}, NAN, NULL,
+                                                  NULL, &report[k], &chain));
+            least[k] = sum_of_jumps(chain);
+            batten_chain_unref(chain);
+        }
+        CHECK_NEAR(least[0], least[1], 1e-9 * least[0]);
+        CHECK_NEAR(remainder(report[0].start_angle + report[1].start_angle, 2 * pi), 0, 1e-6);
+        for (int i = 0; i < 60; i++) {
+            batten_chain *other = NULL;
+            batten_chain_sequential_arcs_report of;
+            if (batten_chain_sequential_arcs((batten_points){2, 6, points[0]}, 2 * pi * i / 60,
+                                             NULL, NULL, &of, &other) != BATTEN_OK)
+                continue;
+            CHECK(of.long_arcs > report[0].long_arcs ||
+                  sum_of_jumps(other) >= least[0] * (1 - 1e-12));
+            batten_chain_unref(other);
+        }
+    }
+}
+
 TEST(no_other_start_without_loops_has_smaller_jumps)
 {
     static const double flat[] = {0, 0, 1, 0.5, 2, 0.7, 3, 0.1};

@@ -153,6 +153,43 @@ TEST(every_function_has_its_value_and_its_number_of_arguments)
     }
 }
 
+/* All variables and at most eight constants are offered, and of a long name 60 letters quoted. */
+TEST(an_unknown_name_is_answered_by_those_that_are_known)
+{
+    static const batten_equation_constant many[] = {{"a", 1}, {"b", 2}, {"c", 3},
+                                                    {"d", 4}, {"e", 5}, {"f", 6},
+                                                    {"g", 7}, {"h", 8}, {"i", 9}};
+    static const struct {
+        int variables, constants;
+        const char *text, *says;
+    } rows[] = {
+        {1, 0, "q", "nothing is named 'q'; the variable is: x"},
+        {2, 0, "q", "nothing is named 'q'; the variables and numbers are: x, y"},
+        {1, 1, "q", "nothing is named 'q'; the variables and numbers are: x, a"},
+        {1, 9, "q", "the variables and numbers are: x, a, b, c, d, e, f, g, h"},
+        {1, 0, "log(x)",
+         "nothing is named 'log': write ln (natural) or log10; the variable is: x"},
+        {1, 0, "abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyzabcdefghijk",
+         "'abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyzabcdefgh'; "},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_equation *none = NULL;
+        const batten_equation_names known = {rows[i].variables, rows[i].constants, variables,
+                                             many};
+        const batten_status status = batten_equation_read(rows[i].text, &known, &none);
+        CHECK(status == BATTEN_BAD_FORMAT || status == BATTEN_OUT_OF_MEMORY);
+        if (status == BATTEN_BAD_FORMAT) {
+            const char *message = batten_message();
+            const size_t length = strlen(message), wanted = strlen(rows[i].says);
+            if (message[length - 1] == ' ') /* no memory for the list */
+                continue;
+            CHECK_MESSAGE(rows[i].says);
+            CHECK(i == COUNT(rows) - 1 || strcmp(message + length - wanted, rows[i].says) == 0);
+        }
+        CHECK(!none);
+    }
+}
+
 TEST(places_of_mistakes_are_quoted)
 {
     static const struct {

@@ -7,11 +7,12 @@ static const double uneven[8] = {1, 1.2, 0.9, 1.1, 0.95, 1.15, 1.05, 0.9};
 /* The largest angle, in degrees, to the paraboloid along the sides, and distance from it. */
 static hole_misfit from_paraboloid(const hole *h, double bend, bool inside)
 {
+    enum { PLACES = 25 };
     hole_misfit out = {0, 0};
     for (int i = 0; i < h->report.count; i++)
-        for (int k = 0; k <= 100; k++)
-            for (int j = 0; j <= (inside ? 100 : 1); j++) {
-                const double s = k / 100.0, t = inside ? j / 100.0 : 0;
+        for (int k = 0; k <= PLACES; k++)
+            for (int j = 0; j <= (inside ? PLACES : 1); j++) {
+                const double s = k / (double)PLACES, t = inside ? j / (double)PLACES : 0;
                 double p[3], n[3];
                 hole_see(h->patches[i], j == 1 && !inside ? 0 : s, j == 1 && !inside ? s : t, p,
                          n);

@@ -118,12 +118,13 @@ static inline void hole_compare(const double p[3], const double n[3], const doub
 /* Between all neighbouring surfaces of the fill. */
 static inline hole_misfit hole_inner(const hole *h)
 {
+    enum { PLACES = 60 };
     hole_misfit out = {0, 0};
     for (int i = 0; i < h->report.count; i++)
-        for (int k = 0; k <= 200; k++) {
+        for (int k = 0; k <= PLACES; k++) {
             double p[3], n[3], q[3], m[3];
-            hole_see(h->patches[i], 1, k / 200.0, p, n);
-            hole_see(h->patches[(i + 1) % h->report.count], k / 200.0, 1, q, m);
+            hole_see(h->patches[i], 1, k / (double)PLACES, p, n);
+            hole_see(h->patches[(i + 1) % h->report.count], k / (double)PLACES, 1, q, m);
             hole_compare(p, n, q, m, &out);
         }
     return out;

@@ -48,9 +48,9 @@ TEST(formulas_that_come_as_splines_are_measured_as_splines)
         batten_fill_form form;
         int sides;
         double degrees;
-    } rows[] = {{BATTEN_FILL_KATO, 3, 0.1},
-                {BATTEN_FILL_CHARROT_GREGORY, 3, 0.05},
-                {BATTEN_FILL_CHARROT_GREGORY, 5, 0.1}};
+    } rows[] = {{BATTEN_FILL_KATO, 3, 0.2},
+                {BATTEN_FILL_CHARROT_GREGORY, 3, 0.1},
+                {BATTEN_FILL_CHARROT_GREGORY, 5, 0.2}};
     for (int k = 0; k < COUNT(rows); k++) {
         const int n = rows[k].sides;
         hole h;
