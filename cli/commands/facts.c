@@ -110,6 +110,14 @@ static facts mesh_facts(const batten_mesh *mesh)
     };
 }
 
+static void widen(double *low, double *high, double value)
+{
+    if (value < *low)
+        *low = value;
+    if (value > *high)
+        *high = value;
+}
+
 static batten_box points_box(const batten_object *object)
 {
     batten_box box = {{0, 0, 0}, {0, 0, 0}};
@@ -118,12 +126,9 @@ static batten_box points_box(const batten_object *object)
         const batten_box here = {{p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
         if (i == 0)
             box = here;
-        box.low.x = p[0] < box.low.x ? p[0] : box.low.x;
-        box.low.y = p[1] < box.low.y ? p[1] : box.low.y;
-        box.low.z = p[2] < box.low.z ? p[2] : box.low.z;
-        box.high.x = p[0] > box.high.x ? p[0] : box.high.x;
-        box.high.y = p[1] > box.high.y ? p[1] : box.high.y;
-        box.high.z = p[2] > box.high.z ? p[2] : box.high.z;
+        widen(&box.low.x, &box.high.x, p[0]);
+        widen(&box.low.y, &box.high.y, p[1]);
+        widen(&box.low.z, &box.high.z, p[2]);
     }
     return box;
 }

@@ -62,7 +62,7 @@ static void add_commands(batten_text *text, const command_table *table)
 
 static void add_command(batten_text *text, const command *c)
 {
-    int count = 0;
+    int count;
     option *options = command_options(c, NULL, &count);
     batten_text_add(text, "usage: batten %s %s\n\n%s\n\n%s\n", c->name, c->usage, c->summary,
                     c->manual);

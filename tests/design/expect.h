@@ -29,6 +29,7 @@
  *     along r x y z u v w      all of the object is so far from the line through a point in this direction
  *     on a b c d               all of the object satisfies a x + b y + c z = d
  *     error e                  the error that is reported is at most e, and is reported
+ *     reached                  that error and its root mean square are those of the data at their parameters
  *     moves n d                fairing moved n points, none farther than d
  *     exact                    no error is reported
  *     notes words              the notes say so;  lacks words: none does;  silent: there are no notes

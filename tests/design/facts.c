@@ -179,6 +179,24 @@ static void check_passes(subject *of, const fact *f)
     }
 }
 
+/* At their own parameters, not at the nearest places. */
+static void check_reached(subject *of, const fact *f)
+{
+    const batten_object *o = of->object;
+    double largest = 0, squares = 0;
+    for (int i = 0; i < o->point_count; i++) {
+        double at[3];
+        CHECK_OK(batten_curve_evaluate(o->curve, o->parameters[i], 0, at));
+        const double *p = o->points + 3 * (size_t)i,
+                     off = hypot(hypot(at[0] - p[0], at[1] - p[1]), at[2] - p[2]);
+        largest = fmax(largest, off);
+        squares += off * off / o->point_count;
+    }
+    fact_near(of, f, of->result->has_error, 1);
+    fact_near(of, f, of->result->error_max, largest);
+    fact_near(of, f, of->result->error_rms, sqrt(squares));
+}
+
 static void check_distance(subject *of, const fact *f)
 {
     double p[SAMPLES * SAMPLES][3];
@@ -210,10 +228,10 @@ static void check_on(subject *of, const fact *f)
 }
 
 const known_fact geometry_facts[] = {
-    {"at", check_at},       {"heads", check_heads},   {"normal", check_normal},
-    {"joins", check_joins}, {"length", check_length}, {"area", check_area},
-    {"box", check_box},     {"passes", check_passes}, {"distance", check_distance},
-    {"along", check_along}, {"on", check_on},         {"finer", check_finer},
-    {"bends", check_bends},
+    {"at", check_at},       {"heads", check_heads},     {"normal", check_normal},
+    {"joins", check_joins}, {"length", check_length},   {"area", check_area},
+    {"box", check_box},     {"passes", check_passes},   {"distance", check_distance},
+    {"along", check_along}, {"on", check_on},           {"finer", check_finer},
+    {"bends", check_bends}, {"reached", check_reached},
 };
 const int geometry_fact_count = COUNT(geometry_facts);

@@ -48,8 +48,9 @@ static batten_status transpose_rows(const bat_rows *all, bat_grid *out)
 }
 
 /* The most uneven line of the grid along one direction: its number and distances. */
-static void find_uneven(const bat_grid *grid, bool along_rows, int *line, bat_spread *worst)
+static int find_uneven(const bat_grid *grid, bool along_rows, bat_spread *worst)
 {
+    int line = -1;
     const int lines = along_rows ? grid->count_v : grid->count_u;
     const int count = along_rows ? grid->count_u : grid->count_v;
     const size_t step = along_rows ? (size_t)grid->count_v : 1,
@@ -60,9 +61,10 @@ static void find_uneven(const bat_grid *grid, bool along_rows, int *line, bat_sp
         if (bat_spread_is_uneven(&spread) &&
             spread.most * worst->least > worst->most * spread.least) {
             *worst = spread;
-            *line = l;
+            line = l;
         }
     }
+    return line;
 }
 
 /* As of rows of points, once for the rows and once for the columns. */
@@ -70,9 +72,8 @@ static void note_grid(const bat_run *run, const char *parameter, const bat_grid 
 {
     for (int k = 0; k < 2; k++) {
         bat_spread worst = {.least = 1};
-        int line = 0;
-        find_uneven(grid, k == 0, &line, &worst);
-        if (worst.most > 0)
+        const int line = find_uneven(grid, k == 0, &worst);
+        if (line >= 0)
             bat_note(
                 run,
                 "'%s': points %d and %d of %s %d are %.3g apart, others of it up to %.3g; a "

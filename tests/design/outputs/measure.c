@@ -1,4 +1,4 @@
-#include "support/test.h"
+#include "design/expect.h"
 
 #include <batten/design.h>
 #include <stdlib.h>
@@ -273,4 +273,64 @@ TEST(long_lists_are_counted_and_shown_in_part_unless_all_is_asked_for)
         batten_release(data);
         batten_design_free(design);
     }
+}
+
+static const char known[] =
+    "  open: {polyline: [[1, 0], [4, 0], [4, 3]]}\n"
+    "  across: {polyline: [[5, 1, 0], [5, 4, 0], [5, 4, 3]]}\n"
+    "  beside: {polyline: [[1, 5, 0], [4, 5, 0], [4, 5, 3]]}\n"
+    "  gap: {line: [[1, 2, 3], [3, 5, 9]]}\n"
+    "  oblong: {polyline: [[0, 7, 0], [4, 7, 0], [4, 7, 2], [0, 7, 2], [0, 7, 0]]}\n"
+    "  tall: {polyline: [[7, 0, 0], [7, 4, 0], [7, 4, 2], [7, 0, 2], [7, 0, 0]]}\n"
+    "  nearly: {polyline: [[0, 0], [100, 0], [100, 100], [0, 100], [0, 1]]}\n"
+    "  twisted: {polyline: [[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 1, 1]]}\n"
+    "  sheet: {bilinear: [[0, 0, 0], [3, 0, 0], [3, 0, 4], [0, 0, 4]]}\n"
+    "  ball: {sphere: 2, at: [1, 2, 3]}\n"
+    "  dots: {points: [[1, 2, 3], [0, 5, 1]]}\n"
+    "  \"odd\\\"name\": {line: [[0, 0], [0, 2]]}\n";
+
+/* b h^3 / 12, h b^3 / 12 and areas b h; the axes of the others by turns. */
+static const expect_row measured[] = {
+    {"m.txt: {measure: open}", BATTEN_OK,
+     "open: length 6\n  box 1 0 0  to  4 3 0\n|\n  no area: open by 4.24264069\n  turning number "
+     "0.25\n  curvature is 0 at 0 3 6\n|!within"},
+    {"m.txt: {measure: across}", BATTEN_OK,
+     "  box 5 1 0  to  5 4 3\n|open by 4.24264069\n  turning number 0.25\n"},
+    {"m.txt: {measure: beside}", BATTEN_OK,
+     "  box 1 5 0  to  4 5 3\n|open by 4.24264069\n  turning number 0.25\n"},
+    {"m.txt: {measure: oblong}", BATTEN_OK,
+     "closed, length 12\n|area 8 in the xz-plane, centroid 2 7 1\n  second moments about it 10.6666667 |, principal 10.6666667 2.66666667 at "},
+    {"m.txt: {measure: tall}", BATTEN_OK,
+     "area 8 in the yz-plane, centroid 7 2 1\n  second moments about it 10.6666667 |"},
+    {"m.txt: {measure: nearly}", BATTEN_OK,
+     "length 399\n|no area: open by 1; 'within' (--within), when it is more, closes it\n"},
+    {"m.txt: {measure: nearly, within: 1.5}", BATTEN_OK, "nearly: closed, length 399\n"},
+    {"m.txt: {measure: twisted}", BATTEN_OK,
+     "twisted: length 3\n  box 0 0 0  to  1 1 1\n|!no area|!turning|!inflections"},
+    {"m.txt: {measure: dots}", BATTEN_OK, "dots: 2 points\n  box 0 2 1  to  1 5 3\n"},
+    {"m.txt: {measure: ball}", BATTEN_OK,
+     "unit m\nball: area 50.2654825\n  box -1 0 1  to  3 4 5|!error at most 1|!, error"},
+    {"m.txt: {measure: sheet}", BATTEN_OK, "sheet: area 12\n  box 0 0 0  to  3 0 4\n|!error"},
+    {"m.json: {measure: gap}", BATTEN_OK,
+     "\"type\": \"curve\", \"closed\": false, \"length\": 7|\"gap\": 7, \"box\": [[1, 2, 3], "
+     "[3, 5, 9]], \"oriented_box\": {\"centre\": |, \"axes\": [[0.28571428|\"half\": [3.5"},
+    {"m.json: {measure: across}", BATTEN_OK,
+     "\"turning\": 0.25, \"inflections\": [], \"flat_points\": [0, 3, 6], "
+     "\"curvature_extrema\": [], \"standstills\": [], \"self_crossings\": []}\n  ]\n}\n"},
+    {"m.json: {measure: twisted}", BATTEN_OK,
+     "\"flat_points\": [|!inflections|!self_crossings|!turning"},
+    {"m.json: {measure: tall}", BATTEN_OK,
+     "\"plane\": \"yz\", \"area\": 8|\"centroid\": [7, 2, 1], \"moments\": [10.666666|, "
+     "\"principal\": [10.666666|, 2.66666666|\"turning\": 1"},
+    {"m.json: {measure: [ball, \"odd\\\"name\"]}", BATTEN_OK,
+     "{\n  \"unit\": \"m\",\n  \"objects\": [\n    {\"name\": \"ball\", \"type\": \"surface\", "
+     "\"area\": 50.26548245|, \"error\": |, \"box\": [[-1, 0, 1], [3, 4, 5]], \"box_error\": "
+     "|},\n    {\"name\": \"odd\\\"name\", \"type\": \"curve\", \"closed\": false"},
+    {"m: {measure: gap}", BATTEN_OK, "unit m\ngap: length 7\n"},
+    {"m.txt: {measure: gap, within: -1}", BATTEN_BAD_ARGUMENT, "'within'"},
+};
+
+TEST(measures_have_their_closed_forms_in_every_plane)
+{
+    EXPECT_OUTPUTS(known, measured);
 }

@@ -10,7 +10,9 @@ static const char rows_of_points[] =
     "  lone: {points: [[0, 0]]}\n"
     "  line: {line: [[0, 0], [1, 0]]}\n"
     "  tilt: {bilinear: [[0, 0, 0], [4, 0, 0], [4, 3, 4], [0, 3, 4]]}\n"
-    "  ball: {sphere: 2}\n";
+    "  ball: {sphere: 2}\n"
+    "  uneven: {points: [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [1.0000001, 1], [0, 2], [1, 2], [2, 2]], columns: 3}\n"
+    "  turned: {points: [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2], [2, 0], [1.0000001, 1], [2, 2]], columns: 3}\n";
 
 TEST(u_runs_along_the_rows_and_v_across_them)
 {
@@ -28,6 +30,11 @@ TEST(u_runs_along_the_rows_and_v_across_them)
         {"{b-spline-surface: [first, lone]}", BATTEN_NOT_COMPATIBLE,
          "'lone' has 1 point, and the first row has 3"},
         {"{b-spline-surface: line}", BATTEN_BAD_ARGUMENT, "line"},
+        {"{bezier-surface: net}", BATTEN_OK, "silent"},
+        {"{bezier-surface: uneven}", BATTEN_OK,
+         "notes 'bezier-surface': points 2 and 3 of row 2 are 1e-07 apart, others of it up to 1;lacks column"},
+        {"{bezier-surface: turned}", BATTEN_OK,
+         "notes 'bezier-surface': points 2 and 3 of column 2 are 1e-07 apart, others of it up to 1;lacks row"},
     };
     EXPECT(rows_of_points, rows);
 }

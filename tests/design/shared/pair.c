@@ -5,7 +5,11 @@
 static const char lines[] = "  f: {line: [[0, 0], [4, 0]]}\n"
                             "  g: {line: [[9, 3], [9, 7]]}\n"
                             "  h: {line: [[4, 0], [4, 3]]}\n"
-                            "  both: {collect: [f, g, h]}\n";
+                            "  both: {collect: [f, g, h]}\n"
+                            /* Of the parameters -4 to 0. */
+                            "  ends: {points: [[-4, 0], [-1, 0], [0, 0]]}\n"
+                            "  before: {minimax: ends, degree: 1}\n"
+                            "  up: {line: [[0, 0], [0, 3]]}\n";
 
 TEST(a_pair_goes_between_the_ends_that_are_named)
 {
@@ -32,6 +36,12 @@ TEST(a_pair_goes_between_the_ends_that_are_named)
         /* All of the first curve goes into the arc, and nothing of it is left to join. */
         {"{fillet: [f, h], radius: 3}", BATTEN_OK,
          "within 1e-6;at 0 0 0 0;at 1 4 3 0;length 5.71238898038469"},
+        {"{chamfer: [before, up], by: [4, 3]}", BATTEN_OK,
+         "within 1e-6;length 5;at 0 -4 0 0;at 1 0 3 0"},
+        {"{chamfer: [f, h], by: [2, 3]}", BATTEN_OK,
+         "within 1e-6;length 5.605551275463989;at 0 0 0 0;at 1 4 3 0"},
+        {"{chamfer: [f, h], by: [4, 1]}", BATTEN_OK,
+         "within 1e-6;length 6.123105625617661;at 0 0 0 0;at 1 4 3 0"},
         {"{chamfer: [f, h], by: [4, 3]}", BATTEN_OK,
          "within 1e-6;length 5;at 0 0 0 0;at 1 4 3 0"},
     };

@@ -1,6 +1,5 @@
-#include "design/feature.h"
-
-#include "support/test.h"
+#include "design/evaluate.h"
+#include "design/expect.h"
 
 #include <stdlib.h>
 
@@ -162,4 +161,63 @@ TEST(a_mirrored_surface_is_not_inside_out)
         CHECK_NEAR(volumes[1], volumes[0], 1e-3 * volumes[0]);
         batten_design_free(design);
     }
+}
+
+static const char shapes[] =
+    "  net: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 1]]}\n"
+    "  sail: {bezier-triangle: net}\n"
+    "  sheet: {bilinear: [[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 3, 0]]}\n"
+    "  line: {line: [[0, 0], [4, 0]]}\n"
+    "  ducks: {points: [[0, 0], [1, 1], [3, 1], [4, 0]]}\n"
+    "  chain: {arc-spline: ducks, ends: circular}\n"
+    "  made: {interpolate: ducks}\n"
+    "  all: {collect: [sail, sheet, line, ducks]}\n"
+    "  can: {cylinder: 1, height: 4}\n"
+    "  flat: {unroll: can, lines: 1}\n"
+    "  corner: {polyline: [[0, 0], [4, 0], [4, 3]]}\n";
+
+static const expect_row changes[] = {
+    {"{elevate: sail, by: 2}", BATTEN_OK,
+     "kind triangles;degree 3;count 1;at 0 0 0 0 0;at 1 0 1 0 0;at 0 1 0 1 1"},
+    {"{elevate: sheet, by: 2}", BATTEN_OK, "kind surface;degree 3 1;area 12;exact"},
+    {"{elevate: sheet, by: 2, direction: v}", BATTEN_OK, "degree 1 3;area 12"},
+    {"{elevate: all, by: 1}", BATTEN_OK,
+     "objects 4;named sail;kind triangles;degree 2;object 1;named sheet;degree 2 1;object 2;named "
+     "line;degree 2;object 3;named ducks;kind points;count 4"},
+    {"{elevate: made, by: 1}", BATTEN_OK, "degree 4;passes;data 3 4 0 0"},
+    {"{reverse: chain}", BATTEN_OK, "spans 3;at 0 4 0 0;at 1 0 0 0"},
+    {"{swap: all}", BATTEN_OK, "objects 4;object 1;named sheet;at 1 0 0 3 0;at 0 1 4 0 0"},
+    {"{swap: line}", BATTEN_BAD_ARGUMENT, "surfaces are needed, and 'line' has none"},
+    {"{reverse: flat}", BATTEN_OK,
+     "objects 2;layer cut;colour 0 0 0;object 1;layer rulings;colour 0.6 0.6 0.6"},
+    {"{reduce: sheet, degree: 1, within: 1}", BATTEN_OK, "degree 1 1;error 1e-12"},
+    {"{move: all, by: [0, 0, 2]}", BATTEN_OK,
+     "objects 4;named sail;object 1;on 0 0 1 2;object 3;data 1 1 1 2"},
+    {"{remove-knots: corner, within: 0.01}", BATTEN_OK, "error 0.01"},
+};
+
+TEST(changes_keep_kinds_names_layers_colours_and_data)
+{
+    EXPECT(shapes, changes);
+}
+
+static batten_status evaluate_at_most(int most, batten_design **out)
+{
+    char text[300];
+    snprintf(
+        text, sizeof text,
+        "batten: 1\nmost-objects: %d\nfeatures:\n  a: {line: [[0, 0], [1, 0]]}\n  b: {collect: "
+        "[a, a]}\n",
+        most);
+    return evaluate_design(text, "b", NULL, out);
+}
+
+TEST(a_design_makes_as_many_objects_as_it_allows_and_no_more)
+{
+    batten_design *design = NULL;
+    CHECK_OK(evaluate_at_most(3, &design));
+    batten_design_free(design);
+    CHECK_STATUS(evaluate_at_most(2, &design), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("with it the design would have made 3 objects, more than 2; a line "
+                  "'most-objects: 3' in the design allows them");
 }

@@ -19,7 +19,7 @@ static batten_status make_catmull_rom_surface(bat_run *run, const bat_grid *grid
                                               batten_surface **surface)
 {
     batten_curve_catmull_rom_options u = batten_curve_catmull_rom_defaults();
-    double off = 0;
+    double off;
     u.blend = bat_count(run, "blend");
     u.local = bat_count(run, "local");
     batten_curve_catmull_rom_options v = u;

@@ -1,6 +1,6 @@
 #include "design/expect.h"
 
-/* Folding, laying flat and fairing as features. */
+/* Folding and fairing as features. */
 
 static const char creases[] = "  bow: {arc: 2, angle: 90 deg}\n"
                               "  line: {line: [[0, 0], [4, 0]]}\n"
@@ -50,55 +50,6 @@ TEST(a_crease_pattern_is_cut_and_folded_by_its_layers)
          "along one curve, not 2"},
     };
     EXPECT(creases, rows);
-}
-
-static const char plates[] =
-    "  can: {cylinder: 1, height: 4}\n"
-    "  cap: {cone: 3, height: 4}\n"
-    "  frustum: {cone: 3, top: 1.5, height: 2}\n"
-    "  net: {points: [[0, 0, 0], [2, 0, 0], [0, 1, 0], [2, 1, 0]], columns: 2}\n"
-    "  plank: {bezier-surface: net}\n"
-    "  seam: {line: [[1, 0, 0], [1, 0, 4]]}\n  both: {collect: [plank, plank]}\n"
-    "  hoop: {arc: 1, at: [0, 0, 2], start: 90 deg, angle: 180 deg}\n"
-    "  off: {circle: 2, at: [0, 0, 2]}\n";
-
-TEST(unrolled_plates_have_their_lengths)
-{
-    static const expect_row rows[] = {
-        {"{unroll: can, lines: 0, within: 0.0001}", BATTEN_OK,
-         "objects 1;layer cut;closed 1;within 1e-3;length 20.566370614359172;on 0 0 1 0"},
-        {"{unroll: can, within: 0.0001}", BATTEN_OK,
-         "objects 13;object 1;layer rulings;within 1e-3;length 4;object 12;length 4"},
-        {"{unroll: can, lines: 0, marks: seam, within: 0.0001}", BATTEN_OK,
-         "objects 2;object 1;layer marks;within 1e-3;length 4"},
-        {"{unroll: can, lines: 0, marks: [hoop, seam], within: 0.0001}", BATTEN_OK,
-         "objects 3;object 1;layer marks;within 1e-3;length 3.141592653589793;object 2;length 4"},
-        /* A sector of radius 5 whose arc is the rim of the cone. */
-        {"{unroll: cap, lines: 0, within: 0.0001}", BATTEN_OK,
-         "within 1e-3;length 28.84955592153876;closed 1"},
-        {"{unroll: frustum, lines: 1, within: 0.0001}", BATTEN_OK,
-         "objects 2;within 1e-3;length 33.274333882308136;object 1;length 2.5"},
-        {"{unroll: plank, lines: 0}", BATTEN_OK, "within 1e-9;length 6"},
-        {"{unroll: plank, lines: 2, rulings: u}", BATTEN_OK, "objects 3;object 1;length 2"},
-        {"{unroll: plank, lines: 2, rulings: v}", BATTEN_OK, "objects 3;object 1;length 1"},
-
-        /* Edges and area stay as they are: a plank of 2 x 1. */
-        {"{unroll: plank, lines: 0, rulings: v}", BATTEN_OK,
-         "notes edges 2 and 2 long, flat 2 and 2; notes area 2, flat 2; notes turned by 0 degrees; "
-         "notes strain at most 0.00e+00"},
-        {"{unroll: plank, lines: 1000}", BATTEN_OK, "objects 1001"},
-        {"{unroll: plank, lines: 1, rulings: v}", BATTEN_OK,
-         "objects 2;object 1;layer rulings;length 1;at 0.5 1 0.5 0"},
-        {"{unroll: can, lines: 0, within: 0.0001}", BATTEN_OK, "notes turned by 0 degrees"},
-        {"{unroll: can, lines: 0, strain: 1e-3}", BATTEN_OK, "objects 1"},
-        {"{unroll: both}", BATTEN_BAD_ARGUMENT, "one surface is unrolled at a time, not 2"},
-        {"{unroll: plank, lines: 1001}", BATTEN_BAD_ARGUMENT, "there may be 0 to 1000"},
-        {"{unroll: [can, cap]}", BATTEN_BAD_FORMAT, "unroll"},
-        {"{unroll: can, marks: off}", BATTEN_NOT_COMPATIBLE,
-         "from the surface at its parameter"},
-        {"{unroll: can, strain: -1}", BATTEN_NOT_COMPATIBLE, "more than -1"},
-    };
-    EXPECT(plates, rows);
 }
 
 static const char ducks[] =
