@@ -1,6 +1,7 @@
 #include "inspect/shapes.h"
 
 #include <batten/nearest.h>
+#include <batten/standard.h>
 
 static void check_crossings(const batten_curve *curve, int axis, double value, int count,
                             const double *expected)
@@ -75,4 +76,91 @@ TEST(a_coordinate_that_is_not_there_is_refused)
     CHECK_STATUS(batten_curve_crossings(circle, -1, 0, &found), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_crossings(circle, 0, NAN, &found), BATTEN_NOT_FINITE);
     batten_curve_unref(circle);
+}
+
+/* ---- planes ---- */
+
+static const struct {
+    double normal[3], offset;
+    int dimension, count; /* of the crossings; -1: refused */
+    double at[2];
+} planes[] = {
+    {{0, 2, 0}, 2, 2, 2, {0, 0.5}},
+    {{0, 1, 5}, 1, 2, 2, {0, 0.5}},
+    {{3, 4, 0}, 7, 2, 2, {-1, -1}},
+    {{-1, 0, 0}, -1, 2, 2, {0.25, 0.75}},
+    {{0, 1, 0}, 9, 2, 0, {0}},
+    {{0, 0, 1}, 0, 2, -1, {0}},
+    {{NAN, 1, 0}, 0, 2, -1, {0}},
+    {{1, INFINITY, 0}, 0, 2, -1, {0}},
+    {{1, 0, NAN}, 0, 2, -1, {0}},
+    {{1, 0, INFINITY}, 0, 3, -1, {0}},
+    {{1, 0, 0}, NAN, 2, -1, {0}},
+    {{1, 0, 0}, -INFINITY, 3, -1, {0}},
+    {{0, 0, 0}, 1, 3, -1, {0}},
+    {{0, 0, 4}, 8, 3, 2, {0, 0.25}},
+    {{0, 1, 4}, 9, 3, 2, {0, 0.5}},
+    {{0, 1e200, 0}, 1e200, 3, 2, {0, 0.5}},
+    {{1e200, 0, 1e200}, 3e200, 3, 2, {0.25, 0.75}},
+};
+
+/* The circle about (1, 1) of radius 2; in space at z = 2. */
+static batten_curve *circle_of(int dimension)
+{
+    const batten_affine lift = batten_affine_translation(0, 0, 2);
+    batten_curve *circle = NULL, *raised = NULL, *moved = NULL;
+    CHECK_OK(shape_ellipse(2, 2, 1, 1, &circle));
+    if (dimension == 2)
+        return circle;
+    CHECK_OK(batten_curve_to_dimension(circle, 3, &raised));
+    CHECK_OK(batten_curve_transform(raised, &lift, &moved));
+    batten_curve_unref(raised);
+    batten_curve_unref(circle);
+    return moved;
+}
+
+/* A level of the circle's own plane is met everywhere: at the ends of its spans. (3, 4) is through the centre. */
+TEST(planes_are_crossed_by_their_normal_of_any_length_and_offset)
+{
+    for (int i = 0; i < COUNT(planes); i++) {
+        const double *n = planes[i].normal;
+        batten_curve *circle = circle_of(planes[i].dimension);
+        batten_parameters found = {-7, NULL};
+        CHECK_STATUS(batten_curve_plane_crossings(circle, (batten_vec3){n[0], n[1], n[2]},
+                                                  planes[i].offset, &found),
+                     planes[i].count < 0 ? BATTEN_BAD_ARGUMENT : BATTEN_OK);
+        if (planes[i].count < 0) {
+            char words[120];
+            snprintf(words, sizeof words, "a plane with the normal (%g, %g, %g) at %g", n[0],
+                     n[1], n[2], planes[i].offset);
+            CHECK_TEXT(batten_message(), words);
+            CHECK_INT(found.count, -7);
+        }
+        for (int k = 0; k < planes[i].count && planes[i].at[k] >= 0; k++)
+            CHECK_NEAR(found.at[k], planes[i].at[k], 1e-12);
+        for (int k = 0; k < found.count; k++) {
+            double p[3] = {0};
+            CHECK_OK(batten_curve_evaluate(circle, found.at[k], 0, p));
+            const double size = hypot(n[0], n[1]);
+            if (planes[i].dimension == 2)
+                CHECK_NEAR((n[0] * p[0] + n[1] * p[1] - planes[i].offset) / size, 0, 1e-14);
+        }
+        batten_release(found.at);
+        batten_curve_unref(circle);
+    }
+}
+
+TEST(a_function_meets_no_plane)
+{
+    batten_curve *line = NULL;
+    batten_parameters found = {0};
+    CHECK_OK(batten_curve_line(1, (double[]){0}, (double[]){1}, &line));
+    CHECK_STATUS(batten_curve_plane_crossings(line, (batten_vec3){1, 0, 0}, 0, &found),
+                 BATTEN_UNSUPPORTED);
+    CHECK_TEXT(batten_message(), "a function meets no plane; make its graph first");
+    CHECK_STATUS(batten_curve_crossings(line, 1, 0, &found), BATTEN_BAD_ARGUMENT);
+    CHECK_TEXT(batten_message(), "there is no coordinate 2 in 1 dimension");
+    CHECK_STATUS(batten_curve_crossings(line, 0, -INFINITY, &found), BATTEN_NOT_FINITE);
+    CHECK_TEXT(batten_message(), "the value to cross is -inf");
+    batten_curve_unref(line);
 }

@@ -258,3 +258,28 @@ TEST(at_a_limit_only_steps_inwards_are_free)
     CHECK_NEAR(foot.at[0], 0, 0);
     CHECK_NEAR(count.farthest[0], 1, 0);
 }
+
+/* Second derivatives beside those without the shape, both with a mixed part: by each of the three conditions. */
+TEST(newton_needs_its_share_of_both_diagonals_and_of_the_determinant)
+{
+    static const struct {
+        double second[3], normal[3];
+        bool is_trusted; /* with a trust of 1/2 */
+    } cases[] = {
+        {{2, 1, 2}, {4, 1, 3}, false},   {{2.5, 1, 2}, {4, 1, 3}, true},
+        {{2.5, 1, 1}, {4, 1, 3}, false}, {{2.5, 1.5, 2}, {4, 1, 3}, false},
+        {{3, 0, 2.5}, {4, 3, 4}, true},  {{3, 2.3, 2.5}, {4, 3, 4}, true},
+        {{3, 2, 2.1}, {4, 1, 4}, false},
+    };
+    const double g[2] = {1, 3};
+    for (int i = 0; i < COUNT(cases); i++) {
+        bat_foot_place here = {.gradient = {g[0], g[1]}};
+        double step[2], due[2];
+        memcpy(here.second, cases[i].second, sizeof here.second);
+        memcpy(here.normal, cases[i].normal, sizeof here.normal);
+        bat_foot_step(&here, BOTH, 0.5, step);
+        CHECK(bat_foot_solve(cases[i].is_trusted ? here.second : here.normal, g, BOTH, due));
+        CHECK_BITS(step[0], due[0]);
+        CHECK_BITS(step[1], due[1]);
+    }
+}

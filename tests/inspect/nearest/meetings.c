@@ -216,3 +216,43 @@ TEST(a_meeting_at_the_seam_of_a_closed_curve_is_found_at_both_of_its_ends)
     batten_curve_unref(circle);
     batten_curve_unref(flat);
 }
+
+/* A line through two rungs of a ladder. */
+TEST(places_are_one_only_when_the_points_of_both_curves_are_near)
+{
+    static const double up[] = {0, 0, -1, 0, 0, 1};
+    static const double ladder[] = {-1, 0, 0, 1, 0, 0, 1, 0, 0.5, -1, 0, 0.5};
+    batten_curve *spindle = NULL, *legs = NULL;
+    CHECK_OK(batten_curve_line(3, up, up + 3, &spindle));
+    CHECK_OK(batten_curve_polyline((batten_points){3, 4, ladder}, &legs));
+    for (int swap = 0; swap < 2; swap++) {
+        const bat_meetings m = swap ? meet(legs, spindle, 0.01) : meet(spindle, legs, 0.01);
+        CHECK_INT(m.count, 2);
+        for (int i = 0; i < 2; i++) {
+            CHECK_NEAR(m.found[i].point[0][2], 0.5 * i, 1e-12);
+            CHECK_NEAR(m.found[i].point[1][2], 0.5 * i, 1e-12);
+        }
+    }
+    batten_curve_unref(legs);
+    batten_curve_unref(spindle);
+}
+
+/* A hairpin around the z-axis whose ends are one place of it: two parameters of the hairpin, points a hair apart. */
+TEST(two_places_of_one_curve_at_one_point_of_the_other_are_told_apart_by_their_parameters)
+{
+    static const double up[] = {0, 0, -1, 0, 0, 1};
+    /* (0, 0, 0) at the parameters 0 and 3 of four. */
+    static const double loop[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0};
+    static const double knots[] = {0, 0, 1, 2, 3, 4, 4};
+    batten_curve *line = NULL, *round = NULL;
+    CHECK_OK(batten_curve_line(3, up, up + 3, &line));
+    CHECK_OK(batten_curve_create((batten_points){3, 5, loop}, 1, NULL, knots, &round));
+    const bat_meetings m = meet(round, line, 1e-6);
+    CHECK_INT(m.count, 2);
+    CHECK_NEAR(m.found[0].at[0], 0, 1e-12);
+    CHECK_NEAR(m.found[1].at[0], 3, 1e-12);
+    CHECK_NEAR(m.found[0].at[1], 0.5, 1e-12);
+    CHECK_NEAR(m.found[1].at[1], 0.5, 1e-12);
+    batten_curve_unref(round);
+    batten_curve_unref(line);
+}

@@ -11,22 +11,15 @@ static bool may_delimit(char c)
     return c > ' ' && c < 127 && !strchr("0123456789+-.DEHde", c);
 }
 
-static size_t past_blanks(bat_span text, size_t at)
-{
-    while (at < text.length && text.bytes[at] == ' ')
-        at++;
-    return at;
-}
-
 /* The first two global parameters, "1Hc" or nothing each, say the delimiters. */
 static batten_status read_delimiters(bat_iges_file *file, bat_span text, size_t *at)
 {
     char found[2] = {',', ';'};
     for (int k = 0; k < 2; k++) {
-        *at = past_blanks(text, *at);
+        *at = bat_iges_past_blanks(text, *at);
         if (text.length - *at >= 4 && memcmp(text.bytes + *at, "1H", 2) == 0) {
             found[k] = text.bytes[*at + 2];
-            *at = past_blanks(text, *at + 3);
+            *at = bat_iges_past_blanks(text, *at + 3);
         }
         if (*at >= text.length || text.bytes[*at] != found[0])
             return bat_input_fail(file->input, BATTEN_BAD_FORMAT, 0,
@@ -59,7 +52,7 @@ static bool is_delimiter(const mending *m, char c)
 /* Does a parameter begin behind the delimiter at `at`, or the section end with it? */
 static bool is_true_end(const mending *m, size_t at)
 {
-    const size_t next = past_blanks(m->text, at + 1);
+    const size_t next = bat_iges_past_blanks(m->text, at + 1);
     if (m->text.bytes[at] == m->file->delimiters.terminator)
         return next == m->text.length;
     if (m->text.bytes[at] != m->file->delimiters.delimiter || next == m->text.length)
@@ -84,7 +77,7 @@ static size_t end_of_string(const mending *m, size_t begin, size_t announced)
 {
     size_t end = m->text.length;
     if (announced <= m->text.length - begin) {
-        const size_t behind = past_blanks(m->text, begin + announced);
+        const size_t behind = bat_iges_past_blanks(m->text, begin + announced);
         if (behind < m->text.length && is_delimiter(m, m->text.bytes[behind]))
             return begin + announced;
     }
@@ -117,7 +110,7 @@ static batten_status mend_strings(const mending *m, size_t at)
     batten_status status = bat_list_append(m->file->input, m->made, m->text.bytes, at);
     while (status == BATTEN_OK && at < m->text.length) {
         size_t announced = 0;
-        at = past_blanks(m->text, at);
+        at = bat_iges_past_blanks(m->text, at);
         const size_t begin = at < m->text.length ? string_at(m, at, &announced) : 0;
         if (begin) {
             at = end_of_string(m, begin, announced);

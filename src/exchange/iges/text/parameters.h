@@ -48,6 +48,14 @@ void bat_iges_parameters_clear(bat_iges_parameters *parameters);
 
 /* ---- telling apart (tokens.c) ---- */
 
+/* From `at` on the first place that is not a blank, or the end of the text. */
+static inline size_t bat_iges_past_blanks(bat_span text, size_t at)
+{
+    while (at < text.length && text.bytes[at] == ' ')
+        at++;
+    return at;
+}
+
 /* Read what is in records of the file, as long as it is numbers that do not lie in two of them;
  * *at is then behind these. What follows is to be put into the text from in_place on. */
 batten_status bat_iges_tokenise_in_place(bat_input *input, bat_iges_delimiters delimiters,

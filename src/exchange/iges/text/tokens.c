@@ -11,18 +11,6 @@ static inline bool ends(bat_iges_delimiters delimiters, char c)
     return c == delimiters.delimiter || c == delimiters.terminator;
 }
 
-static inline size_t past_blanks(bat_span text, size_t at)
-{
-    for (; text.length - at >= 8; at += 8) {
-        const uint64_t others = bat_eight_characters(text.bytes + at) ^ ' ' * BAT_BYTES;
-        if (others)
-            return at + (size_t)(__builtin_ctzll(others) >> 3);
-    }
-    while (at < text.length && text.bytes[at] == ' ')
-        at++;
-    return at;
-}
-
 /* "nH" at the beginning: the length of the string, and where it begins; else -1. */
 static long hollerith(bat_span text, size_t at, size_t *begin)
 {
@@ -42,7 +30,8 @@ static batten_status read_string(const bat_input *input, bat_iges_delimiters del
     if (length > input->limits.string_bytes)
         return bat_fail(BATTEN_BAD_FORMAT, "a string of %zu characters; the limit is %zu",
                         length, input->limits.string_bytes);
-    *end = length > text.length - begin ? text.length : past_blanks(text, begin + length);
+    *end =
+        length > text.length - begin ? text.length : bat_iges_past_blanks(text, begin + length);
     *token = (bat_iges_token){
         .begin = (uint32_t)begin, .length = (uint32_t)length, .kind = BAT_IGES_STRING};
     if (*end < text.length && !ends(delimiters, text.bytes[*end]))
@@ -51,8 +40,8 @@ static batten_status read_string(const bat_input *input, bat_iges_delimiters del
     return BATTEN_OK;
 }
 
-/* A number that is not written as we write it: with a D, or none at all. */
-static bat_iges_token odd_token(bat_span text, size_t begin, size_t end, double *value)
+/* A number, also with a D, or none at all. */
+static bat_iges_token written_token(bat_span text, size_t begin, size_t end, double *value)
 {
     char copy[BAT_IGES_LONGEST_NUMBER];
     bat_iges_token token = {.begin = (uint32_t)begin, .kind = BAT_IGES_OTHER};
@@ -75,19 +64,7 @@ static batten_status read_token(const bat_input *input, bat_iges_delimiters deli
                                 bat_span text, size_t begin, size_t *end, bat_iges_token *token,
                                 double *value)
 {
-    size_t used = 0, skip = 0;
-    const char first = text.bytes[begin];
-    const bool is_number =
-        (first >= '0' && first <= '9') || first == '-' || first == '.' || first == '+';
-    if (is_number && batten_number_read(text.bytes + begin, text.length - begin, value,
-                                        &used) == BATTEN_OK) {
-        *end = past_blanks(text, begin + used);
-        if (*end < text.length && ends(delimiters, text.bytes[*end])) {
-            *token = (bat_iges_token){(uint32_t)begin, (uint32_t)used, BAT_IGES_NUMBER};
-            return BATTEN_OK;
-        }
-    }
-    *value = 0;
+    size_t skip = 0;
     const long length = hollerith(text, begin, &skip);
     if (length >= 0)
         return read_string(input, delimiters, text, skip, (size_t)length, end, token);
@@ -95,21 +72,8 @@ static batten_status read_token(const bat_input *input, bat_iges_delimiters deli
         if (ends(delimiters, text.bytes[*end]))
             break;
     if (*end < text.length)
-        *token = odd_token(text, begin, *end, value);
+        *token = written_token(text, begin, *end, value);
     return BATTEN_OK;
-}
-
-/* A number directly before a delimiter, which most tokens are; false for all others. */
-static inline bool read_plain_token(bat_iges_delimiters delimiters, bat_span text, size_t begin,
-                                    size_t *end, bat_iges_token *token, double *value)
-{
-    const char *last = text.bytes + text.length;
-    const char *stop = bat_number_quick(text.bytes + begin, last, value);
-    if (!stop || stop == last || !ends(delimiters, *stop))
-        return false;
-    *end = (size_t)(stop - text.bytes);
-    *token = (bat_iges_token){(uint32_t)begin, (uint32_t)(*end - begin), BAT_IGES_NUMBER};
-    return true;
 }
 
 /* The columns are gone through in blocks, for each of which 64 bits say what is no digit. As
@@ -246,7 +210,7 @@ static batten_status read_blocks(bat_input *input, bat_iges_delimiters delimiter
     const bat_span text = {parameters->text.items, parameters->text.count};
     for (;;) {
         batten_status status = make_room(input, parameters);
-        *at = past_blanks(text, *at);
+        *at = bat_iges_past_blanks(text, *at);
         const size_t block = *at / BLOCK * BLOCK;
         if (status != BATTEN_OK || text.length - block < BLOCK)
             return status;
@@ -257,7 +221,7 @@ static batten_status read_blocks(bat_input *input, bat_iges_delimiters delimiter
         if (*done)
             return BATTEN_OK;
         /* Only blanks may be left of the block. */
-        *at = past_blanks(text, *at);
+        *at = bat_iges_past_blanks(text, *at);
         if (*at < block + BLOCK)
             return BATTEN_OK;
     }
@@ -273,12 +237,10 @@ static batten_status read_any_token(bat_input *input, bat_iges_delimiters delimi
     double *value = (double *)parameters->values.items + parameters->values.count;
     batten_status status = BATTEN_OK;
     *end = begin;
-    if (!read_plain_token(delimiters, text, begin, end, token, value)) {
-        *token = (bat_iges_token){.kind = BAT_IGES_EMPTY};
-        *value = 0;
-        if (!ends(delimiters, text.bytes[begin]))
-            status = read_token(input, delimiters, text, begin, end, token, value);
-    }
+    *token = (bat_iges_token){.kind = BAT_IGES_EMPTY};
+    *value = 0;
+    if (!ends(delimiters, text.bytes[begin]))
+        status = read_token(input, delimiters, text, begin, end, token, value);
     if (status != BATTEN_OK || *end == text.length)
         return status;
     parameters->odd += token->kind == BAT_IGES_STRING || token->kind == BAT_IGES_OTHER;
