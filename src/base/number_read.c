@@ -277,8 +277,9 @@ static const char *read_quickly(const char *c, const char *end, double *value)
  */
 enum { COMMON_ROOM = 40 };
 
-/* Most numbers are such, and this is the shortest way to them. */
-const char *bat_number_quick(const char *text, const char *end, double *value)
+/* Most numbers are such, and this is the shortest way to them: where the number ends, or NULL when it is of another
+ * kind. */
+static const char *read_common(const char *text, const char *end, double *value)
 {
     if (end - text < COMMON_ROOM)
         return read_quickly(text, end, value);
@@ -308,7 +309,7 @@ batten_status batten_number_read(const char *text, size_t length, double *value,
     char shown[BAT_SHOWN_SIZE];
     decimal d;
     double quick;
-    const char *end = bat_number_quick(text, text + length, &quick);
+    const char *end = read_common(text, text + length, &quick);
     if (end && (used || end == text + length)) {
         *value = quick;
         if (used)

@@ -1,6 +1,5 @@
 /* Parameters told apart. */
 #include "base/digits.h"
-#include "base/real.h"
 #include "exchange/iges/text/parameters.h"
 
 #include <limits.h>

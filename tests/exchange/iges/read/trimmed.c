@@ -248,32 +248,6 @@ TEST(Q6_boundaries_that_say_nothing_or_do_not_meet_leave_the_face_out)
     iges_check_left_out(&plane, "a plane without bounds");
 }
 
-TEST(a_loop_that_lacks_its_part_along_the_border_is_closed_there)
-{
-    /* Three sides of 1 x 2 in a square, one after the other; the fourth is on the border u = 4,
-     * or within the square. */
-    static const char *const lines[2][3] = {
-        {"110,4.,1.,0.,3.,1.,0.;", "110,3.,1.,0.,3.,3.,0.;", "110,3.,3.,0.,4.,3.,0.;"},
-        {"110,3.,1.,0.,2.,1.,0.;", "110,2.,1.,0.,2.,3.,0.;", "110,2.,3.,0.,3.,3.,0.;"}};
-    for (int k = 0; k < 2; k++) {
-        iges_text file = iges_begin();
-        iges_add(&file, 128, 0, 0, 0, part, IGES_SQUARE);
-        for (int i = 0; i < 3; i++)
-            iges_add(&file, 110, 0, 0, 0, part, lines[k][i]);
-        iges_add(&file, 102, 0, 0, 0, part, "102,3,3,5,7;");
-        iges_add(&file, 142, 0, 0, 0, part, "142,0,1,0,9,2;");
-        iges_add(&file, 144, 0, 0, 0, root, "144,1,1,0,11;");
-        if (k == 1) {
-            iges_check_left_out(&file, "a loop ends 2 from where it begins; left out");
-            continue;
-        }
-        batten_model *model = iges_body(&file, "ends 2 from where it begins; closed along the "
-                                               "border");
-        iges_check_area(model, 2);
-        batten_model_unref(model);
-    }
-}
-
 TEST(sides_that_meet_are_not_turned_for_a_rounding_error)
 {
     /* A triangle of two sides, of which the far ends are nearer than those that meet. */

@@ -1,3 +1,4 @@
+/* Files of glTF: nodes, scenes, materials, primitives, and what is refused. */
 #include "exchange/meshes/meshes.h"
 #include "exchange/reading/bytes.h"
 #include "support/json.h"

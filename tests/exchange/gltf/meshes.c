@@ -1,4 +1,4 @@
-/* Models as a reader of glTF sees them. */
+/* Meshes of glTF as a reader sees them: corners, normals, colours, bounds, and where instances put them. */
 #include "exchange/gltf/seen.h"
 
 static void only_once(void)
