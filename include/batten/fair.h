@@ -115,8 +115,7 @@ BATTEN_API int batten_polyline_inflections(int count, const double *points, doub
 
 typedef enum batten_fair_order {
     BATTEN_FAIR_WORST_FIRST, /**< release the duck under the largest force */
-    BATTEN_FAIR_SWEEPS,      /**< one after another, until nothing moves: the least-energy curve
-                                within the bounds */
+    BATTEN_FAIR_SWEEPS,      /**< one after another, until the energy is the least */
     BATTEN_FAIR_ALTERNATE    /**< even ducks, then odd ones */
 } batten_fair_order;
 
@@ -128,14 +127,11 @@ typedef struct batten_fair_options {
     batten_fair_order order;   /**< BATTEN_FAIR_SWEEPS */
     double relaxation;         /**< 1; (0, 1] */
     int max_moves;             /**< 0: a bound from the number of points */
-    bool
-        stop_when_fair; /**< stop at the verdict (worst first); else continue to the least energy
-                          */
+    bool stop_when_fair;       /**< worst first: stop at the verdict, not at the least energy */
     const int *corners; /**< [corner_count] indices of points at which the curve is cut; held */
     int corner_count;
-    double corner_angle; /**< of tables, radians: a station that turns at a point by this much
-                            more than at both its neighbours has a corner there (a chine), which
-                            is not rounded; 25 degrees */
+    double corner_angle; /**< of tables, radians: a turn of a station by this much more than at
+                            both neighbours is a corner (a chine), and not rounded; 25 degrees */
 } batten_fair_options;
 
 /** The defaults of fairing: no point moves farther than `within`, model units. */
@@ -153,12 +149,10 @@ typedef struct batten_fair_report {
     double max_move, rms_move;     /**< over all points, model units */
     int moved_count;               /**< points that moved at all */
     int worst_set, worst_index;    /**< where the largest move is */
-    int suspect_count; /**< points that look like blunders: force above 6 times the median with
-                            neighbours of the opposite sign */
+    int suspect_count; /**< maybe blunders: force above 6 medians, its neighbours' opposite */
     int move_count;    /**< length of `moves`: one for each point that moved */
-    batten_fair_move *moves; /**< release with batten_fair_report_release */
-    batten_fair_move
-        *suspects; /**< [suspect_count], with the suggested place; not carried out */
+    batten_fair_move *moves;    /**< release with batten_fair_report_release */
+    batten_fair_move *suspects; /**< with the suggested place; not carried out */
 } batten_fair_report;
 /** Release the moves and the suspects of a report. */
 BATTEN_API void batten_fair_report_release(batten_fair_report *report);
@@ -256,17 +250,11 @@ typedef struct batten_loft_options {
     size_t size;
     double within; /**< no point of the table is farther from the surface, in the plane of its
                         station; model units, above 0; required */
-    double
-        height; /**< bulges of sections up to this are not seen as inflections; 0: a millionth
-                        of the breadth */
+    double height; /**< bulges up to this are not seen; 0: a millionth of the breadth */
     int knuckle_count;           /**< lines at which the hull has an edge; 0 */
     const char *const *knuckles; /**< [knuckle_count], their names in the table, in any order */
 } batten_loft_options;
-/**
- * The defaults of a lofting.
- *
- * @param within  how far the surface may be from a point of the table, model units
- */
+/** The defaults of a lofting: no point is farther than `within`, model units. */
 BATTEN_API batten_loft_options batten_loft_defaults(double within);
 
 /** The families of cuts by which a lofting is judged. */
@@ -283,13 +271,26 @@ typedef enum batten_loft_family {
 /** A cut of the surface, and what the table asks of it. */
 typedef struct batten_loft_cut {
     batten_loft_family family;
-    double at;  /**< x, z or y; of a diagonal the height at which it leaves the centre plane; of
-                     edges 0 */
-    int needed; /**< inflections that the points require within their bounds; of cuts without
-                     points those of the cuts beside them, or of the surface of least energy */
+    double at;  /**< x, z or y; of a diagonal z where it leaves the centre plane; of edges 0 */
+    int needed; /**< what the points require; without points the cuts beside, or the first fit */
     int found;  /**< those of the surface, between bulges above the height */
     int panel; /**< which surface, from below and 0; a knuckle counts with the panel above it */
 } batten_loft_cut;
+
+/** Why a surface is not at a point of the table. */
+typedef enum batten_loft_reason {
+    BATTEN_LOFT_NOISE, /**< the point is uneven by less than the bound, and was evened out */
+    BATTEN_LOFT_BOUND, /**< the point holds the surface at its bound, which would move farther */
+    BATTEN_LOFT_SUSPECT /**< 5 medians off, and all its neighbours to the other side: wrong? */
+} batten_loft_reason;
+
+/** A correction of the table: where the surface is instead of a point. */
+typedef struct batten_loft_correction {
+    int station, index;    /**< which point of the table */
+    double from[3], to[3]; /**< as the table and as the faired table have it */
+    double distance;       /**< from the point to the surface, in the plane of the station */
+    batten_loft_reason reason;
+} batten_loft_correction;
 
 typedef struct batten_loft_report {
     int cut_count;
@@ -299,20 +300,19 @@ typedef struct batten_loft_report {
     double height;             /**< of the bulges that are seen */
     double max_move, rms_move; /**< from the points of the table to the surface, model units */
     int worst_station, worst_index; /**< where max_move is */
-    int move_count;
-    batten_fair_move *moves; /**< [move_count]: each point and its foot; of points that moved */
-    int trimmed_count; /**< points on the centre plane below the hull, which were left out */
-    int rounds;        /**< programs with conditions on the sign of curvature */
-    double enough;   /**< with NOT_COMPATIBLE: a bound with which a surface exists; 0 when none
-                            was found */
+    int correction_count;
+    batten_loft_correction *corrections; /**< of the points that moved, the farthest first */
+    /** The table as the surfaces have it: points on waterlines at their height, those on edges
+     * where the edge is, others the nearest in the plane of the station. */
+    batten_offset_table *faired;
+    double faired_error; /**< how far its points are off stations and waterlines */
+    int trimmed_count;   /**< points on the centre plane below the hull, which were left out */
+    int rounds;          /**< programs with conditions on the sign of curvature */
+    double enough;   /**< with NOT_COMPATIBLE: a bound that would do; 0 when none was found */
     int panel_count; /**< surfaces: one more than knuckles */
     int ruled_count; /**< of these, without points between their lines: straight across */
 } batten_loft_report;
-/**
- * Release the cuts and moves of a report.
- *
- * @param report  as a lofting left it
- */
+/** Release the cuts, the corrections and the faired table of a report. */
 BATTEN_API void batten_loft_report_release(batten_loft_report *report);
 
 /**
@@ -327,12 +327,12 @@ BATTEN_API void batten_loft_report_release(batten_loft_report *report);
  *
  * is least, a = 0 .. 3 derivatives along u; lambda makes the mean distance at most a
  * quarter of the bound.
- * Then stations, waterlines, buttocks, diagonals and the edges are cut. Where there are inflections
- * in excess, the sign of curvature becomes a linear condition, sample by sample, on these cuts and on
- * all stations, waterlines and edges; the program is solved again about the surface that it gave, until
- * no cut is in excess, four rounds in turn do not gain, or ten are done. Profile and stem stay on
- * the centre plane or at their half siding, and the surface does not cross it by more than the height
- * of visible bulges.
+ * Then stations, waterlines, buttocks, diagonals and the edges are cut. Where there are inflections in
+ * excess, the sign of curvature becomes a linear condition, sample by sample, on these cuts and on all
+ * stations, waterlines and edges; the program is solved again about the surface that it gave, until no
+ * cut is in excess, four rounds in turn do not gain, or ten are done. Profile and stem stay on the
+ * centre plane or at their half siding, and the surface does not cross it by more than the height of
+ * visible bulges.
  *
  * What is returned has what is reported: distances and inflections are measured on it. A surface
  * with cuts in excess is returned as well; `cuts_in_excess` tells.
@@ -346,14 +346,13 @@ BATTEN_API void batten_loft_report_release(batten_loft_report *report);
  * @param[out] report  what was reached; may be NULL. With NOT_COMPATIBLE `enough` is filled in
  * @param[out] out  the half that the table describes, of the table's unit
  * @return BATTEN_OK; BAD_ARGUMENT (the bound: from a billionth of the size to the largest
- * half-breadth; the height; no half-breadth above 0); TOO_FEW_POINTS (3 stations of 3 points,
- * 2 points at each); COINCIDENT; NOT_INCREASING (a station beyond an end of
- * the hull); UNSUPPORTED (knuckles); NOT_COMPATIBLE when no
- * smooth surface was found that keeps the bound: the message has one that can be kept, to a tenth,
- * and the points that hold it; INCOMPLETE, CANCELLED, OUT_OF_MEMORY
+ * half-breadth; the height; no half-breadth above 0); TOO_FEW_POINTS (3 stations of 3 points, 2 points
+ * at each); COINCIDENT; NOT_INCREASING (a station beyond an end of the hull); UNSUPPORTED (knuckles);
+ * NOT_COMPATIBLE when no smooth surface was found that keeps the bound: the message has one that can
+ * be kept, to a tenth, and the points that hold it; INCOMPLETE, CANCELLED, OUT_OF_MEMORY
  *
- * Cost: 15 to 30 programs, each 10 to 20 times n b^2 for n = 2 or 3 (stations + 2) (points + 2) unknowns
- * in a band b of three rows of control points across: one or two seconds for 100 points
+ * Cost: 15 to 30 programs, each 10 to 20 times n b^2 for n = 2 or 3 (stations + 2) (points + 2)
+ * unknowns in a band b of three rows of control points across: one or two seconds for 100 points
  * Source: [EH95] for the energy, [NW06] ch. 16 and 18 for the programs.
  */
 BATTEN_API batten_status batten_surface_loft(const batten_offset_table *table,
@@ -365,16 +364,17 @@ BATTEN_API batten_status batten_surface_loft(const batten_offset_table *table,
  * The surfaces of one half of a hull with chines and knuckles: panels that share their lines.
  *
  * The profile, each knuckle and the sheer are made fair first, in space: x linear in u, y and z the
- * functions f in the knots of the panels which are within the bound of the points and have the least
+ * functions f in the knots of the panels that are within the bound of the points and have the least
  *
  *     sum (distance / bound)^2 + lambda integral (d^3 f / du^3)^2 du
  *
  * with no more inflections over x than the points require; y and z have the bound over the square root
- * of 2 each, and lambda makes the mean distance at most a quarter of it. Panels on both sides of a line have the same control points there. A panel with
- * nothing between its lines is ruled: of degree 1 across, so that its frames are straight; it is judged by
- * its lines, for its other sections turn where its twist makes them. One with points between them is
- * found as by batten_surface_loft, with its edges held. Lines of the table beyond the profile or the sheer
- * are left out before, by batten_offset_table_select.
+ * of 2 each, and lambda makes the mean distance at most a quarter of it. Panels on both sides of a
+ * line have the same control points there. A panel with nothing between its lines is ruled: of degree
+ * 1 across, so that its frames are straight; it is judged by its lines, for its other sections turn
+ * where its twist makes them. One with points between them is found as by batten_surface_loft, with
+ * its edges held. Lines of the table beyond the profile or the sheer are left out before, by
+ * batten_offset_table_select.
  *
  * @param table  stations from aft to forward; every line that is named has a point at each
  * @param options  never NULL; without knuckles as batten_surface_loft

@@ -103,6 +103,19 @@ BATTEN_API int batten_offset_table_station_count(const batten_offset_table *offs
  */
 BATTEN_API const batten_table_station *
 batten_offset_table_station(const batten_offset_table *offsets, int station);
+/** What messages call a station. */
+typedef struct batten_station_label {
+    char text[100];
+} batten_station_label;
+/**
+ * What messages call a station: "station 3 (x = 2)", counted from 1; by the table's own name where
+ * that is more than the number x: "station 'stem' (x = 168)". Of long names the first 40 bytes.
+ *
+ * @param offsets  any table of offsets
+ * @param station  which, from 0
+ */
+BATTEN_API batten_station_label batten_offset_table_label(const batten_offset_table *offsets,
+                                                          int station);
 /**
  * The box of all points.
  *
@@ -121,7 +134,7 @@ typedef struct batten_offset_table_selection {
         z;            /**< keep the points inside, in the new numbers; infinite by default */
     bool trim_centre; /**< of a run of points on the centre line at the lower end of a station
                            keep only the highest: what is below is keel or air */
-    int line_count;           /**< keep the points on these lines; 0: on all and on none */
+    int line_count;   /**< keep the points on these lines; 0: on all and on none */
     const char *const *lines; /**< [line_count], names of the table */
 } batten_offset_table_selection;
 /** The selection that keeps the whole table as it is. */

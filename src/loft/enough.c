@@ -7,18 +7,15 @@
  * known to a tenth. */
 enum { DOUBLINGS = 6, HALVINGS = 3, MOST_NAMED = 5 };
 
-/* Of the bound: points that lie farther hold the surface. */
-static const double holding = 0.98;
-
 typedef struct {
     const batten_offset_table *table;
     const batten_loft_options *options;
     const batten_job *job;
     double enough;    /* 0: none yet */
-    char points[200]; /* those that hold it there */
+    char points[600]; /* those that hold it there */
 } search;
 
-/* "station 3 point 5, ..." */
+/* "point 5 of station 3 (x = 2), ..." */
 static void name_points(const bat_hull_panels *panels, search *s)
 {
     size_t used = 0;
@@ -27,11 +24,11 @@ static void name_points(const bat_hull_panels *panels, search *s)
     for (int p = 0; p < panels->count; p++)
         for (int k = 0; k < panels->at[p].datum_count && named < MOST_NAMED; k++) {
             const bat_loft_datum *d = panels->at[p].data + k;
-            if (!(d->move > holding * d->within) || used >= sizeof s->points)
+            if (!bat_loft_holds(panels, panels->at + p, d) || used >= sizeof s->points)
                 continue;
             used += (size_t)snprintf(s->points + used, sizeof s->points - used,
-                                     "%sstation %d point %d", named++ ? ", " : "",
-                                     d->station + 1, d->index + 1);
+                                     "%spoint %d of %s", named++ ? ", " : "", d->index + 1,
+                                     batten_offset_table_label(s->table, d->station).text);
         }
 }
 
@@ -83,15 +80,16 @@ batten_status bat_loft_find_enough(const batten_offset_table *table,
     *enough = s.enough;
     if (status != BATTEN_OK && status != BATTEN_NOT_COMPATIBLE)
         return status;
+    const bool one = options->knuckle_count == 0;
+    const char *none = one ? "no smooth surface was" : "no smooth panels were";
     if (s.enough > 0)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "no smooth surface was found within %g of every point of the table; "
-                        "one was within %.4g%s%s",
-                        options->within, s.enough, s.points[0] ? ", held there by " : "",
-                        s.points);
+                        "%s found within %g of every point of the table; %s within %.4g%s%s",
+                        none, options->within, one ? "one was" : "some were", s.enough,
+                        s.points[0] ? ", held there by " : "", s.points);
     return bat_fail(
         BATTEN_NOT_COMPATIBLE,
-        "no smooth surface was found within %g of every point of the table, nor within "
-        "%g: it may have a knuckle, or a point may be wrong",
-        options->within, options->within * (1 << DOUBLINGS));
+        "%s found within %g of every point of the table, nor within %g: it may have "
+        "a%s knuckle, or a point may be wrong",
+        none, options->within, options->within * (1 << DOUBLINGS), one ? "" : "nother");
 }

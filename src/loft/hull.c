@@ -7,6 +7,7 @@
 #include "loft/hull.h"
 #include "base/arena.h"
 #include "numeric/vector.h"
+#include "spline/spline.h"
 
 /* Fewer knots than these do not bend with the points between two stations. */
 enum { FEWEST_INNER_V = 7 };
@@ -43,12 +44,12 @@ static batten_status knots_at_stations(const hull *h, double *inner)
     for (int k = 0; k < h->of->station_count - 2; k++) {
         inner[k] = u_of(h, h->of->stations[k + 1].x, 1);
         if (!(inner[k] > (k > 0 ? inner[k - 1] : 0)) || !(inner[k] < 1))
-            return bat_fail(
-                BATTEN_NOT_INCREASING,
-                "station %d (x = %g) does not lie between the one before it and the "
-                "end of the hull at the sheer, which runs from x = %g to %g",
-                k + 2, h->of->stations[k + 1].x, end_x(h->of->stations, 1),
-                end_x(h->of->stations + h->of->station_count - 1, 1));
+            return bat_fail(BATTEN_NOT_INCREASING,
+                            "%s does not lie between the one before it and the "
+                            "end of the hull at the sheer, which runs from x = %g to %g",
+                            batten_offset_table_label(h->of->table, k + 1).text,
+                            end_x(h->of->stations, 1),
+                            end_x(h->of->stations + h->of->station_count - 1, 1));
     }
     return BATTEN_OK;
 }
@@ -96,6 +97,20 @@ static double siding(const hull *h)
     return y;
 }
 
+/* The one height of all points of an edge, which is then a waterline; NAN when they differ. */
+static double level(const hull *h, bool top)
+{
+    double z = NAN;
+    for (int k = 0; k < h->of->station_count; k++) {
+        const bat_hull_station *s = h->of->stations + k;
+        const double own = s->points[top ? s->count - 1 : 0].z;
+        if (k > 0 && own != z)
+            return NAN;
+        z = own;
+    }
+    return z;
+}
+
 static void hold(bat_loft *loft, int i, int j, int c, double value)
 {
     const size_t at = 3 * ((size_t)i * (size_t)loft->patch.nv + (size_t)j) + (size_t)c;
@@ -119,10 +134,7 @@ static void hold_edges(const hull *h, int i, double u, bat_loft *loft)
     rail_point(h->edges->low, i, u, low);
     rail_point(h->edges->high, i, u, high);
     for (int j = 0; j <= last; j++) {
-        const double v = j == last ? 1
-                                   : (loft->patch.v_knots[j + 1] + loft->patch.v_knots[j + 2] +
-                                      loft->patch.v_knots[j + 3]) /
-                                         3;
+        const double v = bat_greville(BAT_LOFT_DEGREE, loft->patch.v_knots, j);
         double *p = loft->patch.points + 3 * ((size_t)i * (size_t)loft->patch.nv + (size_t)j);
         for (int c = 0; c < 3; c++) {
             p[c] = j == 0 ? low[c] : j == last ? high[c] : (1 - v) * low[c] + v * high[c];
@@ -132,20 +144,32 @@ static void hold_edges(const hull *h, int i, double u, bat_loft *loft)
     }
 }
 
+/* y of the profile, and z of edges that are waterlines. */
+static void hold_rims(const hull *h, bat_loft *loft)
+{
+    const double half_siding = siding(h), low = level(h, false), high = level(h, true);
+    for (int i = 0; i < loft->patch.nu; i++) {
+        if (!isnan(half_siding))
+            hold(loft, i, 0, 1, half_siding);
+        if (!isnan(low))
+            hold(loft, i, 0, 2, low);
+        if (!isnan(high))
+            hold(loft, i, loft->patch.nv - 1, 2, high);
+    }
+}
+
 /* What is known exactly: x where the ends are plane, so that stations are lines of the patch;
- * y of the profile and of a stem. */
+ * what is held of the edges; y of a stem. */
 static batten_status hold_what_is_known(const hull *h, bat_loft *loft)
 {
     const bat_hull_station *aft = h->of->stations,
                            *fore = h->of->stations + h->of->station_count - 1;
     const bool plane_aft = lies_on(aft, aft->x), plane_fore = lies_on(fore, fore->x);
-    const double half_siding = siding(h);
     loft->held = bat_array3((size_t)loft->patch.nu, (size_t)loft->patch.nv, 3);
     if (!loft->held)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < loft->patch.nu; i++) {
-        const double *t = loft->patch.u_knots + i + 1;
-        const double u = i == 0 ? 0 : i == loft->patch.nu - 1 ? 1 : (t[0] + t[1] + t[2]) / 3;
+        const double u = bat_greville(BAT_LOFT_DEGREE, loft->patch.u_knots, i);
         for (int j = 0; j < loft->patch.nv; j++) {
             if ((plane_aft && plane_fore) || (i == 0 && plane_aft) ||
                 (i == loft->patch.nu - 1 && plane_fore))
@@ -157,9 +181,9 @@ static batten_status hold_what_is_known(const hull *h, bat_loft *loft)
         }
         if (h->edges)
             hold_edges(h, i, u, loft);
-        else if (!isnan(half_siding))
-            hold(loft, i, 0, 1, half_siding);
     }
+    if (!h->edges)
+        hold_rims(h, loft);
     return BATTEN_OK;
 }
 

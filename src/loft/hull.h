@@ -37,8 +37,9 @@ batten_status bat_hull_take_stations(const batten_offset_table *table, bat_hull_
 void bat_hull_count(bat_hull_table *hull);
 /* BAD_ARGUMENT when the bound, or the hull, is too small or too large. */
 batten_status bat_hull_check_bound(const bat_hull_table *hull, double within);
-/* v of the k-th station. COINCIDENT when two neighbours are one. */
-batten_status bat_hull_measure_girth(int k, bat_hull_station *station);
+/* v of the k-th station of the table. COINCIDENT when two neighbours are one. */
+batten_status bat_hull_measure_girth(const batten_offset_table *table, int k,
+                                     bat_hull_station *station);
 /* UNSUPPORTED when half of the stations have a knuckle. */
 batten_status bat_hull_refuse_knuckles(const bat_hull_table *hull);
 /* All of this, for one smooth surface. */

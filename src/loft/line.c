@@ -53,8 +53,8 @@ static batten_status set_quadratic(bat_line_program *f)
     const batten_status status = fit_quadratic(line, abc);
     if (status != BATTEN_OK)
         return status;
-    for (int i = 0; i < line->count;
-         i++) { /* its blossom at the three knots of the coefficient */
+    /* A coefficient is the blossom of the quadratic at its three knots. */
+    for (int i = 0; i < line->count; i++) {
         const double *t = line->knots + i + 1;
         f->quadratic[i] = abc[0] + abc[1] * (t[0] + t[1] + t[2]) / 3 +
                           abc[2] * (t[0] * t[1] + t[1] * t[2] + t[0] * t[2]) / 3;

@@ -99,7 +99,7 @@ batten_status batten_hull_loft(const batten_offset_table *table,
         status =
             bat_loft_find_enough(table, &chosen, job, report ? &report->enough : &found.enough);
     if (status == BATTEN_OK)
-        status = bat_loft_fill_report(&panels, &found);
+        status = bat_loft_fill_report(&panels, table, &found);
     if (status == BATTEN_OK)
         status = make_surfaces(&panels, out);
     if (status == BATTEN_OK && report)

@@ -45,7 +45,7 @@ static batten_status take_part(const bat_hull_rails *r, int panel, bat_hull_tabl
                                 .from = whole->from + low[k]};
         s->is_stem = lies_on_centre(s);
         s->v = bat_arena_array(&part->arena, (size_t)s->count, sizeof *s->v);
-        status = s->v ? bat_hull_measure_girth(k, s) : BATTEN_OUT_OF_MEMORY;
+        status = s->v ? bat_hull_measure_girth(r->of.table, k, s) : BATTEN_OUT_OF_MEMORY;
     }
     if (status != BATTEN_OK)
         return status;
@@ -167,8 +167,11 @@ batten_status bat_hull_panels_run(bat_hull_panels *panels)
 batten_status bat_hull_panels_fit(bat_hull_panels *panels)
 {
     batten_status status = BATTEN_OK;
-    for (int k = 0; k < panels->count && status == BATTEN_OK; k++)
+    for (int k = 0; k < panels->count && status == BATTEN_OK; k++) {
         if (panels->at[k].datum_count > 0)
             status = bat_loft_fits(panels->at + k);
+        if (status == BATTEN_OK && panels->has_rails)
+            status = add_rails(panels, k, panels->reached + k);
+    }
     return status;
 }

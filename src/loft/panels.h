@@ -19,7 +19,8 @@ void bat_hull_panels_free(bat_hull_panels *panels);
 
 /* All of them made fair; their data are then all points, those of the lines too. */
 batten_status bat_hull_panels_run(bat_hull_panels *panels);
-/* Are there panels that keep the bounds, whatever their cuts? Their data are where they come to. */
+/* Are there panels that keep the bounds, whatever their cuts? Their data are then all
+ * points, those of the lines too, and where they come to. */
 batten_status bat_hull_panels_fit(bat_hull_panels *panels);
 
 /* Has the panel no points but those of its lines? */

@@ -62,9 +62,9 @@ static batten_status place_at(bat_hull_rails *r, int rail, int k)
     }
     if (at == s->count)
         return bat_fail(BATTEN_NOT_FOUND,
-                        "the line '%.60s' has no point at station %d (x = %g); a line that "
+                        "the line '%.60s' has no point at %s; a line that "
                         "bounds a panel has one at every station",
-                        line_name(r, rail), k + 1, s->x);
+                        line_name(r, rail), batten_offset_table_label(r->of.table, k).text);
     r->at[rail * r->of.station_count + k] = at;
     return BATTEN_OK;
 }
@@ -86,20 +86,19 @@ static void sort_knuckles(bat_hull_rails *r)
 /* A knuckle that is an edge of the hull, or lines in another order than at the first station. */
 static batten_status refuse_order(const bat_hull_rails *r, int rail, int k)
 {
-    const bat_hull_station *s = r->of.stations + k;
     const int n = r->of.station_count;
     if (r->at[rail * n + k] == r->at[(rail - 1) * n + k])
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
-            "the line '%.60s' is the %s edge of the hull at station %d (x = %g), less "
+            "the line '%.60s' is the %s edge of the hull at %s, less "
             "what lies below it on the centre plane; a knuckle has a panel on either "
             "side",
-            line_name(r, rail == 1 ? rail : rail - 1), rail == 1 ? "lower" : "upper", k + 1,
-            s->x);
-    return bat_fail(BATTEN_BAD_ARGUMENT,
-                    "the line '%.60s' is not above the line '%.60s' at station %d (x = %g)%s",
-                    line_name(r, rail), line_name(r, rail - 1), k + 1, s->x,
-                    k > 0 ? ", as it is at the first" : "");
+            line_name(r, rail == 1 ? rail : rail - 1), rail == 1 ? "lower" : "upper",
+            batten_offset_table_label(r->of.table, k).text);
+    return bat_fail(
+        BATTEN_BAD_ARGUMENT, "the line '%.60s' is not above the line '%.60s' at %s%s",
+        line_name(r, rail), line_name(r, rail - 1),
+        batten_offset_table_label(r->of.table, k).text, k > 0 ? ", as it is at the first" : "");
 }
 
 static batten_status place_lines(bat_hull_rails *r)
@@ -157,10 +156,10 @@ static batten_status set_knots(bat_hull_rails *r)
         for (int k = 1; k < n; k++)
             if (!(u_of(r, rail, k) > u_of(r, rail, k - 1)))
                 return bat_fail(BATTEN_NOT_INCREASING,
-                                "the line '%.60s' does not run forward from station %d to "
-                                "station %d (x = %g)",
-                                line_name(r, rail), k, k + 1,
-                                bat_hull_rail_point(r, rail, k)->x);
+                                "the line '%.60s' does not run forward from %s to %s",
+                                line_name(r, rail),
+                                batten_offset_table_label(r->of.table, k - 1).text,
+                                batten_offset_table_label(r->of.table, k).text);
     for (int k = 1; k < n; k++) {
         if (n < MANY)
             r->inner[r->inner_count++] = (u_of(r, top, k - 1) + u_of(r, top, k)) / 2;
@@ -305,11 +304,12 @@ static batten_status check_places(const bat_hull_rails *r, const bat_loft_line *
             if (!(agreement(r, line, rail, k, (double)i / PLACES) > 0))
                 return bat_fail(
                     BATTEN_BAD_ARGUMENT,
-                    "the lines '%.60s' and '%.60s' are %.3g apart at station %d (x = %g), and "
+                    "the lines '%.60s' and '%.60s' are %.3g apart at %s, and "
                     "within %g they change places there or before the next: lines may not meet, "
                     "and a smaller bound keeps near ones apart",
                     line_name(r, rail - 1), line_name(r, rail),
-                    bat_hypot(b->y - a->y, b->z - a->z), k + 1, r->of.stations[k].x, within);
+                    bat_hypot(b->y - a->y, b->z - a->z),
+                    batten_offset_table_label(r->of.table, k).text, within);
         }
     return BATTEN_OK;
 }

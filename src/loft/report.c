@@ -1,12 +1,12 @@
 /* What a lofting reports of its panels: the cuts, and how far the points are from the surfaces. */
 #include "loft/report.h"
-
-#include <string.h>
+#include "loft/faired.h"
 
 void batten_loft_report_release(batten_loft_report *report)
 {
     bat_release(report->cuts);
-    bat_release(report->moves);
+    bat_release(report->corrections);
+    batten_offset_table_unref(report->faired);
     *report = (batten_loft_report){0};
 }
 
@@ -42,48 +42,30 @@ static batten_status report_cuts(const bat_hull_panels *panels, batten_loft_repo
     return BATTEN_OK;
 }
 
-/* What moved by less than this part of its bound did not move but for rounding. */
-static const double least_move = 1e-9;
-
-static void report_move(const bat_loft *loft, const bat_loft_datum *d,
-                        batten_loft_report *report)
-{
-    bat_loft_place place;
-    if (d->move > report->max_move) {
-        report->max_move = d->move;
-        report->worst_station = d->station;
-        report->worst_index = d->index;
-    }
-    if (d->move <= least_move * d->within)
-        return;
-    batten_fair_move *move = report->moves + report->move_count++;
-    *move = (batten_fair_move){.set = d->station, .index = d->index};
-    bat_loft_place_at(&loft->patch, d->u, d->v, &place);
-    memcpy(move->from, d->point, sizeof move->from);
-    memcpy(move->to, place.s[0][0], sizeof move->to);
-}
-
-static batten_status report_moves(const bat_hull_panels *panels, batten_loft_report *report)
+static batten_status report_moves(const bat_hull_panels *panels,
+                                  const batten_offset_table *table, batten_loft_report *report)
 {
     int count = 0;
     double squares = 0;
-    for (int p = 0; p < panels->count; p++)
-        count += panels->at[p].datum_count;
-    report->moves = bat_array((size_t)count, sizeof *report->moves);
-    if (!report->moves)
-        return BATTEN_OUT_OF_MEMORY;
     report->max_move = -1; /* below all */
     for (int p = 0; p < panels->count; p++)
-        for (int k = 0; k < panels->at[p].datum_count; k++) {
+        for (int k = 0; k < panels->at[p].datum_count; k++, count++) {
             const bat_loft_datum *d = panels->at[p].data + k;
-            report_move(panels->at + p, d, report);
             squares += d->move * d->move;
+            if (!(d->move > report->max_move))
+                continue;
+            report->max_move = d->move;
+            report->worst_station = d->station;
+            report->worst_index = d->index;
         }
     report->rms_move = sqrt(squares / count);
-    return BATTEN_OK;
+    const batten_status status =
+        bat_loft_faired_table(panels, table, &report->faired, &report->faired_error);
+    return status == BATTEN_OK ? bat_loft_correct(panels, table, report) : status;
 }
 
-batten_status bat_loft_fill_report(const bat_hull_panels *panels, batten_loft_report *out)
+batten_status bat_loft_fill_report(const bat_hull_panels *panels,
+                                   const batten_offset_table *table, batten_loft_report *out)
 {
     batten_loft_report report = {.height = panels->at[0].height,
                                  .trimmed_count = panels->at[0].trimmed,
@@ -96,7 +78,7 @@ batten_status bat_loft_fill_report(const bat_hull_panels *panels, batten_loft_re
     }
     batten_status status = report_cuts(panels, &report);
     if (status == BATTEN_OK)
-        status = report_moves(panels, &report);
+        status = report_moves(panels, table, &report);
     if (status == BATTEN_OK)
         *out = report;
     else

@@ -40,20 +40,23 @@ static batten_status take_station(bat_hull_table *h, int k)
     }
     if (s->count < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS,
-                        "station %d (x = %g) has %d point%s of the hull; a lofting needs at "
+                        "%s has %d point%s of the hull; a lofting needs at "
                         "least 2 at each station",
-                        k + 1, s->x, s->count, bat_plural(s->count));
+                        batten_offset_table_label(h->table, k).text, s->count,
+                        bat_plural(s->count));
     return BATTEN_OK;
 }
 
-batten_status bat_hull_measure_girth(int k, bat_hull_station *s)
+batten_status bat_hull_measure_girth(const batten_offset_table *table, int k,
+                                     bat_hull_station *s)
 {
     for (int i = 1; i < s->count; i++) {
         const batten_table_point *a = s->points + i - 1, *b = s->points + i;
         const double chord = bat_hypot(b->y - a->y, b->z - a->z);
         if (!(chord > 0))
-            return bat_fail(BATTEN_COINCIDENT, "station %d (x = %g): points %d and %d coincide",
-                            k + 1, s->x, s->from[i - 1] + 1, s->from[i] + 1);
+            return bat_fail(BATTEN_COINCIDENT, "%s: points %d and %d coincide",
+                            batten_offset_table_label(table, k).text, s->from[i - 1] + 1,
+                            s->from[i] + 1);
         s->v[i] = s->v[i - 1] + chord;
     }
     for (int i = 1; i < s->count; i++)
@@ -83,7 +86,7 @@ static int find_knuckle(const bat_hull_station *s)
     return 0;
 }
 
-/* A chine runs through half of the stations at least: a single sharp bilge is none. */
+/* A chine runs through half of the stations at least: one station with a sharp bilge has no chine. */
 batten_status bat_hull_refuse_knuckles(const bat_hull_table *h)
 {
     int found = 0, first = 0, stations = 0;
@@ -98,14 +101,14 @@ batten_status bat_hull_refuse_knuckles(const bat_hull_table *h)
         return BATTEN_OK;
     const int line = s->points[at].line;
     const char *name = line >= 0 ? batten_offset_table_line(h->table, line)->name : "";
-    return bat_fail(
-        BATTEN_UNSUPPORTED,
-        "%d of %d stations have a knuckle: station %d (x = %g) turns by %.3g degrees "
-        "at point %d%s%.60s%s; what is smooth has none: %s",
-        found, stations, first + 1, s->x, turn_at(s, at) * 180 / BAT_PI, s->from[at] + 1,
-        *name ? ", on the line '" : "", name, *name ? "'" : "",
-        *name ? "declare this line as a knuckle"
-              : "give its points a line, and declare it as a knuckle");
+    return bat_fail(BATTEN_UNSUPPORTED,
+                    "%d of %d stations have a knuckle: %s turns by %.3g degrees "
+                    "at point %d%s%.60s%s; what is smooth has none: %s",
+                    found, stations, batten_offset_table_label(h->table, first).text,
+                    turn_at(s, at) * 180 / BAT_PI, s->from[at] + 1,
+                    *name ? ", on the line '" : "", name, *name ? "'" : "",
+                    *name ? "declare this line as a knuckle"
+                          : "give its points a line, and declare it as a knuckle");
 }
 
 /* ---- the table ---- */
@@ -145,7 +148,7 @@ batten_status bat_hull_take_table(const batten_offset_table *table, bat_hull_tab
     int sections = 0;
     batten_status status = bat_hull_take_stations(table, out);
     for (int k = 0; k < out->station_count && status == BATTEN_OK; k++) {
-        status = bat_hull_measure_girth(k, out->stations + k);
+        status = bat_hull_measure_girth(table, k, out->stations + k);
         sections += out->stations[k].count >= FEWEST_POINTS;
     }
     if (status != BATTEN_OK)

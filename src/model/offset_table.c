@@ -1,6 +1,7 @@
 /* Tables of offsets: stations and named lines of points. */
 #include "model/offset_table.h"
 #include "base/plural.h"
+#include <batten/text.h>
 
 #include <string.h>
 
@@ -229,4 +230,20 @@ batten_box batten_offset_table_box(const batten_offset_table *offsets)
                              bat_max(high.z, point->z)};
     }
     return (batten_box){low, high};
+}
+
+batten_station_label batten_offset_table_label(const batten_offset_table *offsets, int station)
+{
+    const batten_table_station *s = batten_offset_table_station(offsets, station);
+    batten_station_label label;
+    char name[60];
+    double number;
+    if (!*s->name ||
+        (batten_number_read(s->name, strlen(s->name), &number, NULL) == BATTEN_OK &&
+         number == s->x))
+        batten_text_print(name, sizeof name, "%d", station + 1);
+    else
+        batten_text_print(name, sizeof name, "'%.40s'", s->name);
+    batten_text_print(label.text, sizeof label.text, "station %s (x = %g)", name, s->x);
+    return label;
 }

@@ -72,22 +72,22 @@ TEST(the_moves_of_a_lofting_are_measured_on_the_surface_that_is_returned)
     double largest = 0, feet[STATIONS * LINES][3], distances[STATIONS * LINES];
     batten_deviation off;
     CHECK_OK(batten_surface_loft(table, &options, NULL, &report, &surface));
-    for (int k = 0; k < report.move_count; k++) {
-        const batten_fair_move *m = report.moves + k;
+    for (int k = 0; k < report.correction_count; k++) {
+        const batten_loft_correction *m = report.corrections + k;
         const batten_table_point *p =
-            batten_offset_table_station(table, m->set)->points + m->index;
-        const double way =
-            hypot(m->to[0] - m->from[0], hypot(m->to[1] - m->from[1], m->to[2] - m->from[2]));
+            batten_offset_table_station(table, m->station)->points + m->index;
         CHECK(m->from[0] == p->x && m->from[1] == p->y && m->from[2] == p->z);
-        CHECK_NEAR(m->to[0], p->x, 1e-9); /* in the plane of the station */
-        largest = fmax(largest, way);
+        CHECK(m->to[0] == p->x && m->to[2] == p->z); /* where station and waterline meet */
+        CHECK(m->distance <= fabs(m->to[1] - m->from[1]) + 1e-12);
+        CHECK(k == 0 || m->distance <= m[-1].distance);
+        largest = fmax(largest, m->distance);
         memcpy(feet[k], m->to, sizeof feet[k]);
     }
     CHECK_NEAR(largest, report.max_move, 1e-12);
     CHECK(report.max_move <= 3e-3);
     CHECK_OK(batten_surface_deviation(surface,
-                                      (batten_points){3, report.move_count, &feet[0][0]}, NULL,
-                                      NULL, distances, &off));
+                                      (batten_points){3, report.correction_count, &feet[0][0]},
+                                      NULL, NULL, distances, &off));
     CHECK(off.max < 1e-9);
     batten_loft_report_release(&report);
     batten_surface_unref(surface);
@@ -180,7 +180,7 @@ TEST(a_bound_that_no_surface_keeps_is_refused_with_one_that_does)
     CHECK(report.enough > 2e-4 && report.enough < 2e-2);
     CHECK_MESSAGE(
         "no smooth surface was found within 0.0002 of every point of the table; one was");
-    CHECK_MESSAGE("held there by station ");
+    CHECK_MESSAGE("held there by point ");
     CHECK(!surface);
     batten_offset_table_unref(table);
 }

@@ -66,7 +66,7 @@ TEST(a_prism_with_a_chine_comes_back_to_the_last_digit)
     batten_surface *panels[2] = {NULL};
     CHECK_OK(batten_hull_loft(table, &options, NULL, &report, panels));
     CHECK(report.max_move < 1e-14 && report.rms_move < 1e-14);
-    CHECK_INT(report.move_count, 0);
+    CHECK_INT(report.correction_count, 0);
     CHECK_INT(report.cuts_in_excess, 0);
     CHECK_INT(report.panel_count, 2);
     CHECK_INT(report.ruled_count, 2);

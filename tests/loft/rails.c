@@ -117,7 +117,7 @@ static const struct {
      1e-3,
      turn_back,
      BATTEN_NOT_INCREASING,
-     "the line 'bilge' does not run forward from station 2 to station 3 (x = 2)"},
+     "the line 'bilge' does not run forward from station 2 (x = 1) to station 3 (x = 2)"},
     {{"bilge", "wale"},
      2,
      2,

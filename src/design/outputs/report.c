@@ -1,5 +1,6 @@
 /* The report of a check as a text for people: four digits, the same in every locale. */
 #include "base/plural.h"
+#include "design/outputs/corrections.h"
 #include "design/outputs/fairness.h"
 
 #include <string.h>
@@ -27,16 +28,25 @@ static void add_plural(batten_text *out, int count, const char *what)
     batten_text_add(out, "%d %s%s", count, what, bat_plural(count));
 }
 
+/* So many corrections are listed, the farthest; the output 'corrections' has all. */
+enum { MOST_CORRECTIONS = 5 };
+
 static void text_loft(batten_text *out, const bat_check *check, const batten_loft_report *l)
 {
     batten_text_add(out, "    ");
-    add_plural(out, l->move_count, "point");
+    add_plural(out, l->correction_count, "point");
     batten_text_add(out, " moved, at most ");
     add_length(out, check, l->max_move);
-    batten_text_add(out, " (station %d, point %d), in the mean ", l->worst_station + 1,
-                    l->worst_index + 1);
+    batten_text_add(out, ", in the mean ");
     add_length(out, check, l->rms_move);
-    batten_text_add(out, "\n    %d of %d sections with inflections in excess, of bulges above ",
+    batten_text_add(out, "\n");
+    for (int k = 0; k < bat_min_int(l->correction_count, MOST_CORRECTIONS); k++) {
+        const bat_correction c = bat_loft_correction_at(l, k);
+        batten_text_add(out, "      ");
+        bat_correction_as_text(&c, bat_check_unit(check), out);
+        batten_text_add(out, "\n");
+    }
+    batten_text_add(out, "    %d of %d sections with inflections in excess, of bulges above ",
                     l->cuts_in_excess, l->cut_count);
     add_length(out, check, l->height);
     batten_text_add(out, "\n");

@@ -1,5 +1,6 @@
 /* The report of a check as JSON, with all digits. */
 #include "base/plural.h"
+#include "design/outputs/corrections.h"
 #include "design/outputs/fairness.h"
 
 static void json_number(batten_text *out, const char *key, double value)
@@ -107,8 +108,16 @@ static void json_loft(batten_text *out, const batten_loft_report *l)
     json_number(out, "height", l->height);
     batten_text_add(out,
                     ", \"sections\": %d, \"in_excess\": %d, \"excess_inflections\": %d, "
-                    "\"rounds\": %d}",
+                    "\"rounds\": %d, \"faired_error\": ",
                     l->cut_count, l->cuts_in_excess, l->excess_inflections, l->rounds);
+    batten_text_number(out, l->faired_error);
+    batten_text_add(out, ", \"corrections\": [");
+    for (int k = 0; k < l->correction_count; k++) {
+        const bat_correction c = bat_loft_correction_at(l, k);
+        batten_text_add(out, k ? ", " : "");
+        bat_correction_as_json(&c, out);
+    }
+    batten_text_add(out, "]}");
 }
 
 static void json_feature(batten_text *out, const batten_feature_result *r)

@@ -52,9 +52,9 @@ static void note_beyond(const bat_run *run, const batten_offset_table *table)
         for (int i = 0; i < s->point_count; i++)
             if (s->points[i].y < 0) {
                 bat_note(run,
-                         "point %d of station %d (x = %g) is %g beyond the centre plane, which "
-                         "the surface crosses there",
-                         i + 1, k + 1, s->x, -s->points[i].y);
+                         "point %d of %s is %g beyond the centre plane, which the surface "
+                         "crosses there",
+                         i + 1, batten_offset_table_label(table, k).text, -s->points[i].y);
                 return;
             }
     }
@@ -172,7 +172,9 @@ const bat_feature bat_feature_loft = {
          "refused, with the name of its line. Profile, knuckles and sheer are then made fair first,\n"
          "each in space; they bound panels, numbered from the keel up, that share their lines point\n"
          "for point. A panel with nothing between its lines is straight across; others are found as\n"
-         "above, with their edges held.",
+         "above, with their edges held.\n\n"
+         "The output 'corrections' lists which points of the table moved, how far and why, and\n"
+         "'faired-table' makes the table that the surface has.",
          "features:\n"
          "  table: {read: offsets.csv}\n"
          "  hull: {loft: table, within: 3 mm}\n"

@@ -1,0 +1,95 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <stdlib.h>
+
+/* The example's sharpie lofted, a row of points faired, and lists of what both changed. */
+static void open_boat(batten_design **out)
+{
+    char text[1000];
+    snprintf(text, sizeof text,
+             "batten: 1\nunits: in\ntolerance: 0.005 in\nfeatures:\n  table: {read: '%s'}\n"
+             "  hull: {loft: table, within: 0.125 in, knuckles: chine}\n"
+             "  ducks: {points: [[0, 0], [1, 0.1], [2, 0], [3, 0.1], [4, 0], [5, 0.1]]}\n"
+             "  fair: {fair: ducks, within: 0.1 in}\noutputs:\n"
+             "  hull.txt: {corrections: hull}\n  hull.csv: {corrections: hull}\n"
+             "  hull.json: {corrections: hull}\n  ducks.csv: {corrections: fair}\n"
+             "  table.txt: {corrections: table}\n",
+             test_source("examples/sharpie/offsets.csv"));
+    batten_design_options options = batten_design_defaults();
+    options.allow_outside = true;
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, out));
+}
+
+static char *take_output(batten_design *design, int output)
+{
+    char *data = NULL;
+    size_t size;
+    CHECK_OK(batten_design_output(design, output, NULL, NULL, &data, &size));
+    return data;
+}
+
+static int count_rows(const char *text)
+{
+    int rows = 0;
+    for (; *text; text++)
+        rows += *text == '\n';
+    return rows;
+}
+
+TEST(corrections_of_a_lofting_are_listed_as_text_csv_and_json)
+{
+    batten_design *design = NULL;
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
+    open_boat(&design);
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
+    const batten_loft_report *loft = batten_design_result(design, "hull")->loft;
+    const batten_loft_correction *first = loft->corrections;
+    char *text = take_output(design, 0), *csv = take_output(design, 1),
+         *json = take_output(design, 2), begin[200];
+    const batten_station_label label = batten_offset_table_label(loft->faired, first->station);
+    CHECK(loft->correction_count > 0 && first->distance == loft->max_move);
+    CHECK_INT(count_rows(text), loft->correction_count + 1); /* and what the words mean */
+    CHECK_INT(count_rows(csv), loft->correction_count + 1);  /* and the names of the columns */
+    CHECK_INT(count_rows(json), loft->correction_count + 2); /* and the brackets */
+    snprintf(begin, sizeof begin, "%s, ", label.text);
+    CHECK(strncmp(text, begin, strlen(begin)) == 0);
+    CHECK_CONTAINS(text, " in off, noise");
+    snprintf(begin, sizeof begin,
+             "place,point,line,x,y,z,to_x,to_y,to_z,distance,reason\n%s,%d,", label.text,
+             first->index + 1);
+    CHECK(strncmp(csv, begin, strlen(begin)) == 0);
+    CHECK_CONTAINS(json, "\"line\": \"sheer\", \"from\": [");
+    batten_release(text);
+    batten_release(csv);
+    batten_release(json);
+    batten_design_free(design);
+}
+
+TEST(corrections_of_fairing_are_its_moves_the_farthest_first)
+{
+    batten_design *design = NULL;
+    open_boat(&design);
+    CHECK_OK(batten_design_evaluate(design, "fair", NULL, NULL));
+    const batten_fair_report *fair = batten_design_result(design, "fair")->fairing;
+    char *csv = take_output(design, 3), begin[200];
+    CHECK_INT(count_rows(csv), fair->move_count + fair->suspect_count + 1);
+    snprintf(begin, sizeof begin, "reason\ncurve 1,%d,,", fair->worst_index + 1);
+    CHECK_CONTAINS(csv, begin);
+    batten_release(csv);
+    batten_design_free(design);
+}
+
+TEST(what_was_neither_lofted_nor_faired_has_no_corrections)
+{
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size;
+    open_boat(&design);
+    CHECK_OK(batten_design_evaluate(design, "table", NULL, NULL));
+    CHECK_STATUS(batten_design_output(design, 4, NULL, NULL, &data, &size),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("'table' is neither lofted nor faired");
+    batten_design_free(design);
+}

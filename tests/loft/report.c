@@ -1,0 +1,69 @@
+#include "loft/report.h"
+
+#include "support/test.h"
+
+#include <math.h>
+
+enum { STATIONS = 4, LINES = 3 };
+
+/* A prism of keel, chine and sheer, whose keel lies 0.01 too high at the third station. */
+static batten_offset_table *make_table(void)
+{
+    static const batten_table_line lines[] = {
+        {"keel", false, 0}, {"chine", false, 0}, {"sheer", false, 0}};
+    static const double section[LINES][2] = {{0, 0}, {0.8, 0.2}, {1, 1}};
+    batten_table_point points[STATIONS][LINES];
+    batten_table_station stations[STATIONS];
+    batten_offset_table *table = NULL;
+    for (int i = 0; i < STATIONS; i++) {
+        for (int j = 0; j < LINES; j++)
+            points[i][j] = (batten_table_point){i, section[j][0], section[j][1], j};
+        if (i == 2)
+            points[i][0].z += 0.01;
+        stations[i] = (batten_table_station){"", i, LINES, points[i]};
+    }
+    CHECK_OK(batten_offset_table_create(1, LINES, lines, STATIONS, stations, &table));
+    return table;
+}
+
+TEST(a_report_counts_cuts_panels_and_moves_of_what_was_made)
+{
+    static const char *const chine[] = {"chine"};
+    /* Seen from the side and from above: the profile, the chine, the sheer. */
+    static const struct {
+        batten_loft_family family;
+        int panel;
+    } cuts[] = {{BATTEN_LOFT_PROFILE, 0}, {BATTEN_LOFT_PROFILE, 0}, {BATTEN_LOFT_KNUCKLE, 1},
+                {BATTEN_LOFT_KNUCKLE, 1}, {BATTEN_LOFT_SHEER, 1},   {BATTEN_LOFT_SHEER, 1}};
+    batten_offset_table *table = make_table();
+    batten_loft_options options = batten_loft_defaults(0.02);
+    bat_hull_panels panels;
+    batten_loft_report report;
+    options.knuckle_count = 1;
+    options.knuckles = chine;
+    CHECK_OK(bat_hull_panels_make(table, &options, NULL, &panels));
+    CHECK_OK(bat_hull_panels_run(&panels));
+    CHECK_OK(bat_loft_fill_report(&panels, table, &report));
+    CHECK_INT(report.cut_count, COUNT(cuts));
+    for (int k = 0; k < COUNT(cuts); k++) {
+        CHECK_INT(report.cuts[k].family, cuts[k].family);
+        CHECK_INT(report.cuts[k].panel, cuts[k].panel);
+        CHECK_INT(report.cuts[k].found, 0);
+    }
+    CHECK(report.panel_count == 2 && report.ruled_count == 2 && report.cuts_in_excess == 0);
+    double squares = 0, most = 0;
+    for (int k = 0; k < report.correction_count; k++) {
+        const batten_loft_correction *c = report.corrections + k;
+        CHECK_INT(c->index, 0); /* of the keel alone */
+        CHECK_NEAR(c->distance, fabs(c->to[2] - c->from[2]), 1e-15);
+        squares += c->distance * c->distance;
+        most = fmax(most, c->distance);
+    }
+    CHECK_NEAR(report.rms_move, sqrt(squares / (STATIONS * LINES)), 1e-15);
+    CHECK(report.max_move == most && most > 0 && most <= 0.02 && report.worst_index == 0);
+    CHECK(report.faired_error <= 1e-13);
+    bat_hull_panels_free(&panels);
+    batten_loft_report_release(&report);
+    CHECK(!report.cuts && !report.corrections && !report.faired);
+    batten_offset_table_unref(table);
+}
