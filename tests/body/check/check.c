@@ -335,3 +335,36 @@ TEST(a_box_that_is_turned_inward_is_told)
         CHECK_INT(f.turned_shells, !i);
     }
 }
+
+/* Cancelled when asked for the first time, the second, and so on. */
+typedef struct {
+    int asked, most;
+} patience;
+
+static bool runs_out(void *user)
+{
+    patience *p = user;
+    return p->asked++ >= p->most;
+}
+
+TEST(a_check_that_is_cancelled_anywhere_says_so_and_leaves_the_faults_as_they_were)
+{
+    if (test_cases(1000) < 1000)
+        SKIP("what missing memory does is said by the other tests");
+    batten_body *box = unit_box();
+    patience p = {0, 1 << 30};
+    batten_job job = BATTEN_JOB;
+    job.is_cancelled = runs_out;
+    job.user = &p;
+    batten_body_faults faults = {.gaps = -1};
+    CHECK_OK(batten_body_check(box, 1e-6, &job, NULL, &faults));
+    const int all = p.asked;
+    CHECK(all >= 1);
+    for (int k = 0; k < all; k++) {
+        p = (patience){0, k};
+        faults.gaps = -7;
+        CHECK_STATUS(batten_body_check(box, 1e-6, &job, NULL, &faults), BATTEN_CANCELLED);
+        CHECK_INT(faults.gaps, -7);
+    }
+    batten_body_unref(box);
+}

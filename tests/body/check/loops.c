@@ -154,6 +154,28 @@ TEST(G8_loops_that_cross_or_touch_are_found)
     static const int four[] = {4, 4}, three[] = {3, 3};
     static const double twice[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1},
                                       {1, 1}, {1, 2}, {2, 2}, {2, 1}};
+    /* between the two that touch, one beside them: in v, and in u */
+    static const double beside[2][9][2] = {{{1, 1},
+                                            {0.5, 0.9},
+                                            {0.9, 0.5},
+                                            {1, 2},
+                                            {0.5, 1.9},
+                                            {0.9, 1.5},
+                                            {1, 1},
+                                            {1.5, 1.1},
+                                            {1.1, 1.5}},
+                                           {{1, 1},
+                                            {0.5, 0.9},
+                                            {0.9, 0.5},
+                                            {2, 1},
+                                            {1.5, 0.9},
+                                            {1.9, 0.5},
+                                            {1, 1},
+                                            {1.5, 1.1},
+                                            {1.1, 1.5}}};
+    static const int thrice[] = {3, 3, 3};
+    for (int k = 0; k < 2; k++)
+        CHECK_INT(crossing_in(9, beside[k], thrice, 3), 2);
     CHECK_INT(crossing_in(8, twice, four, 2), 2);
     CHECK_INT(crossing_in(0, NULL, NULL, 0), 0);
     CHECK_INT(crossing_in(4, inside, four, 1), 0);

@@ -65,16 +65,15 @@ static batten_status refuse(const bat_iges_parameters *parameters, size_t index)
 {
     const bat_iges_token *token = token_at(parameters, index);
     const bat_span text = text_of(parameters, token);
-    char copy[64];
-    const size_t length = text.length < sizeof copy ? text.length : sizeof copy;
+    char copy[BAT_IGES_LONGEST_NUMBER];
     if (token->kind == BAT_IGES_STRING || text.length > BAT_IGES_LONGEST_NUMBER)
         return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu is not a number but %s", index,
                         token->kind == BAT_IGES_STRING ? "a string" : "a long text");
-    for (size_t i = 0; i < length; i++)
+    for (size_t i = 0; i < text.length; i++)
         copy[i] = text.bytes[i] == 'D' || text.bytes[i] == 'd' ? 'E' : text.bytes[i];
     double value;
-    const bool is_large = text.length <= sizeof copy &&
-                          batten_number_read(copy, length, &value, NULL) == BATTEN_OVERFLOW;
+    const bool is_large =
+        batten_number_read(copy, text.length, &value, NULL) == BATTEN_OVERFLOW;
     return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu, '%.*s', %s", index,
                     (int)(text.length < 40 ? text.length : 40), text.bytes,
                     is_large ? "is too large for a number" : "is not a number");

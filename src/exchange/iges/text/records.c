@@ -76,7 +76,7 @@ static batten_status read_records(bat_iges_file *file)
     char section = 'S';
     int line = 0;
     batten_status status = BATTEN_OK;
-    for (size_t at = 0; status == BATTEN_OK && at < input->size;) {
+    for (size_t at = 0; status == BATTEN_OK;) {
         if (section == 'P' && line < INT_MAX - STEP) {
             const size_t count =
                 bat_iges_add_to_run(file, at, line, (size_t)(STEP - 1 - line % STEP));

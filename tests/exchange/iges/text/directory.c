@@ -105,6 +105,45 @@ TEST(the_two_records_of_an_entry_name_one_type)
     CHECK(entry_of(bent(0, 48, "       x")).is_broken);
 }
 
+/* Two entries; the numbers of their records are left away, do not rise, or one record is cut off. */
+TEST(where_numbers_of_the_directory_are_no_good_places_count)
+{
+    static const struct {
+        const char *ends[4]; /* columns 74 to 80 of each record, or NULL: it is missing */
+        int ids[2];
+        bool is_broken;
+    } cases[] = {{{"      1", "      2", "      3", "      4"}, {1, 3}, false},
+                 {{"      5", "      6", "     11", "     12"}, {5, 11}, false},
+                 {{"       ", "       ", "       ", "       "}, {1, 3}, false},
+                 {{"      3", "      4", "      1", "      2"}, {1, 3}, false},
+                 {{"      2", "      3", "      4", "      5"}, {1, 3}, false},
+                 {{"      1", "      3", "      5", "      6"}, {1, 3}, false},
+                 {{"      1", "      2", "      3", NULL}, {1, 3}, true}};
+    only_once();
+    for (int i = 0; i < COUNT(cases); i++) {
+        bat_input input;
+        bat_iges_file file;
+        iges_text text = iges_begin();
+        for (int k = 0; k < 2; k++)
+            iges_add(&text, 110, 0, 0, 0, "00000000", IGES_LINE);
+        for (int k = 0; k < 4; k++)
+            if (cases[i].ends[k])
+                memcpy(text.directory + 81 * k + 73, cases[i].ends[k], 7);
+            else
+                text.directory[81 * k] = '\0';
+        const char *all = iges_end(&text, IGES_GLOBAL);
+        CHECK_OK(bat_input_begin(all, strlen(all), NULL, NULL, NULL, &input));
+        CHECK_OK(bat_iges_begin(&input, &file));
+        CHECK_INT((long long)file.entries.count, 2);
+        const bat_iges_entry *entries = file.entries.items;
+        for (int k = 0; k < 2; k++)
+            CHECK_INT(entries[k].id, cases[i].ids[k]);
+        CHECK(!entries[0].is_broken);
+        CHECK_INT(entries[1].is_broken, cases[i].is_broken);
+        bat_iges_end(&file);
+    }
+}
+
 TEST(delimiters_are_printed_characters_that_no_number_has)
 {
     only_once();

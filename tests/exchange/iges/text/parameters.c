@@ -7,6 +7,8 @@ static const struct {
 } odd[] = {
     {"1E999", "parameter 1, '1E999', is too large for a number"},
     {"-1D999", "parameter 1, '-1D999', is too large for a number"},
+    {"1000000000000000000000000000000000000000000000000000000000000000000000000000000E400",
+     "parameter 1, '1000000000000000000000000000000000000000', is too large for a number"},
     {"12X", "parameter 1, '12X', is not a number"},
     {"1.5.2", "parameter 1, '1.5.2', is not a number"},
     {"3Habc", "parameter 1 is not a number but a string"},

@@ -1,61 +1,5 @@
 /* What is wrong in files: left out with a note, or mended with a note. */
-#include "exchange/step/boxes.h"
-
-static const double ORIGIN[] = {0, 0, 0};
-
-/* The file of a box, with other text in place of the instances that it begins with. */
-static const char *box_with(const char *instead)
-{
-    box_text text;
-    box_shell(box_begin(&text), 1, ORIGIN, 1, 0);
-    box_add(&text, "#1000=MANIFOLD_SOLID_BREP('box',#181);\n");
-    box_context(&text, 900);
-    box_add(&text, "#990=SHAPE_REPRESENTATION('',(#1000),#900);\n");
-    const char *file = box_end(&text);
-    char *made = test_array(strlen(file) + strlen(instead) + 1, 1);
-    size_t length = 0;
-    for (const char *line = file; *line;) {
-        const char *end = strchr(line, '\n') + 1;
-        const size_t id = strcspn(line, "=") + 1;
-        bool replaced = false;
-        for (const char *at = instead; line[0] == '#' && at && *at; at = strchr(at, '\n') + 1)
-            replaced |= strncmp(at, line, id) == 0;
-        if (!replaced)
-            memcpy(made + length, line, (size_t)(end - line));
-        length += replaced ? 0 : (size_t)(end - line);
-        if (strncmp(line, "DATA;", 5) == 0) {
-            memcpy(made + length, instead, strlen(instead));
-            length += strlen(instead);
-        }
-        line = end;
-    }
-    return made;
-}
-
-/* Reading ends so, with a note of these words; the body has so many faces. */
-static void check_read(const char *file, batten_status status, const char *words, int faces,
-                       bool is_solid)
-{
-    batten_model *model = NULL;
-    batten_notes *notes = NULL;
-    CHECK_OK(batten_notes_create(50, &notes));
-    CHECK_STATUS(read_text(file, BATTEN_FORMAT_STEP, notes, &model), status);
-    if (batten_notes_dropped(notes) == 0 && words[0])
-        CHECK(has_note(notes, words));
-    CHECK_INT(batten_model_count(model), 1);
-    const batten_body_parts *parts = batten_body_view(batten_model_object(model, 0)->body);
-    CHECK_INT(parts->face_count, faces);
-    CHECK_INT(parts->is_solid, is_solid);
-    batten_notes_free(notes);
-    batten_model_unref(model);
-}
-
-static void check_none(const char *file)
-{
-    batten_model *model = NULL;
-    CHECK_STATUS(read_text(file, BATTEN_FORMAT_STEP, NULL, &model), BATTEN_UNSUPPORTED);
-    CHECK(!model);
-}
+#include "exchange/step/read/bent_box.h"
 
 TEST(P1_a_face_with_a_bad_reference_is_left_out)
 {
@@ -103,46 +47,6 @@ TEST(P2_arguments_of_faces_that_do_not_fit_are_named)
                  {"#134=EDGE_LOOP('',(#113,#114,#115));\n", "is a gap of 1"}};
     for (int k = 0; k < COUNT(cases); k++)
         check_read(box_with(cases[k].instead), BATTEN_PARTLY_READ, cases[k].words, 5, false);
-}
-
-TEST(P4_items_of_unknown_kind_are_counted_by_name)
-{
-    const char *file = box_with("#990=SHAPE_REPRESENTATION('',(#1000,#1001,#1002),#900);\n"
-                                "#1001=BANANA('',4);\n#1002=TEXT_LITERAL('',$);\n");
-    check_read(file, BATTEN_PARTLY_READ, "its kind is not read", 6, true);
-    check_read(file, BATTEN_PARTLY_READ, "0 read, 1 left out", 6, true);
-    check_read(file, BATTEN_PARTLY_READ,
-               "annotations of a drawing are not shapes and are not read: 1", 6, true);
-}
-
-/* Known by how their names begin, in either case. */
-TEST(P4_an_unknown_schema_is_noted)
-{
-    static const struct {
-        const char *schema, *note;
-    } cases[] = {
-        {"A_U_T_OTIVE_DESIGN", "unknown schema 'A_U_T_OTIVE_DESIGN'; the entities that"},
-        {"AUTOMOTIVE_DESIG", "unknown schema 'AUTOMOTIVE_DESIG'; the"},
-        {"XAP203", "unknown schema 'XAP203'; the entities that are known are read"},
-        {"", "unknown schema ''; the entities that are known are read"},
-        {"AUTOMOTIVE_DESIGN", ""},
-        {"automotive_design { 1 0 }", ""},
-        {"CONFIG_CONTROL_DESIGN", ""},
-        {"CONFIGURATION_CONTROL_3D_DESIGN_ED2_MIM_LF", ""},
-        {"AP203_CONFIG", ""},
-        {"AP214", ""},
-        {"AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF", ""},
-        {"AP209_MULTI", ""},
-        {"AP238_ARM", ""},
-        {"INTEGRATED_CNC_SCHEMA", ""}};
-    const char *file = box_with("");
-    const char *name = strstr(file, "AUTOMOTIVE_DESIGN");
-    for (int k = 0; k < COUNT(cases); k++) {
-        char *made = test_array(strlen(file) + 100, 1);
-        sprintf(made, "%.*s%s%s", (int)(name - file), file, cases[k].schema,
-                name + strlen("AUTOMOTIVE_DESIGN"));
-        check_read(made, BATTEN_OK, cases[k].note, 6, true);
-    }
 }
 
 TEST(P6_a_file_without_units_is_in_millimetres_and_says_so)
