@@ -363,3 +363,39 @@ TEST(N2_sections_of_huge_and_tiny_size_are_turned_and_matched)
         unref_all(3, given);
     }
 }
+
+/* A quarter of the way in domains of their own: nothing has to move, and no knot comes in. */
+TEST(sections_whose_marks_are_at_one_share_already_stay_as_they_are)
+{
+    static const double knots[2][6] = {{2, 2, 2, 6, 6, 6}, {-1, -1, -1, 0, 0, 0}};
+    static const double marks[2] = {3, -0.75};
+    batten_curve *sections[2] = {NULL, NULL};
+    for (int k = 0; k < 2; k++) {
+        const double points[9] = {0, 0, k, 1, 2, k, 3, 0.5 * k, k};
+        CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, NULL, knots[k],
+                                     &sections[k]));
+    }
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface_skin_report report;
+    batten_surface *surface = NULL;
+    options.tolerance = 1e-3;
+    options.match = BATTEN_MATCH_MARKS;
+    options.mark_count = 1;
+    options.marks = marks;
+    CHECK_OK(batten_surface_skin((batten_curve_row){2, (const batten_curve *const *)sections},
+                                 &options, NULL, NULL, &report, &surface));
+    CHECK(report.error < 1e-15 && report.knot_count == 0);
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i <= 8; i++) {
+            double given[3], found[3];
+            const batten_interval domain = batten_curve_domain(sections[k]);
+            const double s = i / 8.0;
+            CHECK_OK(batten_curve_evaluate(sections[k], (1 - s) * domain.a + s * domain.b, 0,
+                                           given));
+            CHECK_OK(batten_surface_evaluate(surface, s, k, 0, found));
+            for (int c = 0; c < 3; c++)
+                CHECK_NEAR(found[c], given[c], 1e-14);
+        }
+    batten_surface_unref(surface);
+    unref_all(2, sections);
+}
