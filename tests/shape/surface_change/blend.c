@@ -250,3 +250,37 @@ TEST(ends_of_blends_out_of_bounds_are_named_with_their_numbers)
     batten_surface_unref(a);
     batten_surface_unref(b);
 }
+
+/* From the edge x = 1 of one plane to the edge x = 2 of another that lies 1 higher: z = 3 v^2 - 2 v^3 with a level start and
+ * end, so that it bends there by 6 over the square of the speed; the second plane may run back. */
+TEST(the_report_of_a_blend_has_the_curvature_that_jumps_at_both_ends)
+{
+    for (int back = 0; back < 2; back++) {
+        const batten_vec3 p[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+        const batten_vec3 q[] = {
+            {2, back, 1}, {3, back, 1}, {2, 1 - back, 1}, {3, 1 - back, 1}};
+        batten_surface *a = NULL, *b = NULL, *made = NULL;
+        batten_surface_blend_end ends[2];
+        batten_surfaces_blend_report report;
+        CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &a));
+        CHECK_OK(batten_surface_bilinear(q[0], q[1], q[2], q[3], &b));
+        set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 1);
+        CHECK_OK(batten_surfaces_blend((const batten_surface *const[]){a, b}, ends, 0, &report,
+                                       &made));
+        CHECK_INT(report.reversed, back);
+        CHECK(!report.folded && report.error == 0);
+        const batten_interval v = batten_surface_domain(made, BATTEN_V);
+        for (int k = 0; k < 2; k++) {
+            double at[9];
+            CHECK_OK(batten_surface_evaluate(made, 0.3, k ? v.b : v.a, 1, at));
+            CHECK_NEAR(at[0], 1 + k, 1e-14);
+            CHECK_NEAR(at[2], k, 1e-14);
+            CHECK_NEAR(report.gap[k], 0, 1e-14);
+            CHECK_NEAR(report.angle[k], 0, 1e-13);
+            CHECK_NEAR(report.curvature[k], 6 / (at[6] * at[6]), 1e-12);
+        }
+        batten_surface_unref(made);
+        batten_surface_unref(b);
+        batten_surface_unref(a);
+    }
+}

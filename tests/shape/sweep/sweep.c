@@ -500,6 +500,8 @@ TEST(a_helical_surface_is_its_formula_within_the_tolerance)
     CHECK_OK(batten_curve_line(3, a, b, &line));
     CHECK_EACH_ALLOCATION(batten_surface_helical(
         line, (batten_screw){origin, axis, 1.5, 5 * PI}, 1e-6, NULL, &report, &surface));
+    CHECK_INT(batten_surface_degree(surface, BATTEN_V), 3);
+    CHECK(report.clearance == 1 && report.error > 0 && report.error <= 1e-6);
     for (int i = 0; i <= 8; i++)
         for (int j = 0; j <= 80; j++) {
             const double r = 1 + 2 * i / 8.0, v = 5 * PI * j / 80;
