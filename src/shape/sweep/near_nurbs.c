@@ -129,7 +129,7 @@ static batten_status not_met(const bat_sweep_fitting *f, int needed)
     if (needed > MOST_SECTIONS)
         snprintf(why, sizeof why, "and would need about %d; the limit is %d", needed,
                  (int)MOST_SECTIONS);
-    for (int i = 0; i + 1 < f->mesh_count; i++)
+    for (int i = 1; i + 1 < f->mesh_count; i++)
         if (f->error[i] > f->error[s])
             s = i;
     return bat_fail(
