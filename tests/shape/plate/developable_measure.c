@@ -48,6 +48,14 @@ TEST(the_warp_of_a_twisted_strip_is_the_largest_along_it)
     }
 }
 
+TEST(a_warp_of_just_as_much_as_is_allowed_is_developable)
+{
+    static const double first[] = {0, 0, 0, 1, 0, 0}, second[] = {0, 0, 1, 0.8, 0.6, 1};
+    const double warp = measured(first, second, 2, unit, 1).warp;
+    CHECK(measured(first, second, 2, unit, warp).is_developable);
+    CHECK(!measured(first, second, 2, unit, nextafter(warp, 0)).is_developable);
+}
+
 TEST(planes_cylinders_and_cones_have_no_warp)
 {
     static const double line[] = {0, 0, 0, 1, 0, 0}, above[] = {0, 1, 0, 2, 1, 0},

@@ -174,7 +174,17 @@ TEST(the_strain_of_a_warped_plate_is_that_of_its_tilt)
     CHECK(flat.strain_rms > 0.3 * flat.strain && flat.strain_rms < flat.strain);
     CHECK(flat.area[0] > flat.area[1] && flat.length_first[0] > flat.length_first[1]);
     CHECK_NEAR(flat.strain_at[1] * (1 - flat.strain_at[1]), 0, 1e-12);
+    const double at_unit = flat.strain_at[1], strain = flat.strain;
     batten_unrolled_release(&flat);
+    /* Over another domain the same place has its parameter there. */
+    batten_surface *wide = NULL;
+    batten_unrolled other = {0};
+    CHECK_OK(batten_surface_set_domain(surface, BATTEN_V, 2, 5, &wide));
+    CHECK_OK(batten_surface_unroll(wide, NULL, &other));
+    CHECK_NEAR(other.strain_at[1], 2 + 3 * at_unit, 1e-9);
+    CHECK_NEAR(other.strain, strain, 1e-9);
+    batten_unrolled_release(&other);
+    batten_surface_unref(wide);
     batten_surface_unref(surface);
 }
 
