@@ -3,6 +3,8 @@
 /* Surfaces as features: planes, cylinders and cones that their parameters must give. */
 
 static const char shapes[] =
+    "  twice: {points: [[0, 0, 0], [3, 0, 3], [3, 4, 7], [0, 4, 4], [1, 1, 2], [1, 1, 2.5], [2, 3, 5], [1, 3, 4]]}\n"
+    "  steps: {points: [[0, 0, 0], [1, 0, 1], [2, 0, 0.5], [0, 1, 0.5], [1, 1, 1.5], [2, 1, 1], [0, 2, 0], [1, 2, 0.7], [2, 2, 0.1]], columns: 3}\n"
     "  one: {line: [[0, 0, 0], [4, 0, 0]]}\n"
     "  two: {line: [[0, 3, 0], [4, 3, 0]]}\n"
     "  high: {line: [[0, 3, 4], [4, 3, 4]]}\n"
@@ -162,6 +164,22 @@ TEST(scattered_points_of_a_plane_give_the_plane)
         {"{scattered-surface: big, method: linear}", BATTEN_OK, "degree 1;on -1 -1 1 0"},
         {"{scattered-surface: big, gradients: local}", BATTEN_OK,
          "degree 3;within 1e-6;on -1 -1 1 0"},
+        {"{scattered-surface: twice}", BATTEN_OK,
+         "notes 1 point lies where others do, with heights up to 0.5 apart (point 6): their means "
+         "are taken;lacks equal to others;error 0.25"},
+        {"{scattered-surface: twice}", BATTEN_OK,
+         "notes 8 triangles between 7 vertices, in 24 pieces"},
+        {"{scattered-surface: big}", BATTEN_OK, "lacks where others do;lacks equal to others"},
+        {"{interpolate-grid: steps, gaps: [1]}", BATTEN_OK,
+         "notes 1 gap is filled with the points of least energy"},
+        {"{interpolate-grid: steps, gaps: [5, 9]}", BATTEN_OK,
+         "notes 2 gaps are filled with the points of least energy"},
+        {"{interpolate-grid: steps, gaps: [0]}", BATTEN_BAD_ARGUMENT,
+         "gap 0: the points are counted 1 to 9"},
+        {"{interpolate-grid: steps, gaps: [10]}", BATTEN_BAD_ARGUMENT,
+         "gap 10: the points are counted 1 to 9"},
+        {"{interpolate-grid: steps}", BATTEN_OK, "silent;error 1e-12"},
+        {"{catmull-rom-surface: steps}", BATTEN_OK, "silent;error 1e-12"},
         {"{scattered-surface: [big, big]}", BATTEN_OK, "notes 16 points are equal to others"},
         {"{fit-scattered: big, as: function}", BATTEN_OK, "within 1e-5;on -1 -1 1 0"},
         {"{fit-scattered: big}", BATTEN_OK, "within 1e-5;on -1 -1 1 0"},

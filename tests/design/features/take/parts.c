@@ -202,7 +202,8 @@ TEST(meshes_have_the_area_of_their_shape)
 {
     static const expect_row rows[] = {
         {"{mesh: slope}", BATTEN_OK,
-         "objects 1;kind mesh;named a;area 6.324555320336759;notes triangles, at most"},
+         "objects 1;kind mesh;named a;area 6.324555320336759;notes triangles, at most;lacks not in the "
+         "mesh;lacks more than 'chord'"},
         {"{mesh: three}", BATTEN_OK, "kind mesh;area 0.7071067811865476"},
         {"{mesh: [slope, level]}", BATTEN_OK,
          "objects 2;named slope;object 1;named level;area 2"},
