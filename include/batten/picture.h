@@ -16,7 +16,8 @@ extern "C" {
 typedef enum batten_picture_format {
     BATTEN_PICTURE_PNG,
     BATTEN_PICTURE_SVG,
-    BATTEN_PICTURE_PDF
+    BATTEN_PICTURE_PDF,
+    BATTEN_PICTURE_DXF /**< of lines plans only */
 } batten_picture_format;
 
 /**
@@ -206,6 +207,10 @@ BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
  * plan below it, and body plan, at one usual scale (1:20, 1:25, 1:30 ...), true in PDF and SVG,
  * with grid, title block, legend and the table of offsets measured on the drawn lines. The scale is
  * the largest usual one at which the views find room, whichever way they stand.
+ *
+ * As DXF (release 12) it has its lines at full size, one unit of the model each, with the profile at its place in (x, z);
+ * layers: stations, buttocks, waterlines, diagonals, edges, points, grid, text, table, sheet. Lines are within
+ * 1/40,000 of their size, as those of all pictures.
  *
  * Diagonals are straight in the body plan and stand below the centre line of the half-breadth plan
  * in their true shape. Those that are chosen cross the section amidships squarely, at equal angles about

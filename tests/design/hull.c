@@ -126,7 +126,7 @@ TEST(F7_outputs_whose_ending_says_nothing_are_refused)
     } rows[] = {{"a.xyzw: p", "names no format"},
                 {"a: p", "names no format"},
                 {"a.txt: {picture: p}", "must end in .png, .svg or .pdf"},
-                {"a.txt: {lines-plan: p}", "must end in .pdf, .svg or .png"},
+                {"a.txt: {lines-plan: p}", "must end in .pdf, .svg, .png or .dxf"},
                 {"a.svg: {picture: p, shading: zebra}", "shaded pictures are written as .png"},
                 {"a.png: {picture: p, shading: zebra}", "'shading' needs a surface"}};
     for (int i = 0; i < COUNT(rows); i++) {

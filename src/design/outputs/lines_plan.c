@@ -137,12 +137,22 @@ static batten_status draw_lines_plan(bat_run *run, const batten_model *model,
     return status;
 }
 
+/* As pictures, and DXF. */
+static bool find_format(const char *name, batten_picture_format *format)
+{
+    if (batten_picture_format_from_name(name, format))
+        return true;
+    *format = BATTEN_PICTURE_DXF;
+    return batten_format_from_name(name) == BATTEN_FORMAT_DXF;
+}
+
 static batten_status run_lines_plan(bat_run *run)
 {
     batten_draw_options options = batten_draw_defaults();
     batten_model *model = NULL;
-    if (!batten_picture_format_from_name(run->name, &options.format))
-        return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .pdf, .svg or .png", run->name);
+    if (!find_format(run->name, &options.format))
+        return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .pdf, .svg, .png or .dxf",
+                        run->name);
     options.width = bat_count(run, "width");
     options.height = bat_count(run, "height");
     if (bat_has(run, "title"))
@@ -163,7 +173,9 @@ const bat_feature bat_feature_lines_plan = {
          "along the ship, y to the side, z up. The largest usual scale that the sheet allows is\n"
          "taken. Diagonals are straight in the body plan and stand in their true shape below the\n"
          "centre line of the half-breadth plan. The table has heights and half-breadths of edges at\n"
-         "which the stations turn by 10 degrees or more: knuckles, chines.",
+         "which the stations turn by 10 degrees or more: knuckles, chines. A file .dxf has the lines at\n"
+         "full size, the profile at its place, on a layer for each family; for frames that are cut\n"
+         "to a bound take 'sections'.",
          "features:\n"
          "  offsets: {read: offsets.csv}\n"
          "  stations: {interpolate: offsets, each: station}\n"

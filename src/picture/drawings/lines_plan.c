@@ -249,7 +249,9 @@ static batten_status draw_view(bat_canvas *canvas, const bat_lines_sheet *s,
 {
     batten_status status = BATTEN_OK;
     for (double sign = view == BODY ? -1 : 1; sign <= 1 && status == BATTEN_OK; sign += 2) {
+        bat_canvas_layer(canvas, (bat_layer)bat_lines_views[view].curves);
         status = draw_curves(canvas, s, view, sign);
+        bat_canvas_layer(canvas, BAT_LAYER_EDGES);
         if (status == BATTEN_OK)
             status = draw_edges(canvas, s, view, sign);
         if (status == BATTEN_OK)
@@ -282,27 +284,75 @@ static void title_views(bat_canvas *canvas, const bat_lines_sheet *s)
     }
 }
 
+/* A file in the units of the model has the profile where it is. */
+static void place_in_model(bat_canvas *canvas, const bat_lines_sheet *s)
+{
+    if (!canvas->dxf)
+        return;
+    canvas->dxf->scale = s->scale;
+    canvas->dxf->x = bat_plot_x(&s->plots[PROFILE], 0);
+    canvas->dxf->y = bat_plot_y(&s->plots[PROFILE], 0);
+}
+
 static batten_status draw_sheet(bat_canvas *canvas, bat_lines_sheet *s)
 {
     batten_status status = bat_lines_lay_out(s, canvas);
     if (status != BATTEN_OK)
         return status;
+    place_in_model(canvas, s);
     title_views(canvas, s);
     canvas->draws_ground = true;
+    bat_canvas_layer(canvas, BAT_LAYER_GRID);
     draw_grids(canvas, s);
     canvas->draws_ground = false;
     for (int view = 0; view < VIEWS && status == BATTEN_OK; view++)
         status = draw_view(canvas, s, (bat_lines_view)view);
     if (status == BATTEN_OK)
         status = bat_lines_draw_diagonals(canvas, s);
+    bat_canvas_layer(canvas, BAT_LAYER_POINTS);
     draw_given(canvas, s);
+    bat_canvas_layer(canvas, BAT_LAYER_SHEET);
     bat_lines_draw_foot(canvas, s);
+    bat_canvas_layer(canvas, BAT_LAYER_TABLE);
     if (!bat_lines_draw_table(canvas, s))
         batten_notes_remark(
             s->notes, "", 0, "lines plan",
             "the table of offsets has no room on a sheet of %g x %g and is left out",
             canvas->width, canvas->height);
     return status;
+}
+
+/* The names, and the file that was written beside the drawing. */
+static batten_status finish_dxf(bat_canvas *canvas, char **data, size_t *size)
+{
+    bat_dxf_sheet *dxf = canvas->dxf;
+    bat_canvas_layer(canvas, BAT_LAYER_TEXT);
+    bat_canvas_place_names(canvas);
+    batten_status status = canvas->status;
+    if (status == BATTEN_OK && cairo_status(canvas->cairo) != CAIRO_STATUS_SUCCESS)
+        status = bat_fail(BATTEN_OUT_OF_MEMORY, "no memory for a sheet of %g x %g",
+                          canvas->width, canvas->height);
+    bat_canvas_end(canvas);
+    if (status == BATTEN_OK)
+        return bat_dxf_sheet_finish(dxf, data, size);
+    bat_dxf_sheet_free(dxf);
+    return status;
+}
+
+/* A sheet to draw on: of a file in the units of the model, only what is written beside is kept. */
+static batten_status begin_sheet(const batten_draw_options *options, bat_dxf_sheet *dxf,
+                                 bat_canvas *canvas)
+{
+    const bool is_dxf = options->format == BATTEN_PICTURE_DXF;
+    const double em = bat_max(4, 0.0102 * bat_min_int(options->width, options->height));
+    const batten_status status = bat_canvas_begin(
+        is_dxf ? BATTEN_PICTURE_SVG : options->format, options->width, options->height, em,
+        *options->title ? options->title : "Lines plan", canvas);
+    if (status != BATTEN_OK || !is_dxf)
+        return status;
+    *dxf = bat_dxf_sheet_begin();
+    canvas->dxf = dxf;
+    return BATTEN_OK;
 }
 
 batten_status batten_draw_lines_plan(const batten_model *model,
@@ -321,9 +371,8 @@ batten_status batten_draw_lines_plan(const batten_model *model,
     plan = &chosen;
     bat_size_take_share(&picture, sqrt(0.5)); /* as paper of DIN */
     bat_canvas canvas;
-    const double em = bat_max(4, 0.0102 * bat_min_int(options->width, options->height));
-    status = bat_canvas_begin(options->format, options->width, options->height, em,
-                              *options->title ? options->title : "Lines plan", &canvas);
+    bat_dxf_sheet dxf;
+    status = begin_sheet(options, &dxf, &canvas);
     if (status != BATTEN_OK)
         return status;
     bat_lines_sheet s = {.model = model, .plan = plan, .options = options, .notes = notes};
@@ -334,7 +383,10 @@ batten_status batten_draw_lines_plan(const batten_model *model,
         bat_hull_free(&s.hull);
     }
     if (status == BATTEN_OK)
-        return bat_canvas_finish(&canvas, data, size);
+        return canvas.dxf ? finish_dxf(&canvas, data, size)
+                          : bat_canvas_finish(&canvas, data, size);
+    if (canvas.dxf)
+        bat_dxf_sheet_free(canvas.dxf);
     bat_canvas_end(&canvas);
     return status;
 }

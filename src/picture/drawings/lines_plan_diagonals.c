@@ -80,6 +80,7 @@ batten_status bat_lines_draw_diagonals(bat_canvas *canvas, const bat_lines_sheet
 {
     const bat_cuts *cuts = &s->hull.families[BAT_DIAGONALS];
     batten_status status = BATTEN_OK;
+    bat_canvas_layer(canvas, BAT_LAYER_DIAGONALS);
     for (int i = 0; i < cuts->count && status == BATTEN_OK; i++) {
         const bat_cut *cut = &cuts->cuts[i];
         for (size_t k = 0; k < cut->lines.count && status == BATTEN_OK; k++)

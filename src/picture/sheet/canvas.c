@@ -68,6 +68,8 @@ batten_status bat_canvas_begin(batten_picture_format format, int width, int heig
                                const char *title, bat_canvas *out)
 {
     batten_status status = bat_canvas_check_size(width, height);
+    if (status == BATTEN_OK && format == BATTEN_PICTURE_DXF)
+        status = bat_fail(BATTEN_UNSUPPORTED, "only a lines plan is written as DXF");
     if (status != BATTEN_OK)
         return status;
     bat_cover cover;
@@ -91,6 +93,8 @@ batten_status bat_canvas_begin(batten_picture_format format, int width, int heig
 
 void bat_canvas_end(bat_canvas *canvas)
 {
+    /* What cairo still writes is not kept: no memory is sought for it. */
+    canvas->bytes.failed = true;
     cairo_destroy(canvas->cairo);
     cairo_surface_destroy(canvas->surface);
     batten_text_free(&canvas->bytes);
@@ -162,6 +166,8 @@ void bat_canvas_line(bat_canvas *canvas, bat_pen pen, size_t count, const double
     set_pen(canvas, pen);
     trace(canvas, count, xy);
     cairo_stroke(canvas->cairo);
+    if (canvas->dxf)
+        bat_dxf_sheet_line(canvas->dxf, count, xy);
     for (size_t i = 0; i + 1 < count; i++)
         cover_segment(canvas, xy + 2 * i, xy + 2 * i + 2, 0.5 * pen.width);
 }
@@ -196,6 +202,8 @@ void bat_canvas_frame(bat_canvas *canvas, bat_pen pen, bat_rectangle box)
     const double right = box.x + box.width, bottom = box.y + box.height;
     const double corners[5][2] = {
         {box.x, box.y}, {right, box.y}, {right, bottom}, {box.x, bottom}, {box.x, box.y}};
+    if (canvas->dxf)
+        bat_dxf_sheet_line(canvas->dxf, 5, corners[0]);
     for (int i = 0; i < 4; i++)
         cover_segment(canvas, corners[i], corners[i + 1], 0.5 * pen.width);
 }
@@ -290,6 +298,8 @@ static void show_text(bat_canvas *canvas, bat_colour colour, double size, bat_an
     cairo_move_to(canvas->cairo, left, y + 0.36 * size);
     cairo_show_text(canvas->cairo, letters);
     cairo_new_path(canvas->cairo);
+    if (canvas->dxf)
+        bat_dxf_sheet_text(canvas->dxf, &(bat_dxf_letters){size, x, y, (int)anchor, letters});
 }
 
 void bat_canvas_take(bat_canvas *canvas, bat_rectangle place)

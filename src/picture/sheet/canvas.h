@@ -8,6 +8,7 @@
 #define BAT_CANVAS_H
 #include "base/base.h"
 #include "picture/sheet/cover.h"
+#include "picture/sheet/dxf.h"
 #include <batten/picture.h>
 #include <batten/text.h>
 #include <cairo.h>
@@ -62,11 +63,19 @@ typedef struct {
     size_t name_count, name_capacity;
     bat_rectangle *taken; /* where labels stand */
     size_t taken_count, taken_capacity;
+    bat_dxf_sheet *dxf; /* where lines and texts are written, too; NULL as a rule */
     batten_status status;
 } bat_canvas;
 
 /* Between a postage stamp and what cairo's images hold with room for their bytes. */
 enum { BAT_LEAST_SIZE = 64, BAT_LARGEST_SIZE = 16384 };
+/* From here on lines are on this layer, where there are layers. */
+static inline void bat_canvas_layer(bat_canvas *canvas, bat_layer layer)
+{
+    if (canvas->dxf)
+        canvas->dxf->layer = layer;
+}
+
 /* BAD_ARGUMENT or TOO_LARGE for sizes that cannot be. */
 batten_status bat_canvas_check_size(int width, int height);
 /* A white sheet. `em` is the size of its text. */

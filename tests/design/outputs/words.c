@@ -151,7 +151,7 @@ TEST(tables_matches_and_comparisons_have_the_numbers_of_their_curves)
         {"p.png: {picture: wave, shading: zebra}", BATTEN_BAD_ARGUMENT,
          "'shading' needs a surface, body or mesh"},
         {"l.txt: {lines-plan: sheet}", BATTEN_UNSUPPORTED,
-         "'l.txt' must end in .pdf, .svg or .png"},
+         "'l.txt' must end in .pdf, .svg, .png or .dxf"},
         {"w.xyz: {write: ducks}", BATTEN_OK, "1 1|3 -1"},
         {"w.txt: {write: ducks, format: points}", BATTEN_OK, "3 -1"},
         {"w.foo: {write: ducks}", BATTEN_UNSUPPORTED, "w.foo"},

@@ -1,4 +1,6 @@
 #include "picture/scenes.h"
+#include "picture/sheet/canvas.h"
+#include <batten/exchange.h>
 
 enum { WIDTH = 1684, HEIGHT = 1191 };
 
@@ -210,4 +212,74 @@ TEST(a_model_without_a_hull_has_no_lines)
                  BATTEN_BAD_ARGUMENT);
     CHECK(data == NULL);
     batten_model_unref(model);
+}
+
+/* The half-breadth of the Wigley hull 10 x 2 x 1. */
+static double breadth_at(double x, double z)
+{
+    return (1 - 0.04 * x * x) * (1 - z * z);
+}
+
+/* How many objects lie on a layer of what was read. */
+static int count_on_layer(const batten_model *model, const char *layer)
+{
+    int count = 0;
+    for (int i = 0; i < batten_model_count(model); i++)
+        count += strcmp(batten_model_object(model, i)->layer, layer) == 0;
+    return count;
+}
+
+static void check_profile(const batten_model *model)
+{
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        if (strcmp(object->layer, "buttocks") != 0)
+            continue;
+        const int d = batten_curve_dimension(object->curve);
+        for (int k = 0; k < batten_curve_point_count(object->curve); k++) {
+            const double *p = batten_curve_points(object->curve) + d * k;
+            CHECK_NEAR(breadth_at(p[0], p[1]), 0.7, 1e-4);
+        }
+    }
+}
+
+TEST(a_plan_in_DXF_has_a_layer_for_each_family_and_the_profile_at_its_place)
+{
+    static const double at[] = {-0.1}, angle[] = {0.8};
+    static const char *const layers[] = {"stations", "buttocks", "waterlines", "diagonals",
+                                         "edges",    "grid",     "sheet"};
+    batten_draw_lines_plan_options plan = scene_plan(10);
+    plan.waterlines = 0.4;
+    plan.buttocks = 0.7;
+    plan.diagonal_at = at;
+    plan.diagonal_angle = angle;
+    plan.diagonal_count = 1;
+    batten_model *model = scene_of(scene_wigley(10, 2, 1, 1)), *read = NULL;
+    const batten_draw_options options = sheet(BATTEN_PICTURE_DXF);
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_draw_lines_plan(model, &plan, &options, NULL, &data, &size));
+    CHECK_CONTAINS(data, "\nTEXT\n  8\ntext\n");
+    CHECK_CONTAINS(data, "\nTEXT\n  8\ntable\n");
+    CHECK_CONTAINS(data, "\nHalf-breadth plan");
+    CHECK_CONTAINS(data, "\nD1 from -0.1, 45.84%%d down\n");
+    batten_read_options reading = batten_read_defaults();
+    reading.format = BATTEN_FORMAT_DXF;
+    /* A model holds no texts. */
+    CHECK_STATUS(batten_read_memory(data, size, &reading, NULL, NULL, &read),
+                 BATTEN_PARTLY_READ);
+    for (int i = 0; i < COUNT(layers); i++)
+        CHECK(count_on_layer(read, layers[i]) > 0);
+    check_profile(read);
+    batten_release(data);
+    batten_model_unref(read);
+    batten_model_unref(model);
+}
+
+TEST(other_pictures_are_not_written_as_DXF)
+{
+    bat_canvas canvas;
+    CHECK_STATUS(bat_canvas_begin(BATTEN_PICTURE_DXF, 200, 200, 8, "t", &canvas),
+                 BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("only a lines plan");
 }

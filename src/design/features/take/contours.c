@@ -1,10 +1,6 @@
 /* The feature 'contours': lines of equal height, curvature or light on surfaces. */
+#include "design/features/take/contour_curves.h"
 #include "design/shared/field.h"
-
-#include <batten/approximate.h>
-#include <batten/standard.h>
-#include <stdio.h>
-#include <string.h>
 
 /* At most this many critical levels are reported of one surface, and this many levels chosen. */
 enum { MOST_TOLD = 8, MOST_LEVELS = 1000 };
@@ -24,32 +20,9 @@ static const batten_parameter parameters[] = {
      "smooth curves with few control points, or chords"},
 };
 
-typedef struct {
-    batten_surface_field field;
-    int level_count;
-    double *levels;
-    double within;
-    bool smooth;
-    double error;
-    int open; /* contours that do not close */
-} wanted;
-
-/* Chords, or cubics. */
-static batten_status find(const bat_run *run, const batten_object *object, const wanted *w,
-                          double tolerance, bool cubics, batten_contours *out)
-{
-    if (object->kind == BATTEN_OBJECT_TRIANGLES)
-        return (cubics ? batten_triangles_smooth_contours : batten_triangles_contours)(
-            object->triangles, &w->field, (batten_levels){w->level_count, w->levels}, tolerance,
-            run->job, out);
-    return (cubics ? batten_surface_smooth_contours : batten_surface_contours)(
-        object->surface, &w->field, (batten_levels){w->level_count, w->levels}, tolerance,
-        run->job, out);
-}
-
 /* ---- levels ---- */
 
-static batten_status copy_levels(const bat_argument *given, wanted *w)
+static batten_status copy_levels(const bat_argument *given, bat_contours_wanted *w)
 {
     w->level_count = given->count;
     w->levels = bat_array((size_t)given->count, sizeof *w->levels);
@@ -66,7 +39,8 @@ static bool is_constant(double least, double greatest)
 
 /* Multiples of the spacing from the least value to the greatest; without one of the smallest
  * of 1, 2, 5, 10 ... that gives twelve at most. */
-static batten_status choose_levels(double least, double greatest, double spacing, wanted *w)
+static batten_status choose_levels(double least, double greatest, double spacing,
+                                   bat_contours_wanted *w)
 {
     double step = spacing;
     if (is_constant(least, greatest))
@@ -96,10 +70,10 @@ static batten_status choose_levels(double least, double greatest, double spacing
 }
 
 static batten_status widen_range(const bat_run *run, const batten_object *surface,
-                                 const wanted *w, double *least, double *greatest)
+                                 const bat_contours_wanted *w, double *least, double *greatest)
 {
     batten_contours none = {0};
-    const batten_status status = find(run, surface, w, w->within, false, &none);
+    const batten_status status = bat_contours_find(run, surface, w, w->within, false, &none);
     if (status != BATTEN_OK)
         return status;
     *least = bat_min(*least, none.least);
@@ -109,7 +83,8 @@ static batten_status widen_range(const bat_run *run, const batten_object *surfac
 }
 
 /* Common to all surfaces, so that their contours match. */
-static batten_status find_levels(const bat_run *run, const bat_objects *surfaces, wanted *w)
+static batten_status find_levels(const bat_run *run, const bat_objects *surfaces,
+                                 bat_contours_wanted *w)
 {
     const bat_argument *given = bat_argument_of(run, "levels");
     double least = HUGE_VAL, greatest = -HUGE_VAL;
@@ -123,7 +98,8 @@ static batten_status find_levels(const bat_run *run, const bat_objects *surfaces
 }
 
 /* No curve was made: why, by the values that the field has. */
-static batten_status refuse_levels(const bat_run *run, const bat_objects *surfaces, wanted *w)
+static batten_status refuse_levels(const bat_run *run, const bat_objects *surfaces,
+                                   bat_contours_wanted *w)
 {
     double least = HUGE_VAL, greatest = -HUGE_VAL;
     batten_status status = BATTEN_OK;
@@ -143,103 +119,17 @@ static batten_status refuse_levels(const bat_run *run, const bat_objects *surfac
 
 /* ---- curves ---- */
 
-static batten_status make_polyline(const batten_polyline *line, batten_curve **out)
-{
-    const int count = line->count + line->closed;
-    double *points = bat_array3((size_t)count, 3, sizeof *points);
-    if (!points)
-        return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < 3 * count; i++)
-        points[i] = line->points[i % (3 * line->count)];
-    const batten_status status = batten_curve_polyline((batten_points){3, count, points}, out);
-    bat_release(points);
-    return status;
-}
-
-/* A smooth curve through the dense points, when that keeps within the tolerance between them
- * too; else the polyline. `rise` is how far its chords are from the contour. */
-static batten_status make_curve(const wanted *w, const batten_polyline *line, double rise,
-                                double *error, batten_curve **out)
-{
-    batten_curve_within_options options = batten_curve_within_defaults();
-    batten_curve_within_report report;
-    options.tolerance = 0.5 * w->within;
-    options.corner = 20 * BAT_PI / 180;
-    options.closed = line->closed;
-    options.method = BATTEN_WITHIN_BEZIER;
-    if (w->smooth && line->count >= 4) {
-        const batten_status status = batten_curve_within(
-            (batten_points){3, line->count, line->points}, &options, NULL, &report, out);
-        if (status == BATTEN_OUT_OF_MEMORY)
-            return status;
-        if (status == BATTEN_OK) {
-            *error = bat_max(report.error, report.apart) + rise;
-            if (*error <= w->within)
-                return BATTEN_OK;
-            batten_curve_unref(*out);
-        }
-    }
-    *error = rise;
-    return make_polyline(line, out);
-}
-
-static double distance(const double *a, const double *b)
-{
-    return bat_hypot(bat_hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
-}
-
-/* The lengths of the spans, so that derivatives agree where tangents do. */
-static void pace(int count, const double *points, double *breaks)
-{
-    double speed = 0;
-    for (int i = 0; i < count; i++) {
-        const double *p = points + 9 * i;
-        const double own = distance(p, p + 9);
-        const double paced = 3 * distance(p, p + 3) / (speed > 0 ? speed : 1);
-        const double length = speed > 0 && paced > own / 64 && paced < 64 * own ? paced : own;
-        breaks[i + 1] = breaks[i] + length;
-        speed = 3 * distance(p + 6, p + 9) / length;
-    }
-}
-
-static batten_status join_cubics(const batten_contour *contour, batten_curve **out)
-{
-    const batten_polyline *line = &contour->line;
-    const int count = line->closed ? line->count : line->count - 1;
-    double *points = bat_array3((size_t)count + 1, 9, sizeof *points);
-    double *breaks = bat_array((size_t)count + 1, sizeof *breaks);
-    batten_status status = points && breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; status == BATTEN_OK && i <= count; i++) {
-        const int k = i % line->count;
-        double *to = points + 9 * i;
-        memcpy(to, line->points + 3 * k, 3 * sizeof *to);
-        memcpy(to + 3, contour->arms + 6 * k + 3, 3 * sizeof *to);
-        memcpy(to + 6, contour->arms + 6 * ((k + 1) % line->count), 3 * sizeof *to);
-    }
-    if (status == BATTEN_OK) {
-        pace(count, points, breaks);
-        status =
-            batten_curve_from_bezier(3, (batten_pieces){3, count, breaks}, points, NULL, out);
-    }
-    bat_release(breaks);
-    bat_release(points);
-    return status;
-}
-
-static batten_status put_contour(bat_run *run, const batten_object *object, wanted *w,
-                                 const batten_contour *contour, double rise)
+static batten_status put_contour(bat_run *run, const batten_object *object,
+                                 bat_contours_wanted *w, const batten_contour *contour,
+                                 double rise)
 {
     batten_curve *curve = NULL;
-    double error = rise;
     char name[240];
     batten_object like = *object;
     batten_text_print(name, sizeof name, "%.180s at %.6g", object->name,
                       w->levels[contour->level]);
     like.name = name;
-    const batten_status status = contour->arms
-                                     ? join_cubics(contour, &curve)
-                                     : make_curve(w, &contour->line, rise, &error, &curve);
-    w->error = bat_max(w->error, error);
+    const batten_status status = bat_contour_curve(w, contour, rise, &curve);
     return bat_put_curve_like(run, status, curve, &like, false);
 }
 
@@ -256,35 +146,20 @@ static void tell_criticals(const bat_run *run, const batten_object *object,
         bat_remark(run, "'%s': %d critical levels in all", object->name, found->critical_count);
 }
 
-static double size_of(const batten_object *object)
-{
-    const batten_box box = object->kind == BATTEN_OBJECT_TRIANGLES
-                               ? batten_triangles_box(object->triangles)
-                               : batten_surface_box(object->surface);
-    const double low[3] = {box.low.x, box.low.y, box.low.z},
-                 high[3] = {box.high.x, box.high.y, box.high.z};
-    return distance(low, high);
-}
-
-/* Smooth curves are fitted to chords; where these would be too many, cubics stand between
- * points with the tangents of the contour. */
-static batten_status put_contours(bat_run *run, const batten_object *object, wanted *w)
+static batten_status put_contours(bat_run *run, const batten_object *object,
+                                  bat_contours_wanted *w)
 {
     batten_contours found = {0};
-    const bool cubics = w->smooth && w->within < 1e-6 * size_of(object);
-    const double within = w->smooth && !cubics ? 0.25 * w->within : w->within;
-    batten_status status = find(run, object, w, within, cubics, &found);
-    for (int i = 0; i < found.count && status == BATTEN_OK; i++) {
-        w->open += !found.lines[i].line.closed;
+    batten_status status = bat_contours_find_fine(run, object, w, &found);
+    for (int i = 0; i < found.count && status == BATTEN_OK; i++)
         status = put_contour(run, object, w, &found.lines[i], found.error);
-    }
     if (status == BATTEN_OK)
         tell_criticals(run, object, &found);
     batten_contours_release(&found);
     return status;
 }
 
-static bool is_of_light_line(const wanted *w)
+static bool is_of_light_line(const bat_contours_wanted *w)
 {
     return w->field.kind == BATTEN_FIELD_HIGHLIGHT || w->field.kind == BATTEN_FIELD_REFLECTION;
 }
@@ -295,7 +170,7 @@ static batten_status run_contours(bat_run *run)
     batten_status status = bat_gather(run, "contours", BAT_SURFACES | BAT_TRIANGLES, &surfaces);
     if (status != BATTEN_OK)
         return status;
-    wanted w = {
+    bat_contours_wanted w = {
         .field =
             bat_field_of(run, (batten_field_kind)bat_word(run, "of"), bat_point(run, "eye")),
         .within = bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run),
