@@ -160,9 +160,13 @@ batten_status bat_loft_correct(const bat_hull_panels *panels, const batten_offse
     for (int p = 0; p < panels->count && status == BATTEN_OK; p++)
         for (int k = 0; k < panels->at[p].datum_count; k++)
             add_correction(panels, p, panels->at[p].data + k, &o, report);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
         qsort(report->corrections, (size_t)report->correction_count,
               sizeof *report->corrections, farthest_first);
+    } else {
+        bat_release(report->corrections);
+        report->corrections = NULL;
+    }
     bat_arena_free(&o.arena);
     return status;
 }

@@ -3,32 +3,74 @@
 #include "numeric/vector.h"
 #include "spline/spline.h"
 
-enum { P = BAT_LOFT_DEGREE, ACROSS = 161, HALVINGS = 52 };
+#include <float.h>
+
+enum { P = BAT_LOFT_DEGREE, ACROSS = 161 };
 
 /* ---- points over a grid ---- */
 
-static void point_at(const bat_loft_patch *patch, double u, double v, double out[3])
+/* The functions at t: the first that counts, and the four values. */
+static int basis_at(int count, const double *knots, double t, double values[BAT_LOFT_SUPPORT])
 {
-    double a[BAT_LOFT_SUPPORT], b[BAT_LOFT_SUPPORT];
-    const int p = BAT_LOFT_DEGREE;
-    const int k = bat_knots_span(p, patch->nu, patch->u_knots, u, BATTEN_FROM_RIGHT);
-    const int l = bat_knots_span(p, patch->nv, patch->v_knots, v, BATTEN_FROM_RIGHT);
-    bat_basis(p, patch->u_knots, k, u, 0, a);
-    bat_basis(p, patch->v_knots, l, v, 0, b);
-    out[0] = out[1] = out[2] = 0;
-    for (int i = 0; i <= p; i++)
-        for (int j = 0; j <= p; j++) {
-            const double *point = patch->points + 3 * ((size_t)(k - p + i) * (size_t)patch->nv +
-                                                       (size_t)(l - p + j));
-            for (int c = 0; c < 3; c++)
-                out[c] += a[i] * b[j] * point[c];
-        }
+    const int span = bat_knots_span(P, count, knots, t, BATTEN_FROM_RIGHT);
+    bat_basis(P, knots, span, t, 0, values);
+    return span - P;
+}
+
+/* A point of line i from the functions across it. */
+static void evaluate_row(const bat_loft_grid *grid, int i, int first,
+                         const double values[BAT_LOFT_SUPPORT], double out[3])
+{
+    const double *row = grid->rows + 3 * ((size_t)i * (size_t)grid->row_count + (size_t)first);
+    for (int c = 0; c < 3; c++)
+        out[c] = values[0] * row[c] + values[1] * row[3 + c] + values[2] * row[6 + c] +
+                 values[3] * row[9 + c];
 }
 
 static void grid_point(const bat_loft_grid *grid, int i, double across, double out[3])
 {
-    const double along = grid->along[i];
-    point_at(grid->patch, grid->along_v ? across : along, grid->along_v ? along : across, out);
+    const bat_loft_patch *patch = grid->patch;
+    double values[BAT_LOFT_SUPPORT];
+    const int first = basis_at(grid->row_count, grid->along_v ? patch->u_knots : patch->v_knots,
+                               across, values);
+    evaluate_row(grid, i, first, values, out);
+}
+
+/* The control points of the curve across, at each place along. */
+static void make_rows(bat_loft_grid *grid)
+{
+    const bat_loft_patch *patch = grid->patch;
+    const int count = grid->along_v ? patch->nv : patch->nu;
+    const size_t step = grid->along_v ? 3 : 3 * (size_t)patch->nv,
+                 other = 3 * (size_t)patch->nv + 3 - step;
+    for (int i = 0; i < grid->along_count; i++) {
+        double values[BAT_LOFT_SUPPORT];
+        const int first = basis_at(count, grid->along_v ? patch->v_knots : patch->u_knots,
+                                   grid->along[i], values);
+        double *row = grid->rows + 3 * (size_t)i * (size_t)grid->row_count;
+        for (int j = 0; j < 3 * grid->row_count; j++) {
+            const double *point =
+                patch->points + (size_t)first * step + (size_t)(j / 3) * other + j % 3;
+            row[j] = values[0] * point[0] + values[1] * point[step] +
+                     values[2] * point[2 * step] + values[3] * point[3 * step];
+        }
+    }
+}
+
+/* Points at even places across. */
+static void make_points(bat_loft_grid *grid)
+{
+    const bat_loft_patch *patch = grid->patch;
+    for (int k = 0; k < ACROSS; k++) {
+        double values[BAT_LOFT_SUPPORT];
+        grid->across[k] = (double)k / (ACROSS - 1);
+        const int first =
+            basis_at(grid->row_count, grid->along_v ? patch->u_knots : patch->v_knots,
+                     grid->across[k], values);
+        for (int i = 0; i < grid->along_count; i++)
+            evaluate_row(grid, i, first, values,
+                         grid->points + 3 * ((size_t)i * ACROSS + (size_t)k));
+    }
 }
 
 static void grid_free(bat_loft_grid *grid)
@@ -36,28 +78,29 @@ static void grid_free(bat_loft_grid *grid)
     bat_release(grid->along);
     bat_release(grid->across);
     bat_release(grid->points);
+    bat_release(grid->rows);
     *grid = (bat_loft_grid){0};
 }
 
 static batten_status grid_make(const bat_loft_patch *patch, bool along_v, int along_count,
                                const double *along, bat_loft_grid *out)
 {
-    bat_loft_grid grid = {
-        .patch = patch, .along_v = along_v, .along_count = along_count, .across_count = ACROSS};
+    bat_loft_grid grid = {.patch = patch,
+                          .along_v = along_v,
+                          .along_count = along_count,
+                          .across_count = ACROSS,
+                          .row_count = along_v ? patch->nu : patch->nv};
     grid.along = bat_array((size_t)along_count, sizeof *grid.along);
     grid.across = bat_array(ACROSS, sizeof *grid.across);
     grid.points = bat_array3((size_t)along_count, ACROSS, 3 * sizeof *grid.points);
-    if (!grid.along || !grid.across || !grid.points) {
+    grid.rows = bat_array3((size_t)along_count, (size_t)grid.row_count, 3 * sizeof *grid.rows);
+    if (!grid.along || !grid.across || !grid.points || !grid.rows) {
         grid_free(&grid);
         return BATTEN_OUT_OF_MEMORY;
     }
     memcpy(grid.along, along, (size_t)along_count * sizeof *along);
-    for (int k = 0; k < ACROSS; k++)
-        grid.across[k] = (double)k / (ACROSS - 1);
-    for (int i = 0; i < along_count; i++)
-        for (int k = 0; k < ACROSS; k++)
-            grid_point(&grid, i, grid.across[k],
-                       grid.points + 3 * ((size_t)i * ACROSS + (size_t)k));
+    make_rows(&grid);
+    make_points(&grid);
     *out = grid;
     return BATTEN_OK;
 }
@@ -69,26 +112,48 @@ static double beyond(const bat_loft_cut *cut, const double *point)
     return bat_dot(3, cut->m, point) - cut->at;
 }
 
+/* Where line i of the grid meets the plane between two places on either side of it, `low` with the
+ * distance `below`: false position, an end that stays counting half (the Illinois rule). */
+static double meet_between(const bat_loft_grid *grid, const bat_loft_cut *cut, int i,
+                           const double ends[2], const double distances[2])
+{
+    enum { STEPS = 60 }; /* some 7 do */
+    double low = ends[0], high = ends[1], below = distances[0], above = distances[1];
+    double at = -1, before = 2; /* outside of both */
+    for (int step = 0; step < STEPS && fabs(at - before) > DBL_EPSILON; step++) {
+        double point[3];
+        before = at;
+        at = bat_min(bat_max(low + (high - low) * (below / (below - above)), low), high);
+        grid_point(grid, i, at, point);
+        const double here = beyond(cut, point);
+        if (here == 0)
+            break;
+        if ((here > 0) == (below > 0)) {
+            above /= low == before ? 2 : 1;
+            low = at;
+            below = here;
+        } else {
+            below /= high == before ? 2 : 1;
+            high = at;
+            above = here;
+        }
+    }
+    return at;
+}
+
 /* Where line i of the grid first crosses the plane; false when it does not. */
 static bool find_crossing(const bat_loft_grid *grid, const bat_loft_cut *cut, int i,
                           double *across)
 {
     const double *points = grid->points + 3 * (size_t)i * (size_t)grid->across_count;
+    double distances[2] = {0, beyond(cut, points)};
     for (int k = 0; k + 1 < grid->across_count; k++) {
-        double low = grid->across[k], high = grid->across[k + 1], point[3];
-        const double first = beyond(cut, points + 3 * k),
-                     last = beyond(cut, points + 3 * k + 3);
-        if (first * last > 0)
+        distances[0] = distances[1];
+        distances[1] = beyond(cut, points + 3 * k + 3);
+        if (distances[0] * distances[1] > 0)
             continue;
-        for (int step = 0; step < HALVINGS; step++) {
-            const double middle = (low + high) / 2;
-            grid_point(grid, i, middle, point);
-            if (beyond(cut, point) * first <= 0)
-                high = middle;
-            else
-                low = middle;
-        }
-        *across = first == 0 ? grid->across[k] : (low + high) / 2;
+        *across = distances[0] == 0 ? grid->across[k]
+                                    : meet_between(grid, cut, i, grid->across + k, distances);
         return true;
     }
     return false;
@@ -117,12 +182,13 @@ static void add_place(const bat_loft_grid *grid, const bat_loft_cut *cut, int i,
     lay_down(cut->m, point, out->plane + 2 * k);
 }
 
+/* The longest run of lines that cross the plane. Where they do stands meanwhile in `plane`, which a
+ * trace fills no faster than these are taken from it. */
 static void find_section(const bat_loft_grid *grid, const bat_loft_cut *cut, bat_cut_trace *out)
 {
     int first = 0, count = 0, run = 0;
-    double across;
     for (int i = 0; i < grid->along_count; i++) {
-        run = find_crossing(grid, cut, i, &across) ? run + 1 : 0;
+        run = find_crossing(grid, cut, i, out->plane + 2 * i) ? run + 1 : 0;
         if (run > count) {
             count = run;
             first = i + 1 - run;
@@ -130,8 +196,7 @@ static void find_section(const bat_loft_grid *grid, const bat_loft_cut *cut, bat
     }
     out->count = 0;
     for (int i = first; i < first + count; i++)
-        if (find_crossing(grid, cut, i, &across))
-            add_place(grid, cut, i, across, out);
+        add_place(grid, cut, i, out->plane[2 * i], out);
 }
 
 static void find_edge(const bat_loft_grid *grid, const bat_loft_cut *cut, bat_cut_trace *out)

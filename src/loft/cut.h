@@ -37,6 +37,8 @@ typedef struct {
     int along_count, across_count;
     double *along, *across; /* parameters */
     double *points;         /* [along_count][across_count][3] */
+    int row_count;
+    double *rows; /* [along_count][row_count][3]: control points of the curves across */
 } bat_loft_grid;
 
 /* The longest connected run of a cut: at most one place for each parameter along. */
@@ -57,7 +59,7 @@ batten_status bat_cut_tracer_make(const bat_loft_patch *patch, int each, int eve
                                   bat_cut_tracer *out);
 void bat_cut_tracer_free(bat_cut_tracer *tracer);
 
-/* Into tracer->trace. Cost: a pass over the grid, and some 50 points for each place. */
+/* Into tracer->trace. Cost: a pass over the grid, and some 7 points for each place. */
 void bat_cut_find(bat_cut_tracer *tracer, const bat_loft_cut *cut);
 
 #endif

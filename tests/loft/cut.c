@@ -128,3 +128,31 @@ TEST(edges_are_seen_along_an_axis)
     bat_cut_tracer_free(&tracer);
     bat_loft_patch_free(&patch);
 }
+
+/* S = (3 u, 0, v^3): the plane z = 1e-9 is met where the distance is flat. */
+TEST(places_are_exact_where_a_line_meets_a_plane_slowly)
+{
+    static const double place[] = {1e-9, 1e-6, 0.125, 1};
+    static const double v[] = {1e-3, 1e-2, 0.5, 1};
+    double knots[8];
+    bat_loft_patch patch;
+    bat_cut_tracer tracer;
+    bat_loft_knots(0, NULL, knots);
+    CHECK_OK(bat_loft_patch_make(4, knots, 4, knots, &patch));
+    for (int k = 0; k < 16; k++) {
+        patch.points[3 * k] = k / 4;
+        patch.points[3 * k + 2] = k % 4 == 3;
+    }
+    CHECK_OK(bat_cut_tracer_make(&patch, 0, 5, &tracer));
+    for (int k = 0; k < COUNT(place); k++) {
+        bat_cut_find(&tracer, &(bat_loft_cut){
+                                  .kind = BAT_CUT_WATERLINE, .m = {0, 0, 1}, .at = place[k]});
+        CHECK_INT(tracer.trace.count, 5);
+        for (int i = 0; i < 5; i++) {
+            CHECK_NEAR(tracer.trace.u[i], i / 4., 0);
+            CHECK_NEAR(tracer.trace.v[i], v[k], 1e-13 * v[k]);
+        }
+    }
+    bat_cut_tracer_free(&tracer);
+    bat_loft_patch_free(&patch);
+}

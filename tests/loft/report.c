@@ -26,6 +26,17 @@ static batten_offset_table *make_table(void)
     return table;
 }
 
+static batten_status make_panels(const batten_offset_table *table,
+                                 const batten_loft_options *options, bat_hull_panels *out)
+{
+    batten_status status = bat_hull_panels_make(table, options, NULL, out);
+    if (status == BATTEN_OK)
+        status = bat_hull_panels_run(out);
+    if (status != BATTEN_OK)
+        bat_hull_panels_free(out);
+    return status;
+}
+
 TEST(a_report_counts_cuts_panels_and_moves_of_what_was_made)
 {
     static const char *const chine[] = {"chine"};
@@ -41,8 +52,7 @@ TEST(a_report_counts_cuts_panels_and_moves_of_what_was_made)
     batten_loft_report report;
     options.knuckle_count = 1;
     options.knuckles = chine;
-    CHECK_OK(bat_hull_panels_make(table, &options, NULL, &panels));
-    CHECK_OK(bat_hull_panels_run(&panels));
+    CHECK_OK(make_panels(table, &options, &panels));
     CHECK_OK(bat_loft_fill_report(&panels, table, &report));
     CHECK_INT(report.cut_count, COUNT(cuts));
     for (int k = 0; k < COUNT(cuts); k++) {
