@@ -192,7 +192,7 @@ static void add_offsets(batten_model *model, int n)
     must(batten_offset_table_create(1, LINES, lines, n, stations, &offsets));
     must(batten_model_add(model, &(batten_object){.name = "hull",
                                                   .kind = BATTEN_OBJECT_OFFSET_TABLE,
-                                                  .offsets = offsets}));
+                                                  .offset_table = offsets}));
     batten_offset_table_unref(offsets);
     free(stations);
     free(points);

@@ -47,47 +47,86 @@ static void find_means(const net *n, const window *w, batten_vec3 mean[2])
     mean[1] = bat_vec3_add(bat_vec3_subtract(c, a), bat_vec3_subtract(d, b));
 }
 
-/* The slopes of all differences of one direction against their mean, in the plane of both means; false when one does not
- * run with its mean. */
-static bool find_slopes(const net *n, const window *w, int direction, const batten_vec3 dual[2],
-                        double range[2])
+/* Looks at every difference of a window, or at some of them. */
+typedef struct {
+    const net *net;
+    const window *window;
+    int every[2];
+    batten_vec3 dual[2];
+} looking;
+
+/* The slopes of the differences of one direction against their mean, in the plane of both means; false when one does not
+ * run with its mean. The dimension is known where it is inlined. */
+static inline bool slopes_of(const looking *look, int d, int direction, double range[2])
 {
+    const net *n = look->net;
+    const window *w = look->window;
     const int step[2] = {direction == 0, direction == 1};
-    range[0] = HUGE_VAL;
-    range[1] = -HUGE_VAL;
-    for (int i = w->first[0]; i <= w->last[0] - step[0]; i++)
-        for (int j = w->first[1]; j <= w->last[1] - step[1]; j++) {
+    const size_t next = (size_t)d * (direction == 0 ? (size_t)n->count_v : 1);
+    const batten_vec3 along = look->dual[direction], beside = look->dual[1 - direction];
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (int i = w->first[0]; i <= w->last[0] - step[0]; i += look->every[0])
+        for (int j = w->first[1]; j <= w->last[1] - step[1]; j += look->every[1]) {
+            const double *a =
+                n->points + (size_t)d * ((size_t)i * (size_t)n->count_v + (size_t)j);
             const batten_vec3 by =
-                bat_vec3_subtract(point_at(n, i + step[0], j + step[1]), point_at(n, i, j));
-            const double with = bat_vec3_dot(by, dual[direction]),
-                         across = bat_vec3_dot(by, dual[1 - direction]);
+                bat_vec3_subtract(bat_vec3_of(d, a + next), bat_vec3_of(d, a));
+            const double with = bat_vec3_dot(by, along), across = bat_vec3_dot(by, beside);
             if (with == 0 && bat_vec3_norm(by) == 0)
                 continue; /* at a pole: it has no part in any direction */
             if (!(with > 0))
                 return false;
-            range[0] = bat_min(range[0], across / with);
-            range[1] = bat_max(range[1], across / with);
+            const double slope = across / with;
+            low = bat_min(low, slope);
+            high = bat_max(high, slope);
         }
-    return range[0] <= range[1];
+    range[0] = low;
+    range[1] = high;
+    return low <= high;
 }
 
-static bool cannot_fold(const net *n, const window *w)
+static bool find_slopes(const looking *look, int direction, double range[2])
 {
-    batten_vec3 mean[2];
+    return look->net->dimension == 3 ? slopes_of(look, 3, direction, range)
+                                     : slopes_of(look, 2, direction, range);
+}
+
+/* Do all differences that are looked at lie in cones of which the second is to the left of the first? */
+static bool keep_apart(const looking *look)
+{
     double slopes[2][2];
-    find_means(n, w, mean);
-    const batten_vec3 normal = bat_vec3_cross(mean[0], mean[1]);
-    const double square = bat_vec3_dot(normal, normal);
-    if (!isnormal(square))
-        return false;
-    const batten_vec3 dual[2] = {bat_vec3_scale(bat_vec3_cross(mean[1], normal), 1 / square),
-                                 bat_vec3_scale(bat_vec3_cross(normal, mean[0]), 1 / square)};
-    if (!find_slopes(n, w, 0, dual, slopes[0]) || !find_slopes(n, w, 1, dual, slopes[1]))
+    if (!find_slopes(look, 0, slopes[0]) || !find_slopes(look, 1, slopes[1]))
         return false;
     for (int k = 0; k < 4; k++)
         if (!(slopes[0][k % 2] * slopes[1][k / 2] < surely_below_one))
             return false;
     return true;
+}
+
+static bool cannot_fold(const net *n, const window *w)
+{
+    /* Of a large window so many lines are looked at first: most that fail do so there. */
+    enum { FEW = 6 };
+    batten_vec3 mean[2];
+    find_means(n, w, mean);
+    const batten_vec3 normal = bat_vec3_cross(mean[0], mean[1]);
+    const double square = bat_vec3_dot(normal, normal);
+    if (!isnormal(square))
+        return false;
+    looking look = {.net = n,
+                    .window = w,
+                    .every = {1, 1},
+                    .dual = {bat_vec3_scale(bat_vec3_cross(mean[1], normal), 1 / square),
+                             bat_vec3_scale(bat_vec3_cross(normal, mean[0]), 1 / square)}};
+    const int lines[2] = {w->last[0] - w->first[0], w->last[1] - w->first[1]};
+    if (lines[0] > 2 * FEW || lines[1] > 2 * FEW) {
+        for (int k = 0; k < 2; k++)
+            look.every[k] = bat_max_int(1, lines[k] / FEW);
+        if (!keep_apart(&look))
+            return false;
+        look.every[0] = look.every[1] = 1;
+    }
+    return keep_apart(&look);
 }
 
 /* The spans to be looked at for a range: one more at each side. */

@@ -262,3 +262,42 @@ TEST(bad_options_and_thin_tables_are_refused_with_their_numbers)
     batten_offset_table_unref(thin);
     batten_offset_table_unref(good);
 }
+
+/* A caller that says at the given report of progress that it has enough. */
+typedef struct {
+    int reports, last;
+} watcher;
+
+static void count_report(void *user, double fraction, const char *what)
+{
+    watcher *w = user;
+    CHECK(fraction >= 0 && fraction <= 1);
+    CHECK(*what);
+    w->reports++;
+}
+
+static bool has_enough(void *user)
+{
+    const watcher *w = user;
+    return w->reports >= w->last;
+}
+
+TEST(lofting_is_cancelled_from_its_progress_and_leaves_its_outputs_alone)
+{
+    batten_offset_table *table = make_wigley(1e-3);
+    const batten_loft_options options = batten_loft_defaults(0.6e-3);
+    for (int last = 0; last < 3; last++) {
+        watcher w = {0, last};
+        batten_job job = BATTEN_JOB;
+        batten_loft_report report = {.cut_count = -7};
+        batten_surface *surface = NULL;
+        job.progress = count_report;
+        job.is_cancelled = has_enough;
+        job.user = &w;
+        CHECK_STATUS(batten_surface_loft(table, &options, &job, &report, &surface),
+                     BATTEN_CANCELLED);
+        CHECK(surface == NULL);
+        CHECK_INT(report.cut_count, -7);
+    }
+    batten_offset_table_unref(table);
+}

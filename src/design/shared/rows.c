@@ -246,7 +246,7 @@ bat_spread bat_spread_of(int count, const double *points, size_t step)
         largest > 0 ? bat_max_int(-1000, bat_min_int(1000, ilogb(largest))) : 0;
     const double scale = ldexp(1, -exponent);
     double least = HUGE_VAL, most = 0; /* squares */
-    bat_spread spread = {.at = 0};
+    bat_spread spread = {.largest = largest};
     for (int i = 0; i + 1 < count; i++) {
         const double *from = points + 3 * step * (size_t)i, *to = from + 3 * step;
         const double x = scale * (to[0] - from[0]), y = scale * (to[1] - from[1]),
@@ -267,15 +267,19 @@ bool bat_spread_is_uneven(const bat_spread *spread)
     return spread->most > most_uneven * spread->least;
 }
 
-void bat_note_reach(const bat_run *run, const char *name, int count, const double *points)
+static void note_size(const bat_run *run, const char *name, double size)
 {
-    const double size = largest_coordinate(count, points, 1);
     if (lost * size > bat_tolerance(run))
         bat_note(
             run,
             "'%s': coordinates of up to %.3g lose %.2g to rounding, more than the tolerance "
             "%.2g; move the points towards the origin, or ask for less",
             name, size, lost * size, bat_tolerance(run));
+}
+
+void bat_note_reach(const bat_run *run, const char *name, int count, const double *points)
+{
+    note_size(run, name, largest_coordinate(count, points, 1));
 }
 
 void bat_note_spacing(const bat_run *run, const char *name, int count, const double *points)
@@ -288,5 +292,5 @@ void bat_note_spacing(const bat_run *run, const char *name, int count, const dou
             "points may turn sharply between them: 'thin-points' merges what is meant to be "
             "one",
             name, spread.at + 1, spread.at + 2, spread.least, spread.most);
-    bat_note_reach(run, name, count, points);
+    note_size(run, name, spread.largest);
 }

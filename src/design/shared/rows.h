@@ -26,9 +26,9 @@ batten_status bat_gather_points(const bat_run *run, const char *parameter, int *
 batten_status bat_points_check_size(int count, const double *points);
 
 /* How far neighbours of one row are from each other: the shortest distance above 0, which begins at point `at` counted
- * from 0, and the longest. */
+ * from 0, and the longest; the largest coordinate. */
 typedef struct {
-    double least, most;
+    double least, most, largest;
     int at;
 } bat_spread;
 

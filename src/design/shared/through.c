@@ -133,18 +133,21 @@ static batten_affine map_of_frame(const batten_frame *frame)
                            {o.x, o.y, o.z}};
 }
 
-/* The control points of a plane curve, or of the graph of a function, in space: [count][3]. */
-static double *place_points(const batten_curve *curve, const batten_frame *frame)
+/* The control points of a plane curve, or of the graph of a function, in space: [count][3]. The axes of its frame are
+ * those of space. */
+static double *place_points(const batten_curve *curve, const row_plane *plane)
 {
-    const batten_affine map = map_of_frame(frame);
     const int n = batten_curve_point_count(curve), d = batten_curve_dimension(curve);
+    const int first = plane->axis == 0 ? 1 : 0, second = plane->axis == 2 ? 1 : 2;
     const double *from = batten_curve_points(curve);
+    const double across[3] = {plane->frame.origin.x, plane->frame.origin.y,
+                              plane->frame.origin.z};
     double *points = bat_array3((size_t)n, 3, sizeof *points);
     for (int i = 0; points && i < n; i++) {
-        const double x = d == 1 ? batten_curve_greville(curve, i) : from[d * i],
-                     y = from[d * i + d - 1];
-        for (int r = 0; r < 3; r++)
-            points[3 * i + r] = map.t[r] + map.m[r][0] * x + map.m[r][1] * y;
+        /* No zero has a sign, as after a product and a sum. */
+        points[3 * i + first] = 0 + (d == 1 ? batten_curve_greville(curve, i) : from[2 * i]);
+        points[3 * i + second] = 0 + from[d * i + d - 1];
+        points[3 * i + plane->axis] = across[plane->axis];
     }
     return points;
 }
@@ -152,7 +155,7 @@ static double *place_points(const batten_curve *curve, const batten_frame *frame
 /* Where the control points alone change: all but rational functions and what is periodic. */
 static batten_status place_plainly(const task *t, const batten_curve *curve, batten_curve **out)
 {
-    double *points = place_points(curve, &t->plane.frame);
+    double *points = place_points(curve, &t->plane);
     batten_status status = points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status =

@@ -341,24 +341,25 @@ static double largest(size_t count, const double *values)
     return size;
 }
 
-/* The largest distance of the surface from a row of data. */
-static batten_status row_residual(const task *t, const batten_surface *surface, int i,
-                                  double *worst)
+/* The largest distance of the surface from the data. */
+static batten_status find_worst(const task *t, const batten_surface *surface, double *worst)
 {
-    const int d = t->dimension;
-    for (int j = 0; j < t->count_v; j++) {
-        const double *point =
-            t->points + ((size_t)i * (size_t)t->count_v + (size_t)j) * (size_t)d;
-        double found[3], square = 0;
-        const batten_status status =
-            batten_surface_evaluate(surface, t->u[i], t->v[j], 0, found);
-        if (status != BATTEN_OK)
-            return status;
-        for (int k = 0; k < d; k++)
-            square += (found[k] - point[k]) * (found[k] - point[k]);
-        *worst = bat_max(*worst, sqrt(square));
+    const size_t d = (size_t)t->dimension, count = (size_t)t->count_u * (size_t)t->count_v;
+    const batten_uv_grid places = {(size_t)t->count_u, (size_t)t->count_v, t->u, t->v};
+    double *found = bat_array3(count, d, sizeof *found);
+    batten_status status = found ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = batten_surface_evaluate_grid(surface, places, 0, t->work.job, found);
+    *worst = 0;
+    for (size_t i = 0; i < count && status == BATTEN_OK; i++) {
+        double square = 0;
+        for (size_t k = i * d; k < (i + 1) * d; k++)
+            square += (found[k] - t->points[k]) * (found[k] - t->points[k]);
+        *worst = bat_max(*worst, square);
     }
-    return BATTEN_OK;
+    *worst = sqrt(*worst);
+    bat_release(found);
+    return status;
 }
 
 /* The largest weight in least ones: how much the quotient may multiply rounding. */
@@ -377,9 +378,7 @@ static batten_status check_residual(const task *t, const batten_surface *surface
 {
     const size_t d = (size_t)t->dimension;
     double worst = 0;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < t->count_u; i++)
-        status = row_residual(t, surface, i, &worst);
+    const batten_status status = find_worst(t, surface, &worst);
     if (status != BATTEN_OK)
         return status;
     *residual = worst;

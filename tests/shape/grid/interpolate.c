@@ -4,6 +4,8 @@
 #include "support/faults.h"
 #include "support/test.h"
 
+#include <string.h>
+
 static const double us[] = {0, 0.3, 0.8, 1.1, 1.9, 2.4, 3},
                     vs[] = {-1, -0.6, 0.2, 0.5, 1.3, 1.6};
 
@@ -490,6 +492,35 @@ TEST(grids_that_make_no_sense_are_refused)
                      expected);
     }
     CHECK(surface == NULL);
+}
+
+TEST(a_grid_has_the_same_bits_on_any_number_of_threads)
+{
+    enum { U = 90, V = 80 };
+    static const int threads[] = {1, 2, 7};
+    double points[U][V][3];
+    batten_surface *surfaces[3];
+    batten_surface_interpolate_report reports[3];
+    for (int i = 0; i < U; i++)
+        for (int j = 0; j < V; j++) {
+            points[i][j][0] = i + 0.1 * sin(j);
+            points[i][j][1] = j + 0.1 * cos(2 * i);
+            points[i][j][2] = smooth(0.3 * i, 0.2 * j);
+        }
+    for (int k = 0; k < COUNT(threads); k++) {
+        batten_job job = BATTEN_JOB;
+        job.thread_count = threads[k];
+        CHECK_OK(batten_surface_interpolate((batten_grid){3, U, V, points[0][0]}, NULL, &job,
+                                            (batten_uv_out){NULL, NULL}, &reports[k],
+                                            &surfaces[k]));
+        CHECK_INT(memcmp(batten_surface_points(surfaces[k]), batten_surface_points(surfaces[0]),
+                         sizeof points),
+                  0);
+        CHECK_BITS(reports[k].error, reports[0].error);
+    }
+    CHECK(reports[0].error > 0 && reports[0].error < 1e-11);
+    for (int k = 0; k < COUNT(threads); k++)
+        batten_surface_unref(surfaces[k]);
 }
 
 static bool stop_at(void *user)
