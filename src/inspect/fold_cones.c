@@ -21,7 +21,8 @@ typedef struct {
     const double *points;
     int dimension, count_v;
     int degree[2];
-    int *spans[2];        /* the knot where each span begins */
+    int count[2];         /* of spans */
+    int *spans[2];        /* the knot where each begins */
     bat_span_ranges open; /* what is not proved */
 } net;
 
@@ -167,7 +168,9 @@ static batten_status prove_block(net *n, bat_span_range block)
     if (cannot_fold(n, &w))
         return BATTEN_OK;
     const int size[2] = {block.end[0] - block.first[0], block.end[1] - block.first[1]};
-    const int k = size[1] > size[0], proved_before = n->open.count;
+    /* The direction of which it has the larger part: both bend about as much over the whole. */
+    const bool is_wide = (double)size[1] * n->count[0] > (double)size[0] * n->count[1];
+    const int k = size[0] == 1 || (is_wide && size[1] > 1), proved_before = n->open.count;
     if (size[k] == 1)
         return BAT_LIST_ADD(n->open.at, n->open.count, n->open.room, block);
     const int middle = block.first[k] + size[k] / 2, end = block.end[k];
@@ -224,6 +227,7 @@ batten_status bat_folds_possible(const batten_surface *surface, bat_span_ranges 
         n.dimension = batten_surface_dimension(surface);
         n.count_v = batten_surface_point_count(surface, BATTEN_V);
         for (int k = 0; k < 2; k++) {
+            n.count[k] = all.end[k];
             n.degree[k] = batten_surface_degree(surface, (batten_direction)k);
             n.spans[k] = list_spans(surface, (batten_direction)k);
         }

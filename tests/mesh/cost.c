@@ -3,6 +3,8 @@
 #include "support/test.h"
 
 #include <batten/mesh.h>
+#include <batten/standard.h>
+#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
@@ -151,4 +153,33 @@ static void draw_l(int count, double (*corners)[2])
 TEST(the_cost_beside_an_inner_border_that_is_straight_but_for_rounding)
 {
     check_cost(draw_l, 12);
+}
+
+TEST(one_surface_has_the_same_mesh_on_any_number_of_threads)
+{
+    static const int threads[] = {1, 2, 7};
+    const batten_frame world = batten_frame_world();
+    batten_mesh_options options = batten_mesh_defaults();
+    batten_surface *torus = NULL;
+    batten_mesh *meshes[3];
+    options.chord = 6e-4;
+    CHECK_OK(batten_surface_torus(&world, 1, 0.3, &torus));
+    for (int k = 0; k < COUNT(threads); k++) {
+        batten_job job = BATTEN_JOB;
+        job.thread_count = threads[k];
+        CHECK_OK(batten_mesh_from_surface(torus, &options, &job, NULL, &meshes[k]));
+        const batten_mesh_parts *one = batten_mesh_view(meshes[0]),
+                                *here = batten_mesh_view(meshes[k]);
+        CHECK_INT(here->vertex_count, one->vertex_count);
+        CHECK_INT(here->triangle_count, one->triangle_count);
+        CHECK_INT(memcmp(here->points, one->points,
+                         (size_t)one->vertex_count * 3 * sizeof *one->points),
+                  0);
+        CHECK_INT(memcmp(here->corners, one->corners,
+                         (size_t)one->triangle_count * 3 * sizeof *one->corners),
+                  0);
+    }
+    for (int k = 0; k < COUNT(threads); k++)
+        batten_mesh_unref(meshes[k]);
+    batten_surface_unref(torus);
 }
