@@ -121,6 +121,48 @@ TEST(the_place_of_a_fold_is_just_beyond_it_in_either_direction_at_any_size)
     batten_surface_unref(wave);
 }
 
+/* A dome over a quarter of a circle, whose points at the pole were made apart: they differ in their last digits, or not
+ * at all. Before them the cone of u runs on, so that only the pole is singular. */
+static batten_surface *dome_with_pole(double noise, double size, double far)
+{
+    static const double quadratic[] = {0, 0, 0, 0.5, 1, 1, 1};
+    static const double rim[4][2] = {{1, 0}, {1, 0.5}, {0.5, 1}, {0, 1}};
+    static const double rings[4][2] = {{1, 0}, {0.9, 0.4}, {0.5, 0.6}, {0, 0.6}};
+    double points[4][4][3];
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++) {
+            const double off = j == 3 ? noise * (i % 2 ? 1 : -1) * (i + 1) : 0;
+            points[i][j][0] = far + size * (rim[i][0] * rings[j][0] + off);
+            points[i][j][1] = size * (rim[i][1] * rings[j][0] - off);
+            points[i][j][2] = size * rings[j][1];
+        }
+    const batten_axis axis = {2, 4, quadratic, false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &axis, &axis, points[0][0], NULL, &surface));
+    return surface;
+}
+
+TEST(the_direction_along_a_pole_is_noise_and_no_fold)
+{
+    static const struct {
+        double noise, size, far;
+        bool folds;
+    } rows[] = {{0, 1, 0, false},        {1e-16, 1, 0, false},     {1e-14, 1, 0, false},
+                {1e-14, 1e60, 0, false}, {1e-14, 1e-60, 0, false}, {1e-9, 1, 1e6, false},
+                {1e-2, 1, 0, true}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_surface *dome = dome_with_pole(rows[i].noise, rows[i].size, rows[i].far), *other;
+        batten_surface_fold fold = {.found = true};
+        CHECK_OK(batten_surface_swap(dome, &other));
+        CHECK_OK(batten_surface_find_fold(dome, &fold));
+        CHECK(fold.found == rows[i].folds);
+        CHECK_OK(batten_surface_find_fold(other, &fold));
+        CHECK(fold.found == rows[i].folds);
+        batten_surface_unref(dome);
+        batten_surface_unref(other);
+    }
+}
+
 TEST(folds_of_functions_are_not_looked_for)
 {
     const batten_axis axis = {1, 2, (const double[]){0, 0, 1, 1}, false};

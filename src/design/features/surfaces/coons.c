@@ -129,18 +129,26 @@ static const char *edge_name(int edge)
 }
 
 #define DEGREES (180 / BAT_PI)
+/* Radians; less is rounding of a slope and of the curve beside it. */
+static const double in_plane = 1e-6;
 
-/* What helps where a boundary curve leaves the tangent plane of a surface beside it. */
+/* What helps where a boundary curve does not fit the slope beside it: it leaves the tangent plane, or has another direction
+ * or speed in it, which the kinds with curvatures cannot make up for. */
 static batten_status advise(const work *w, const batten_surface_coons_report *found,
                             batten_status status)
 {
     if (status != BATTEN_NOT_COMPATIBLE || !(found->slope_gap > w->options.tolerance) ||
         w->options.repair)
         return status;
-    return bat_fail(status,
-                    "%s; let the boundary curves leave within the tangent planes ('curve-of' "
-                    "and 'blend' with G1), or correct the slopes ('repair: yes')",
-                    batten_message());
+    const char *advice =
+        w->options.order > 2 && found->slope_angle <= in_plane
+            ? "with curvatures a slope is taken over with one factor for its whole side: let "
+              "the boundary curves continue the curves across the surface beside it "
+              "('curve-of'), both with the same ratio of speeds, or take 'kind: second'"
+            : "let the boundary curves leave within the tangent planes ('curve-of' and "
+              "'blend' with G1)";
+    return bat_fail(status, "%s; %s, or correct the slopes ('repair: yes')", batten_message(),
+                    advice);
 }
 
 /* The slopes that gave way; how far from smooth the joins are now is measured later. */
@@ -253,8 +261,9 @@ const bat_feature bat_feature_coons = {
          "functions: 'linear' ('first' only), 'cubic', and 'quintic' or 'coons' for patchworks with\n"
          "continuous curvature. By default 'linear' for 'first', 'quintic' for 'third', otherwise\n"
          "'cubic'. A slope fits its neighbours when the boundary curves beside it leave the surface\n"
-         "within its tangent plane. Such curves come from 'curve-of' (the ends of the surface) and\n"
-         "'blend' between them with continuity G1; 'repair: yes' corrects the slopes instead and\n"
+         "within its tangent plane; of the kind 'third' they also continue the curves across it, both\n"
+         "with the same ratio of speeds. Such curves come from 'curve-of' (the ends of the surface)\n"
+         "and 'blend' between them with continuity G1; 'repair: yes' corrects the slopes instead and\n"
          "reports by how many degrees the patch then leaves the tangent planes. Gaps between slopes\n"
          "are vectors per unit of the parameter. Unless curves are rational, or twists differ under\n"
          "the policy 'gregory', the result is exact; otherwise a spline. Tangent planes, and\n"

@@ -128,7 +128,7 @@ TEST(G7_surfaces_that_cannot_be_blended_are_refused)
     static const bad_row rows[] = {
         {"{blend: [patch, other], edges: u1}", "two 'edges', 1", BATTEN_BAD_ARGUMENT},
         {"{blend: patch, edges: [u1, u0]}", "two surfaces are needed", BATTEN_NOT_COMPATIBLE},
-        {"{blend: [patch, other], edges: [u1, u0], first: G3}", "continuity is 0 to 2",
+        {"{blend: [patch, other], edges: [u1, u0], first: G3}", "side 1: continuity G3",
          BATTEN_BAD_ARGUMENT},
         {"{blend: [patch, other], edges: [u1, u0], parts: [0, 1]}", "four numbers",
          BATTEN_BAD_ARGUMENT},
