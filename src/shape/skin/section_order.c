@@ -34,7 +34,8 @@ batten_status bat_skin_kinds(bat_skin *t)
     return BATTEN_OK;
 }
 
-static batten_status sample(const batten_curve *curve, samples *out)
+/* A section that is a point has no tangents, but for the roundings of its control points. */
+static batten_status sample(const batten_curve *curve, bool is_point, samples *out)
 {
     const int d = batten_curve_dimension(curve);
     memset(out, 0, sizeof *out);
@@ -45,7 +46,8 @@ static batten_status sample(const batten_curve *curve, samples *out)
         if (status != BATTEN_OK)
             return status;
         memcpy(out->points[i], at, (size_t)d * sizeof *at);
-        memcpy(out->tangents[i], at + d, (size_t)d * sizeof *at);
+        if (!is_point)
+            memcpy(out->tangents[i], at + d, (size_t)d * sizeof *at);
     }
     return BATTEN_OK;
 }
@@ -129,7 +131,7 @@ batten_status bat_skin_order(bat_skin *t)
     samples *all = bat_array((size_t)t->count, sizeof *all);
     batten_status status = all ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int k = 0; status == BATTEN_OK && k < t->count; k++)
-        status = sample(t->unified[k], &all[k]);
+        status = sample(t->unified[k], t->point[k], &all[k]);
     const int n = t->count;
     for (int k = 0; status == BATTEN_OK && k + 1 < n; k++) {
         if (crosses(&all[k], &all[k + 1]))
