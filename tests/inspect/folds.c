@@ -121,13 +121,13 @@ TEST(the_place_of_a_fold_is_just_beyond_it_in_either_direction_at_any_size)
     batten_surface_unref(wave);
 }
 
-/* A dome over a quarter of a circle, whose points at the pole were made apart: they differ in their last digits, or not
+/* A dome over a quarter of a circle with a ring of radius `before` before its pole, whose points at the pole were made apart: they differ in their last digits, or not
  * at all. Before them the cone of u runs on, so that only the pole is singular. */
-static batten_surface *dome_with_pole(double noise, double size, double far)
+static batten_surface *dome_with_pole(double noise, double size, double far, double before)
 {
     static const double quadratic[] = {0, 0, 0, 0.5, 1, 1, 1};
     static const double rim[4][2] = {{1, 0}, {1, 0.5}, {0.5, 1}, {0, 1}};
-    static const double rings[4][2] = {{1, 0}, {0.9, 0.4}, {0.5, 0.6}, {0, 0.6}};
+    const double rings[4][2] = {{1, 0}, {0.9, 0.4}, {before, 0.5}, {0, 0.6}};
     double points[4][4][3];
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++) {
@@ -142,16 +142,26 @@ static batten_surface *dome_with_pole(double noise, double size, double far)
     return surface;
 }
 
-TEST(the_direction_along_a_pole_is_noise_and_no_fold)
+TEST(at_a_pole_only_lines_that_pass_it_make_a_fold)
 {
     static const struct {
-        double noise, size, far;
+        double noise, size, far, before;
         bool folds;
-    } rows[] = {{0, 1, 0, false},        {1e-16, 1, 0, false},     {1e-14, 1, 0, false},
-                {1e-14, 1e60, 0, false}, {1e-14, 1e-60, 0, false}, {1e-9, 1, 1e6, false},
-                {1e-2, 1, 0, true}};
+    } rows[] = {{0, 1, 0, 0.5, false},
+                {1e-16, 1, 0, 0.5, false},
+                {1e-14, 1, 0, 0.5, false},
+                {1e-14, 1e60, 0, 0.5, false},
+                {1e-14, 1e-60, 0, 0.5, false},
+                {1e-9, 1, 1e6, 0.5, false},
+                {1e-2, 1, 0, 0.5, true},
+                /* Its lines pass the pole and return to it, within a thousandth of the way. */
+                {1e-14, 1, 0, 1e-4, false},
+                {1e-14, 1, 0, -1e-4, true},
+                {0, 1, 0, -1e-4, true}};
     for (int i = 0; i < COUNT(rows); i++) {
-        batten_surface *dome = dome_with_pole(rows[i].noise, rows[i].size, rows[i].far), *other;
+        batten_surface *dome = dome_with_pole(rows[i].noise, rows[i].size, rows[i].far,
+                                              rows[i].before),
+                       *other;
         batten_surface_fold fold = {.found = true};
         CHECK_OK(batten_surface_swap(dome, &other));
         CHECK_OK(batten_surface_find_fold(dome, &fold));

@@ -270,26 +270,26 @@ static batten_status make_blend(blending *t, batten_surface **out)
 
 /* ---- the call ---- */
 
-/* What is asked of one side, 1 or 2. */
-static batten_status check_side(int side, const batten_surface_blend_end *e)
+/* What is asked of one side. */
+static batten_status check_side(int k, const batten_surface_blend_end *e)
 {
     if (!isfinite(e->from) || !isfinite(e->to) || !isfinite(e->bulge))
-        return bat_fail(BATTEN_NOT_FINITE, "side %d: from %g to %g, bulge %g", side, e->from,
+        return bat_fail(BATTEN_NOT_FINITE, "side %d: from %g to %g, bulge %g", k + 1, e->from,
                         e->to, e->bulge);
     if ((int)e->edge < 0 || e->edge > BATTEN_EDGE_U0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "side %d: a surface has no edge %d", side,
+        return bat_fail(BATTEN_BAD_ARGUMENT, "side %d: a surface has no edge %d", k + 1,
                         (int)e->edge);
     if (e->from < 0 || !(e->from < e->to) || e->to > 1)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "side %d: a part from %g to %g; parts go forwards within 0 and 1", side,
-                        e->from, e->to);
+                        "side %d: a part from %g to %g; parts go forwards within 0 and 1",
+                        k + 1, e->from, e->to);
     if (e->continuity < 0 || e->continuity > 2)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "side %d: continuity G%d; surfaces are blended with G0, G1 or G2", side,
-                        e->continuity);
+                        "side %d: continuity G%d; surfaces are blended with G0, G1 or G2",
+                        k + 1, e->continuity);
     if (e->bulge <= 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "side %d: a bulge of %g; bulges are above 0", side,
-                        e->bulge);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "side %d: a bulge of %g; bulges are above 0",
+                        k + 1, e->bulge);
     return BATTEN_OK;
 }
 
@@ -298,7 +298,7 @@ static batten_status check_blend(const blending *t)
     for (int k = 0; k < 2; k++) {
         if (batten_surface_dimension(t->surfaces[k]) != 3)
             return bat_fail(BATTEN_NOT_COMPATIBLE, "surface %d is not in space", k + 1);
-        const batten_status status = check_side(k + 1, &t->ends[k]);
+        const batten_status status = check_side(k, &t->ends[k]);
         if (status != BATTEN_OK)
             return status;
     }
