@@ -41,9 +41,9 @@ const command command_fair = {
     .summary = "fair a curve or a table of offsets, moving no point farther than allowed",
     .manual =
         "IN is a table of offsets, or points, through which a curve is interpolated. Curves of\n"
-        "IGES files do not state the points they pass through, and cannot be made fair. The\n"
-        "report says how far points were moved and how many excess inflections there were before\n"
-        "and after.",
+        "IGES files do not state the points they pass through; they are made fair by their control\n"
+        "points, with --method farin-sapidis or eck-hadenfeld. The report says how far points were\n"
+        "moved and how many excess inflections there were before and after.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

@@ -135,7 +135,7 @@ BATTEN_API int batten_curve_dimension(const batten_curve *curve);
  * @param curve  any curve
  */
 BATTEN_API int batten_curve_degree(const batten_curve *curve);
-/** How many control points there are; of a periodic curve those of one period. */
+/** How many control points there are; of a periodic curve those of the wrapped form, m + p. */
 BATTEN_API int batten_curve_point_count(const batten_curve *curve);
 /**
  * How many knots there are, each as often as its multiplicity.

@@ -119,6 +119,17 @@ typedef enum batten_fair_order {
     BATTEN_FAIR_ALTERNATE    /**< even ducks, then odd ones */
 } batten_fair_order;
 
+/** By what the points of a curve are moved. */
+typedef enum batten_fair_method {
+    BATTEN_FAIR_SPRINGBACK,  /**< ducks are released, in an order */
+    BATTEN_FAIR_CIRCLE_RATE, /**< in the plane: the curvature of the circle through each three
+                                  points is made linear over their chords, the worst point first */
+    BATTEN_FAIR_KJELLANDER,  /**< a point goes to the cubic with the positions and tangents of
+                                  its neighbours, the worst point first */
+    BATTEN_FAIR_LEAST_CHANGE /**< of a function or in the plane: the points move as little as
+                                  removes the inflections in excess */
+} batten_fair_method;
+
 typedef struct batten_fair_options {
     size_t size;
     double within; /**< no point moves farther than this, in model units; required */
@@ -132,6 +143,7 @@ typedef struct batten_fair_options {
     int corner_count;
     double corner_angle; /**< of tables, radians: a turn of a station by this much more than at
                             both neighbours is a corner (a chine), and not rounded; 25 degrees */
+    batten_fair_method method; /**< BATTEN_FAIR_SPRINGBACK; of tables no other */
 } batten_fair_options;
 
 /** The defaults of fairing: no point moves farther than `within`, model units. */
@@ -158,9 +170,9 @@ typedef struct batten_fair_report {
 BATTEN_API void batten_fair_report_release(batten_fair_report *report);
 
 /**
- * Fair the points of one curve by bounded springback.
+ * Fair the points of one curve within bounds.
  *
- * Each duck in turn is released and the batten, a natural cubic spline, takes its place between
+ * With BATTEN_FAIR_SPRINGBACK each duck in turn is released and the batten, a natural cubic spline, takes its place between
  * the others, but no point leaves the ball of radius `within` about where it was given: not by
  * a single rounding. Parameters are held. A point of the plane or of space moves at right
  * angles to the chord from its given predecessor to its successor, so that it does not slide
@@ -176,6 +188,16 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  * bounds count from the result of the first would continue moving; to continue within the same
  * bounds, begin with the same points.
  *
+ * With BATTEN_FAIR_CIRCLE_RATE the first and the last two points stay, and the sum of the
+ * departures of the circle rates from the lines between their neighbours falls with every move;
+ * with BATTEN_FAIR_KJELLANDER the sum of the squares of the forces does. Both end after
+ * `max_moves` (0: 20 for each point) or when no move, nor an eighth of one, makes it fall.
+ *
+ * With BATTEN_FAIR_LEAST_CHANGE a curve without inflections in excess is not moved. Else of all
+ * battens that turn where the one of least energy does, as often as the points require, that
+ * with the least sum of (move / bound)^2 is taken, whose points may also slide along the curve;
+ * where the bounds leave none, or the search ends elsewhere, `after` says what is in excess.
+ *
  * Pieces of fewer than 4 points are judged and not moved. Bounds and moves below the last places
  * of the coordinates count as 0.
  *
@@ -190,15 +212,65 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  * @param[out] faired [count][dimension]
  * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, COINCIDENT,
- *         CANCELLED, INCOMPLETE, or TOLERANCE_NOT_MET with the residual in the message
+ *         CANCELLED, INCOMPLETE, UNSUPPORTED (a method that is not for points of this
+ *         dimension), NO_CONVERGENCE, or TOLERANCE_NOT_MET with the residual in the message
  *
- * Cost: linear in count (worst first: count for each move).
- * Source: [SL] ch. VII; [NW06] ch. 19 for the method.
+ * Cost: linear in count (the worst first: count for each move).
+ * Source: [SL] ch. VII; [NW06] ch. 19 for the method; [Kje83].
  */
 BATTEN_API batten_status batten_fair_points(batten_points points, const double *parameters,
                                             const batten_fair_options *options,
                                             const batten_job *job, batten_fair_report *report,
                                             double *faired);
+
+/** By what the control points of a curve are moved. */
+typedef enum batten_curve_fair_method {
+    BATTEN_CURVE_FAIR_KNOTS, /**< cubics: the knot with the largest jump of the third derivative
+                                  is taken out and put in again */
+    BATTEN_CURVE_FAIR_COEFFICIENTS /**< the control point by which the integral of the square of
+                                        the third derivative (degree 2: of the second) falls
+                                        most goes to its best place */
+} batten_curve_fair_method;
+
+typedef struct batten_curve_fair_options {
+    size_t size;
+    double within; /**< no point of the curve moves farther than this, model units; required */
+    batten_curve_fair_method method; /**< BATTEN_CURVE_FAIR_KNOTS */
+    int hold; /**< so many control points stay at each end: 1 the ends, 2 the tangents, 3 the
+                   curvatures too; of periodic curves none; 1 */
+    int max_moves; /**< 0: 20 for each control point */
+} batten_curve_fair_options;
+/** The defaults of fairing a curve: no point of it moves farther than `within`, model units. */
+BATTEN_API batten_curve_fair_options batten_curve_fair_defaults(double within);
+
+/**
+ * Fair a curve that comes without the points it was made from.
+ *
+ * Control points are moved one at a time, the worst first, each within a ball about where it was
+ * given. The balls have the largest radius found, `within` or more, with which no point of the
+ * curve is farther than `within` from where it was at the same parameter. With every move falls the sum of the jumps of the third derivative at simple knots
+ * (KNOTS), or the integral (COEFFICIENTS); where no move, nor an eighth of one, makes it fall,
+ * the search ends. Degree, knots and period stay.
+ *
+ * In the report, the moves are those of control points, which may be above `within`; `max_move`
+ * is how far the curve moved, exceeded by no point of it and right to some hundredths. The
+ * inflections required are the fewest of any curve within the bound of 8 points of each span of
+ * the given one; in space none.
+ *
+ * @param curve  polynomial, of degree 2 or more; KNOTS: cubic
+ * @param options  the bound
+ * @param job  progress, cancelling; NULL for no questions
+ * @param[out] report  what was reached, release it; may be NULL
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK, BAD_ARGUMENT, UNSUPPORTED, CANCELLED, INCOMPLETE, OUT_OF_MEMORY
+ *
+ * Cost: the control points for each move.
+ * Source: [FS90]; [EH95].
+ */
+BATTEN_API batten_status batten_curve_fair(const batten_curve *curve,
+                                           const batten_curve_fair_options *options,
+                                           const batten_job *job, batten_fair_report *report,
+                                           batten_curve **out);
 
 /** Which families of a table are faired. */
 typedef enum batten_fair_families {

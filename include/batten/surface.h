@@ -148,7 +148,7 @@ BATTEN_API batten_status batten_surface_to_nurbs(const batten_surface *surface,
  */
 BATTEN_API int batten_surface_degree(const batten_surface *surface, batten_direction direction);
 /**
- * How many control points there are in one direction; periodic: of one period.
+ * How many control points there are in one direction; periodic: those of the wrapped form, m + p.
  *
  * @param surface  any surface
  */

@@ -37,6 +37,9 @@ batten_status bat_fair_check_options(int count, const batten_fair_options *optio
     if ((int)options->order < 0 || options->order > BATTEN_FAIR_ALTERNATE)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no order %d of fairing",
                         (int)options->order);
+    if ((int)options->method < 0 || options->method > BATTEN_FAIR_LEAST_CHANGE)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no method %d of fairing",
+                        (int)options->method);
     if (options->max_moves < 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the most moves are %d, below 0",
                         options->max_moves);

@@ -1,4 +1,4 @@
-/* Points of a curve faired within bounds: blunders first, then sweeps or the least energy. */
+/* Points of a curve faired within bounds: what was given is checked, cut at corners, and handed piece by piece to a method. */
 #include "fair/fair_points.h"
 #include "base/plural.h"
 #include "base/work.h"
@@ -22,7 +22,7 @@ typedef struct {
     bool *is_corner;       /* [count], both ends too */
     double *own_t;         /* [count], when no parameters were given */
     bat_fair_tally *tally; /* NULL when no report is wanted */
-} springback;
+} fairing;
 
 /* ---- what the caller gave ---- */
 
@@ -49,6 +49,19 @@ static batten_status check_points(int dimension, int count, const double *points
                             i + 1, parameters[i], parameters[i - 1]);
     }
     return bat_fair_check_options(count, options);
+}
+
+static batten_status check_method(int dimension, batten_fair_method method)
+{
+    if (method == BATTEN_FAIR_CIRCLE_RATE && dimension != 2)
+        return bat_fail(
+            BATTEN_UNSUPPORTED,
+            "circle rates are of points of the plane, and these have %d coordinate%s",
+            dimension, bat_plural(dimension));
+    if (method == BATTEN_FAIR_LEAST_CHANGE && dimension == 3)
+        return bat_fail(BATTEN_UNSUPPORTED,
+                        "the least change removes inflections, and curves in space have none");
+    return BATTEN_OK;
 }
 
 /* ---- how ducks may move ---- */
@@ -78,7 +91,7 @@ static void complete_frame(int width, double *frame)
 
 /* At right angles to the chord from the last to the next duck; where these coincide, and for a
  * function, freely. */
-static void set_frame(springback *s, int i)
+static void set_frame(fairing *s, int i)
 {
     const int w = s->width, before = bat_max_int(i - 1, 0),
               after = bat_min_int(i + 1, s->count - 1);
@@ -98,7 +111,7 @@ static void set_frame(springback *s, int i)
     complete_frame(w, frame);
 }
 
-static void set_bounds(springback *s)
+static void set_bounds(fairing *s)
 {
     const batten_fair_options *options = s->options;
     double size = 0;
@@ -125,7 +138,7 @@ static void set_bounds(springback *s)
 
 /* ---- one piece ---- */
 
-static bat_ducks ducks_of(const springback *s, int first)
+static bat_ducks ducks_of(const fairing *s, int first)
 {
     const size_t w = (size_t)s->width, at = (size_t)first;
     return (bat_ducks){.width = s->width,
@@ -135,124 +148,15 @@ static bat_ducks ducks_of(const springback *s, int first)
                        .frames = s->frames + at * w * w};
 }
 
-/* Which duck is under the largest force of those that would move; -1 for none. `to` is where.
- */
-static int worst_duck(const bat_batten *batten, const bat_ducks *ducks, const double *z,
-                      const double *forces, double relaxation, double *to)
-{
-    const int w = ducks->width;
-    const double zero[3] = {0};
-    double worst = 0;
-    int found = -1;
-    for (int i = 0; i < batten->count; i++) {
-        double place[3];
-        const double force = bat_distance(w, forces + i * w, zero);
-        if (ducks->freedom[i] == 0 || force <= worst)
-            continue;
-        /* A thousandth part of what the sweeps stop at: to release less is no gain. */
-        bat_duck_release(batten, ducks, i, z + i * w, forces + i * w, relaxation, place);
-        if (bat_distance(w, z + i * w, place) > 1e-9 * ducks->within[i]) {
-            worst = force;
-            found = i;
-            memcpy(to, place, (size_t)w * sizeof *to);
-        }
-    }
-    return found;
-}
-
-static batten_status worst_first(const springback *s, const bat_batten *batten, int first,
-                                 double *z)
-{
-    const int n = batten->count, w = s->width;
-    const bat_ducks ducks = ducks_of(s, first);
-    const int most = s->options->max_moves > 0 ? s->options->max_moves : 20 * n;
-    bat_work work = {s->job, 0};
-    double *moments = bat_array3((size_t)n, 2 * (size_t)w, sizeof *moments);
-    if (!moments)
-        return BATTEN_OUT_OF_MEMORY;
-    double *forces = moments + (size_t)n * (size_t)w, to[3];
-    batten_status status = BATTEN_OK;
-    bool done = false;
-    for (int k = 0; status == BATTEN_OK && !done && k < most; k++) {
-        bat_batten_bend(batten, w, z, moments, forces);
-        const int i = worst_duck(batten, &ducks, z, forces, s->options->relaxation, to);
-        done = i < 0;
-        if (!done)
-            memcpy(z + i * w, to, (size_t)w * sizeof *z);
-        if (!done && s->options->stop_when_fair)
-            status = bat_batten_is_fair(
-                batten, &(bat_batten_points){w, s->points + first * w, s->within + first, z},
-                &done);
-        if (status == BATTEN_OK)
-            status = bat_work_step(&work, (uint64_t)n, k / (double)most, "fairing");
-    }
-    bat_release(moments);
-    return status;
-}
-
-/* Let every second duck go, from `parity` on, and hold the others where they are. */
-static batten_status release_half(const springback *s, const bat_batten *batten, int first,
-                                  int parity, double *centre, int *freedom, double *z,
-                                  double *change)
-{
-    const int w = s->width;
-    const size_t row = (size_t)w * sizeof *z;
-    bat_ducks ducks = ducks_of(s, first);
-    for (int i = 0; i < batten->count; i++) {
-        const bool free = i % 2 == parity;
-        freedom[i] = free ? ducks.freedom[i] : 0;
-        memcpy(centre + i * w, free ? ducks.centre + i * w : z + i * w, row);
-    }
-    ducks.centre = centre;
-    ducks.freedom = freedom;
-    double *next = bat_array((size_t)batten->count, row), residual;
-    if (!next)
-        return BATTEN_OUT_OF_MEMORY;
-    batten_status status = bat_batten_least(batten, &ducks, s->job, next, &residual);
-    for (int i = 0; status == BATTEN_OK && i < batten->count; i++)
-        if (freedom[i] > 0)
-            *change =
-                bat_max(*change, bat_distance(w, z + i * w, next + i * w) / ducks.within[i]);
-    if (status == BATTEN_OK)
-        memcpy(z, next, (size_t)batten->count * row);
-    bat_release(next);
-    return status;
-}
-
-static batten_status alternate(const springback *s, const bat_batten *batten, int first,
-                               double *z)
-{
-    const int n = batten->count, rounds = s->options->max_moves > 0
-                                              ? bat_max_int(1, s->options->max_moves / n)
-                                              : 100;
-    double *centre = bat_array3((size_t)n, (size_t)s->width, sizeof *centre);
-    int *freedom = bat_array((size_t)n, sizeof *freedom);
-    batten_status status = centre && freedom ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    double change = HUGE_VAL;
-    for (int k = 0; status == BATTEN_OK && k < rounds && change > BAT_DUCK_AT_REST; k++) {
-        change = 0;
-        for (int parity = 0; status == BATTEN_OK && parity < 2; parity++)
-            status = release_half(s, batten, first, parity, centre, freedom, z, &change);
-    }
-    bat_release(freedom);
-    bat_release(centre);
-    return status;
-}
-
-static batten_status release_ducks(const springback *s, const bat_batten *batten, int first,
-                                   double *z)
-{
-    const bat_ducks ducks = ducks_of(s, first);
-    double residual;
-    if (s->options->order == BATTEN_FAIR_WORST_FIRST)
-        return worst_first(s, batten, first, z);
-    if (s->options->order == BATTEN_FAIR_ALTERNATE)
-        return alternate(s, batten, first, z);
-    return bat_batten_least(batten, &ducks, s->job, z, &residual);
-}
+static batten_status (*const methods[])(const bat_fair_piece *piece, double *z) = {
+    [BATTEN_FAIR_SPRINGBACK] = bat_fair_springback,
+    [BATTEN_FAIR_CIRCLE_RATE] = bat_fair_circle_rate,
+    [BATTEN_FAIR_KJELLANDER] = bat_fair_kjellander,
+    [BATTEN_FAIR_LEAST_CHANGE] = bat_fair_least_change,
+};
 
 /* Moves in the last places are roundoff, not fairing: those ducks keep their bits. */
-static void settle_bounds(const springback *s, int first, int count)
+static void settle_bounds(const fairing *s, int first, int count)
 {
     const int w = s->width;
     double size = 0;
@@ -263,7 +167,7 @@ static void settle_bounds(const springback *s, int first, int count)
             memcpy(s->z + i * w, s->points + i * w, (size_t)w * sizeof *s->z);
 }
 
-static batten_status fair_piece(springback *s, int first, int last)
+static batten_status fair_piece(fairing *s, int first, int last)
 {
     const int count = last - first + 1;
     bat_batten batten;
@@ -271,11 +175,12 @@ static batten_status fair_piece(springback *s, int first, int last)
     if (status != BATTEN_OK)
         return status;
     double *z = s->z + first * s->width;
+    const bat_ducks ducks = ducks_of(s, first);
     if (count >= 4) {
-        status = release_ducks(s, &batten, first, z);
+        const bat_fair_piece piece = {&batten, ducks, s->options, s->job};
+        status = methods[s->options->method](&piece, z);
         settle_bounds(s, first, count);
     }
-    const bat_ducks ducks = ducks_of(s, first);
     if (status == BATTEN_OK && s->tally)
         status = bat_tally_piece(s->tally, &batten, &ducks, false, 0, first, z);
     bat_batten_end(&batten);
@@ -284,7 +189,7 @@ static batten_status fair_piece(springback *s, int first, int last)
 
 /* ---- the curve ---- */
 
-static batten_status begin_fairing(springback *s)
+static batten_status begin_fairing(fairing *s)
 {
     const size_t n = (size_t)s->count, w = (size_t)s->width;
     s->within = bat_array(n, sizeof *s->within);
@@ -304,7 +209,7 @@ static batten_status begin_fairing(springback *s)
                               false, s->own_t);
 }
 
-static void end_fairing(springback *s)
+static void end_fairing(fairing *s)
 {
     bat_release(s->within);
     bat_release(s->freedom);
@@ -325,16 +230,18 @@ batten_status batten_fair_points(batten_points points, const double *parameters,
         return status;
     options = &chosen;
     status = check_points(points.dimension, points.count, points.at, parameters, options);
+    if (status == BATTEN_OK)
+        status = check_method(points.dimension, options->method);
     if (status != BATTEN_OK)
         return status;
     bat_fair_tally tally = {0};
-    springback s = {.width = points.dimension,
-                    .count = points.count,
-                    .points = points.at,
-                    .t = parameters,
-                    .options = options,
-                    .job = job,
-                    .tally = report ? &tally : NULL};
+    fairing s = {.width = points.dimension,
+                 .count = points.count,
+                 .points = points.at,
+                 .t = parameters,
+                 .options = options,
+                 .job = job,
+                 .tally = report ? &tally : NULL};
     status = begin_fairing(&s);
     for (int i = 0, next; status == BATTEN_OK && i < points.count - 1; i = next) {
         for (next = i + 1; !s.is_corner[next];)

@@ -1,10 +1,26 @@
-/* What fairing a curve and fairing a table share: the options they check, the report they
- * write. */
-#ifndef BAT_SPRINGBACK_H
-#define BAT_SPRINGBACK_H
+/* Fairing points: the options that are checked for curves and tables alike, the methods, the report. */
+#ifndef BAT_FAIR_POINTS_H
+#define BAT_FAIR_POINTS_H
 #include "fair/elastic_batten.h"
 
 batten_status bat_fair_check_options(int count, const batten_fair_options *options);
+
+/* One piece between corners, of four points or more. */
+typedef struct {
+    const bat_batten *batten;
+    bat_ducks ducks;
+    const batten_fair_options *options;
+    const batten_job *job;
+} bat_fair_piece;
+
+/* z [count][width]: at first where the ducks were given, then where a method puts them. */
+batten_status bat_fair_springback(const bat_fair_piece *piece, double *z);
+batten_status bat_fair_circle_rate(const bat_fair_piece *piece, double *z);
+batten_status bat_fair_kjellander(const bat_fair_piece *piece, double *z);
+batten_status bat_fair_least_change(const bat_fair_piece *piece, double *z);
+
+/* Has the batten through z, in whose bounds lie the given places, the verdict? */
+batten_status bat_piece_is_fair(const bat_fair_piece *piece, const double *z, bool *out);
 
 /* A report that grows. Begins with {0}; hand it over with finish, or drop it with end. */
 typedef struct {

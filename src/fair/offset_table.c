@@ -289,6 +289,9 @@ static batten_status check_table(const batten_offset_table *offsets,
                         "%d corner%s %s given, but those of a table are found",
                         options->corner_count, bat_plural(options->corner_count),
                         bat_one_or_many(options->corner_count, "is", "are"));
+    if (options->method != BATTEN_FAIR_SPRINGBACK)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "tables of offsets are made fair by springback alone");
     if (!(options->corner_angle > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the angle of a corner is %g, not above 0",
                         options->corner_angle);

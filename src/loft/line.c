@@ -3,7 +3,7 @@
  * values: the program for it has small numbers, and what is quadratic stays so.
  */
 #include "loft/line.h"
-#include "loft/pattern.h"
+#include "fair/sign_pattern.h"
 #include "numeric/banded.h"
 
 #include <batten/fair.h>
@@ -72,7 +72,7 @@ static batten_status choose_signs(bat_line_program *f, const double *line)
 {
     for (int k = 0; k < f->sample_count; k++)
         f->curvature[k] = bat_loft_line_at(f->of, line, f->sample[k], 2);
-    return bat_loft_pattern(f->sample_count, f->curvature, f->of->changes, f->signs);
+    return bat_sign_pattern(f->sample_count, f->curvature, f->of->changes, f->signs);
 }
 
 /* The line of the differences as they are. */

@@ -2,7 +2,7 @@
 #include "loft/signs.h"
 #include "base/arena.h"
 #include "loft/bending.h"
-#include "loft/pattern.h"
+#include "fair/sign_pattern.h"
 
 typedef struct {
     bat_loft_place place;
@@ -48,7 +48,7 @@ batten_status bat_loft_add_signs(bat_loft_program *program, const bat_loft_cut *
     const int count =
         status == BATTEN_OK ? take_samples(program, cut, trace, samples, curvature) : 0;
     if (status == BATTEN_OK && count >= 5)
-        status = bat_loft_pattern(count, curvature, cut->needed, signs);
+        status = bat_sign_pattern(count, curvature, cut->needed, signs);
     for (int k = 0; k < count && count >= 5 && status == BATTEN_OK; k++) {
         for (int c = 0; c < 3; c++)
             samples[k].measure.vector[c] *= -signs[k];

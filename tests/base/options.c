@@ -236,6 +236,12 @@ static void default_fair(void *options)
     memcpy(options, &defaults, sizeof defaults);
 }
 
+static void default_curve_fair(void *options)
+{
+    const batten_curve_fair_options defaults = batten_curve_fair_defaults(0);
+    memcpy(options, &defaults, sizeof defaults);
+}
+
 static void default_selection(void *options)
 {
     const batten_offset_table_selection everything = batten_offset_table_everything();
@@ -285,6 +291,15 @@ static batten_status call_batten_fair_points(const void *set, const void *option
     return batten_fair_points(none, NULL, options, NULL, NULL, many);
 }
 
+static batten_status call_batten_curve_fair(const void *set, const void *options)
+{
+    const stage *s = set;
+    batten_curve *out = NULL;
+    const batten_status status = batten_curve_fair(s->line, options, NULL, NULL, &out);
+    batten_curve_unref(out);
+    return status;
+}
+
 static batten_status call_batten_fair_offset_table(const void *set, const void *options)
 {
     const stage *s = set;
@@ -309,6 +324,8 @@ static batten_status call_batten_offset_table_select(const void *set, const void
 static const options_taker takers[] = {
     ENTRIES(ENTRY_ROW){"batten_fair_points", "batten_fair_options", sizeof(batten_fair_options),
                        default_fair, call_batten_fair_points},
+    {"batten_curve_fair", "batten_curve_fair_options", sizeof(batten_curve_fair_options),
+     default_curve_fair, call_batten_curve_fair},
     {"batten_surface_fill_sheet", "batten_fill_sheet_options",
      sizeof(batten_fill_sheet_options), default_sheet, call_batten_surface_fill_sheet},
     {"batten_surface_loft", "batten_loft_options", sizeof(batten_loft_options), default_loft,

@@ -126,6 +126,8 @@ TEST(N6_tables_refuse_bounds_and_options_that_mean_nothing)
     cornered.corner_count = 1;
     flat.corner_angle = 0;
     nan.corner_angle = NAN;
+    batten_fair_options rates = batten_fair_defaults(1);
+    rates.method = BATTEN_FAIR_CIRCLE_RATE;
     const struct {
         int families;
         const batten_fair_options *options;
@@ -137,6 +139,7 @@ TEST(N6_tables_refuse_bounds_and_options_that_mean_nothing)
         {3, &cornered, "1 corner is given, but those of a table are found"},
         {3, &flat, "the angle of a corner is 0, not above 0"},
         {3, &nan, "the angle of a corner is nan, not above 0"},
+        {3, &rates, "tables of offsets are made fair by springback alone"},
     };
     batten_offset_table *given = NULL, *faired = NULL;
     CHECK_OK(hull_make(hull_wigley(5, 5, 0), &given));

@@ -17,8 +17,11 @@ static const batten_parameter parameters[] = {
      "no point moves farther than this"},
     {"families", BATTEN_VALUE_WORD, false, false, "both", "stations lines both",
      "of a table: what is made fair"},
+    {"method", BATTEN_VALUE_WORD, false, false, "springback",
+     "springback circle-rate kjellander least-change farin-sapidis eck-hadenfeld",
+     "by what points are moved; by the last two the control points of a curve"},
     {"order", BATTEN_VALUE_WORD, false, false, "sweeps", "worst-first sweeps alternate",
-     "which duck is released next"},
+     "of springback: which duck is released next"},
     {"corner-angle", BATTEN_VALUE_ANGLE, false, false, "25 deg", NULL,
      "of a table: a station that turns by this much more than beside it has a corner, which stays"},
     {"hold-ends", BATTEN_VALUE_YES_NO, false, false, "yes", NULL, "the end points stay"},
@@ -29,11 +32,20 @@ static const batten_parameter parameters[] = {
 static batten_fair_options options_of(const bat_run *run)
 {
     batten_fair_options options = batten_fair_defaults(bat_number(run, "within"));
+    options.method = (batten_fair_method)bat_word(run, "method");
     options.order = (batten_fair_order)bat_word(run, "order");
     options.corner_angle = bat_number(run, "corner-angle");
     options.hold_ends = bat_yes(run, "hold-ends");
     options.stop_when_fair = bat_yes(run, "stop-when-fair");
     return options;
+}
+
+/* The methods of points come first among the words, those of control points follow. */
+enum { METHODS_OF_POINTS = BATTEN_FAIR_LEAST_CHANGE + 1 };
+
+static bool moves_control_points(const bat_run *run)
+{
+    return bat_word(run, "method") >= METHODS_OF_POINTS;
 }
 
 /* ---- one report for a family of curves ---- */
@@ -154,6 +166,36 @@ static batten_status fit_again(const bat_run *run, const batten_object *object,
     return status;
 }
 
+/* The batten has natural ends; a curve keeps those it had, which may turn where the batten does not. */
+static batten_status note_ends(const bat_run *run, const batten_object *object,
+                               const batten_curve *made, const batten_fair_report *report)
+{
+    const int count = object->point_count, axis = bat_flat_axis(count, object->points);
+    if (axis < 0 || report->after.excess_inflections > 0)
+        return BATTEN_OK;
+    batten_fairness_options options = batten_fairness_defaults();
+    batten_fairness found = {0};
+    batten_curve *plane = NULL;
+    double *given = bat_points_in_plane(axis, count, object->points);
+    batten_status status = given ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    options.within = bat_number(run, "within");
+    if (status == BATTEN_OK)
+        status = bat_curve_in_plane(made, axis, &plane);
+    if (status == BATTEN_OK)
+        status =
+            batten_curve_fairness(plane, (batten_points){2, count, given}, &options, &found);
+    if (status == BATTEN_OK && found.excess_inflections > 0)
+        bat_note(
+            run,
+            "'%s': the batten through the moved points is fair, but the curve, with the ends "
+            "it had, has %d inflection%s in excess; 'ends: natural' where it is "
+            "interpolated makes it the batten",
+            object->name, found.excess_inflections, bat_plural(found.excess_inflections));
+    batten_curve_unref(plane);
+    bat_release(given);
+    return status;
+}
+
 static batten_status fair_curve(bat_run *run, const batten_object *object, int set)
 {
     batten_fair_report report = {0};
@@ -169,10 +211,72 @@ static batten_status fair_curve(bat_run *run, const batten_object *object, int s
         status = add_report(&run->result->fairing, &report, set, count);
     if (status == BATTEN_OK)
         status = fit_again(run, object, faired, &curve);
+    if (status == BATTEN_OK)
+        status = note_ends(run, object, curve, &report);
     made.points = faired;
     status = bat_put_curve_like(run, status, curve, &made, true);
     batten_fair_report_release(&report);
     bat_release(faired);
+    return status;
+}
+
+/* Control points [count][dimension] back into the plane, or space, of the curve they are from. */
+static batten_status lift_curve(const batten_curve *from, const batten_curve *plane, int axis,
+                                batten_curve **out)
+{
+    const int wrapped = batten_curve_point_count(from), degree = batten_curve_degree(from);
+    const bool periodic = batten_curve_is_periodic(from);
+    double *points = bat_array3((size_t)wrapped, 3, sizeof *points);
+    if (!points)
+        return BATTEN_OUT_OF_MEMORY;
+    memcpy(points, batten_curve_points(from), 3 * (size_t)wrapped * sizeof *points);
+    bat_points_from_plane(axis, wrapped, batten_curve_points(plane), points);
+    const batten_points all = {3, periodic ? wrapped - degree : wrapped, points};
+    const double *knots = batten_curve_knots(from);
+    const batten_status status =
+        periodic ? batten_curve_create_periodic(all, degree, NULL, knots + degree, out)
+                 : batten_curve_create(all, degree, NULL, knots, out);
+    bat_release(points);
+    return status;
+}
+
+/* Of a curve in a plane two coordinates are made fair, for in space there are no inflections. */
+static batten_status fair_net(const bat_run *run, const batten_curve *curve, int axis,
+                              batten_fair_report *report, batten_curve **out)
+{
+    batten_curve_fair_options options = batten_curve_fair_defaults(bat_number(run, "within"));
+    batten_curve *plane = NULL, *made = NULL;
+    options.method = (batten_curve_fair_method)(bat_word(run, "method") - METHODS_OF_POINTS);
+    options.hold = bat_yes(run, "hold-ends");
+    if (axis < 0)
+        return batten_curve_fair(curve, &options, run->job, report, out);
+    batten_status status = bat_curve_in_plane(curve, axis, &plane);
+    if (status == BATTEN_OK)
+        status = batten_curve_fair(plane, &options, run->job, report, &made);
+    if (status == BATTEN_OK)
+        status = lift_curve(curve, made, axis, out);
+    const double height = batten_curve_points(curve)[axis];
+    lift_moves(axis, height, report->moves, report->move_count);
+    batten_curve_unref(plane);
+    batten_curve_unref(made);
+    return status;
+}
+
+/* Its control points are moved: what it passed before it may miss by the bound. */
+static batten_status fair_control_points(bat_run *run, const batten_object *object, int set)
+{
+    const int count = batten_curve_point_count(object->curve);
+    batten_fair_report report = {0};
+    batten_curve *curve = NULL;
+    batten_status status =
+        fair_net(run, object->curve, bat_flat_axis(count, batten_curve_points(object->curve)),
+                 &report, &curve);
+    if (status == BATTEN_OK)
+        status = add_report(&run->result->fairing, &report, set, count);
+    else if (status != BATTEN_OUT_OF_MEMORY && status != BATTEN_CANCELLED)
+        status = bat_fail(status, "'%s': %s", object->name, batten_message());
+    status = bat_put_curve_like(run, status, curve, object, true);
+    batten_fair_report_release(&report);
     return status;
 }
 
@@ -211,25 +315,49 @@ static void inherit_fit(bat_run *run)
     run->result->has_fit = true;
 }
 
+static batten_status refuse_object(const batten_object *object, bool control_points)
+{
+    if (control_points)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "'%s' is not a curve, and this method moves control points of curves; "
+                        "'interpolate' makes a curve of points",
+                        object->name);
+    return bat_fail(
+        BATTEN_BAD_ARGUMENT,
+        "'%s' is a %s without the points it was made from, and fairing moves points: "
+        "make those fair, or points of it that 'divide' takes, or take 'method: "
+        "farin-sapidis' or 'eck-hadenfeld', which move control points",
+        object->name, object->kind == BATTEN_OBJECT_CURVE ? "curve" : "shape");
+}
+
+static batten_status fair_object(bat_run *run, const batten_object *object, int set)
+{
+    const bool control_points = moves_control_points(run);
+    const bool curve = object->kind == BATTEN_OBJECT_CURVE;
+    if (curve && control_points)
+        return fair_control_points(run, object, set);
+    if (object->kind == BATTEN_OBJECT_POINTS && !control_points)
+        return fair_row(run, object, set);
+    if (curve && object->point_count > 0)
+        return fair_curve(run, object, set);
+    return refuse_object(object, control_points);
+}
+
+static int moved_points_of(const bat_run *run, const batten_object *object)
+{
+    return moves_control_points(run) && object->kind == BATTEN_OBJECT_CURVE
+               ? batten_curve_point_count(object->curve)
+               : object->point_count;
+}
+
 static batten_status fair_curves(bat_run *run, const bat_objects *curves)
 {
     batten_fair_report *report = &run->result->fairing;
     batten_status status = BATTEN_OK;
     int point_count = 0;
     for (int i = 0; i < curves->count && status == BATTEN_OK; i++) {
-        const batten_object *object = curves->at[i];
-        point_count += object->point_count;
-        if (object->kind == BATTEN_OBJECT_POINTS)
-            status = fair_row(run, object, i);
-        else if (object->kind != BATTEN_OBJECT_CURVE || object->point_count == 0)
-            status =
-                bat_fail(BATTEN_BAD_ARGUMENT,
-                         "'%s' is a %s without the points it was made from, and fairing "
-                         "moves points: make those fair, or points of it that 'divide' "
-                         "takes",
-                         object->name, object->kind == BATTEN_OBJECT_CURVE ? "curve" : "shape");
-        else
-            status = fair_curve(run, object, i);
+        status = fair_object(run, curves->at[i], i);
+        point_count += moved_points_of(run, curves->at[i]);
     }
     report->rms_move = point_count ? sqrt(report->rms_move / point_count) : 0;
     return status;
@@ -294,21 +422,30 @@ static batten_status run_fair(bat_run *run)
 const bat_feature bat_feature_fair = {
     .shown =
         {"fair", "Points moved within a bound until their curves are fair",
-         "Each duck in turn is released and the batten settles between the others, but no point\n"
-         "moves farther than 'within' from where it was given. A table of offsets stays a table;\n"
-         "curves are interpolated anew through the moved points, with the parameters and ends they\n"
-         "had; points alone get a curve as 'interpolate' makes it. Curves of IGES and STEP files\n"
-         "have no points to move. Points that look like blunders are reported, not repaired.",
+         "By 'springback' each duck in turn is released and the batten settles between the others;\n"
+         "by 'circle-rate' the curvature of the circle through each three points of a plane is made\n"
+         "linear, by 'kjellander' a point goes to the cubic with its neighbours' tangents, both at\n"
+         "the worst point first. 'least-change' moves points of a plane as little as removes the\n"
+         "inflections in excess, and nothing where there are none. No point moves farther than\n"
+         "'within' from where it was given. Curves are interpolated anew through the moved points,\n"
+         "with the parameters and ends they had; points alone get a curve as 'interpolate' makes\n"
+         "it; a table of offsets stays a table, by springback. Curves of IGES and STEP files have\n"
+         "no points: 'farin-sapidis' moves control points of cubics, at the knot where the third\n"
+         "derivative jumps most, and 'eck-hadenfeld' those by which the integral of its square falls\n"
+         "most; then no point of the curve is farther than 'within' from where it was. Points that\n"
+         "look like blunders are reported, not repaired.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"
          "  faired: {fair: sheer, within: 1 cm}\n",
-         "[SL section VII.2] [SL section VII.3] [NW06]", "batten_fair_points",
-         BAT_PARAMETERS(parameters), false,
+         "[SL section VII.2] [SL section VII.3] [NW06] [Kje83] [FS90] [EH95]",
+         "batten_fair_points", BAT_PARAMETERS(parameters), false,
          .also =
-             "fairing, smoothing of points, springback, ducks, remove bumps, lines fairing, Kjellander",
+             "fairing, smoothing of points, springback, ducks, remove bumps, lines fairing, Kjellander, huitan, circle rate, yuanlu, Farin Sapidis, Eck Hadenfeld, knot removal and reinsertion",
          .formula =
-             "    ∫ |z″|² dt → minimum over points |z_i − y_i| ≤ within,  z the natural cubic spline through them",
+             "    ∫ |z″|² dt → minimum over points |z_i − y_i| ≤ within,  z the natural cubic spline through them;\n"
+             "    Kjellander: P_j → the cubic with P, P′ of P_j−1 and P_j+1;  circle rate: k_j → (h_j k_j−1 + h_j−1 k_j+1) / (h_j−1 + h_j);\n"
+             "    least change: Σ |z_i − y_i|² / within² → minimum over z″ of the signs that points require",
          .promise =
-             "No point moves farther than the bound; within the bounds the energy is the least."},
+             "No point moves farther than the bound; by sweeps the energy is the least within the bounds."},
     .run = run_fair};

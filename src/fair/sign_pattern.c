@@ -1,7 +1,7 @@
 /* Which signs a sequence of curvatures is to have. */
-#include "loft/pattern.h"
+#include "fair/sign_pattern.h"
 
-batten_status bat_loft_pattern(int count, const double *curvature, int changes, int *signs)
+batten_status bat_sign_pattern(int count, const double *curvature, int changes, int *signs)
 {
     const size_t states = 2 * ((size_t)changes + 1);
     double *cost = bat_array3(2, states, sizeof *cost);

@@ -1,4 +1,4 @@
-#include "loft/pattern.h"
+#include "fair/sign_pattern.h"
 
 #include "support/test.h"
 
@@ -31,7 +31,7 @@ TEST(patterns_of_signs_leave_the_least_wrong_curvature)
         int signs[10], turns = 0;
         for (int i = 0; i < count; i++)
             curvature[i] = test_random_in(&random, -1, 1);
-        CHECK_OK(bat_loft_pattern(count, curvature, changes, signs));
+        CHECK_OK(bat_sign_pattern(count, curvature, changes, signs));
         for (int i = 0; i < count; i++) {
             turns += i > 0 && signs[i] != signs[i - 1];
             wrong += fmax(-signs[i] * curvature[i], 0);
