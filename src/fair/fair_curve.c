@@ -22,7 +22,8 @@ batten_curve_fair_options batten_curve_fair_defaults(double within)
                                        .hold = 1};
 }
 
-static batten_status check(const batten_curve *curve, const batten_curve_fair_options *options)
+static batten_status check_curve(const batten_curve *curve,
+                                 const batten_curve_fair_options *options)
 {
     if (!(options->within > 0 && isfinite(options->within)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the bound is %g, not above 0", options->within);
@@ -243,7 +244,7 @@ batten_status batten_curve_fair(const batten_curve *curve,
     batten_curve_fair_options chosen = batten_curve_fair_defaults(0);
     batten_status status = BAT_TAKE_OPTIONS(batten_curve_fair_options, options, &chosen);
     if (status == BATTEN_OK)
-        status = check(curve, &chosen);
+        status = check_curve(curve, &chosen);
     if (status != BATTEN_OK)
         return status;
     bat_fair_net net = {.curve = curve,

@@ -36,7 +36,8 @@ typedef struct {
 /* The arrays, and the knots. End with the arena, also when it fails. */
 batten_status bat_change_begin(const bat_fair_piece *piece, bat_least_change *out);
 
-/* A derivative of the difference at duck i, up to the second. */
+/* A derivative of the difference, up to the second, on span `span` at its first or its last end; at duck i. */
+bat_change_row bat_change_row_on(const bat_least_change *c, int span, bool last, int order);
 bat_change_row bat_change_row_at(const bat_least_change *c, int i, int order);
 
 /* Of the batten through z: moments, and the Bezier points of the first derivative. */

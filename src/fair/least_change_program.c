@@ -1,7 +1,6 @@
 /* The rows and squares of the program of fairing by least change. */
 #include "fair/least_change.h"
 #include "numeric/programs/convex_program.h"
-#include "spline/spline.h"
 
 #include <string.h>
 
@@ -46,49 +45,6 @@ batten_status bat_change_begin(const bat_fair_piece *piece, bat_least_change *ou
     for (int i = 0; i < n; i++)
         c->unit = bat_max(c->unit, piece->ducks.within[i]);
     return BATTEN_OK;
-}
-
-/* ---- numbers that are linear in the unknowns ---- */
-
-static void add_unknown(int unknown, double factor, bat_change_row *row)
-{
-    row->weight[unknown - row->first] += factor;
-}
-
-/* Coefficient `at` of the n + 2, as a sum of unknowns. */
-static void add_coefficient(const bat_least_change *c, int at, double factor,
-                            bat_change_row *row)
-{
-    const double *t = c->piece->batten->t;
-    const int n = c->ducks;
-    if (at == 1) {
-        const double near = t[1] - t[0], far = t[2] - t[0];
-        add_unknown(0, factor * far / (near + far), row);
-        add_unknown(1, factor * near / (near + far), row);
-    } else if (at == n) {
-        const double near = t[n - 1] - t[n - 2], far = t[n - 1] - t[n - 3];
-        add_unknown(n - 1, factor * far / (near + far), row);
-        add_unknown(n - 2, factor * near / (near + far), row);
-    } else {
-        add_unknown(at == 0 ? 0 : bat_min_int(at - 1, n - 1), factor, row);
-    }
-}
-
-/* On span `span` at its first or its last end. */
-static bat_change_row row_on(const bat_least_change *c, int span, bool last, int order)
-{
-    double basis[3 * SUPPORT];
-    bat_change_row row = {.first = bat_max_int(0, bat_min_int(span - 1, c->ducks - SUPPORT))};
-    bat_basis(P, c->knots, span + P, c->piece->batten->t[span + last], order, basis);
-    for (int k = 0; k < SUPPORT; k++)
-        add_coefficient(c, span + k, basis[order * SUPPORT + k], &row);
-    return row;
-}
-
-bat_change_row bat_change_row_at(const bat_least_change *c, int i, int order)
-{
-    const int span = bat_min_int(i, c->ducks - 2);
-    return row_on(c, span, span < i, order);
 }
 
 static double times(const bat_least_change *c, const bat_change_row *row, int coordinate)
@@ -214,8 +170,9 @@ static void add_signs_of_curve(bat_least_change *c)
     const int n = c->ducks;
     for (int i = 0; i + 1 < n; i++) {
         const double *h = c->bend + 6 * i, part = (t[i + 1] - t[i]) / 2;
-        const bat_change_row h0 = row_on(c, i, false, 1), h2 = row_on(c, i, true, 1),
-                             bend = row_on(c, i, false, 2);
+        const bat_change_row h0 = bat_change_row_on(c, i, false, 1),
+                             h2 = bat_change_row_on(c, i, true, 1),
+                             bend = bat_change_row_on(c, i, false, 2);
         bat_change_row h1 = h0;
         for (int k = 0; k < SUPPORT; k++)
             h1.weight[k] += part * bend.weight[k];

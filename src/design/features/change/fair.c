@@ -1,6 +1,6 @@
 /* The feature 'fair': points moved within a bound until their curves are fair. */
+#include "design/features/change/fair.h"
 #include "base/plural.h"
-#include "design/shared/rows.h"
 
 #include <string.h>
 
@@ -40,12 +40,9 @@ static batten_fair_options options_of(const bat_run *run)
     return options;
 }
 
-/* The methods of points come first among the words, those of control points follow. */
-enum { METHODS_OF_POINTS = BATTEN_FAIR_LEAST_CHANGE + 1 };
-
 static bool moves_control_points(const bat_run *run)
 {
-    return bat_word(run, "method") >= METHODS_OF_POINTS;
+    return bat_word(run, "method") >= BAT_METHODS_OF_POINTS;
 }
 
 /* ---- one report for a family of curves ---- */
@@ -80,9 +77,8 @@ static batten_status append_moves(batten_fair_move **all, int *count,
     return BATTEN_OK;
 }
 
-/* rms_move of the sum holds the sum of squares until the end. */
-static batten_status add_report(batten_fair_report *sum, const batten_fair_report *one, int set,
-                                int point_count)
+batten_status bat_fair_add_report(batten_fair_report *sum, const batten_fair_report *one,
+                                  int set, int point_count)
 {
     add_fairness(&sum->before, &one->before, set == 0);
     add_fairness(&sum->after, &one->after, set == 0);
@@ -103,18 +99,6 @@ static batten_status add_report(batten_fair_report *sum, const batten_fair_repor
 
 /* ---- one curve ---- */
 
-/* Moves of a curve in a plane, in space. */
-static void lift_moves(int axis, double height, batten_fair_move *moves, int count)
-{
-    for (int i = 0; i < count; i++) {
-        const double from[2] = {moves[i].from[0], moves[i].from[1]};
-        const double to[2] = {moves[i].to[0], moves[i].to[1]};
-        bat_points_from_plane(axis, 1, from, moves[i].from);
-        bat_points_from_plane(axis, 1, to, moves[i].to);
-        moves[i].from[axis] = moves[i].to[axis] = height;
-    }
-}
-
 static batten_status fair_points(const bat_run *run, const batten_object *object,
                                  double *faired, batten_fair_report *report)
 {
@@ -132,8 +116,9 @@ static batten_status fair_points(const bat_run *run, const batten_object *object
         bat_points_from_plane(axis, count, moved, faired);
     }
     if (status == BATTEN_OK && axis >= 0) {
-        lift_moves(axis, object->points[axis], report->moves, report->move_count);
-        lift_moves(axis, object->points[axis], report->suspects, report->suspect_count);
+        bat_fair_lift_moves(axis, object->points[axis], report->moves, report->move_count);
+        bat_fair_lift_moves(axis, object->points[axis], report->suspects,
+                            report->suspect_count);
     }
     bat_release(moved);
     bat_release(given);
@@ -208,7 +193,7 @@ static batten_status fair_curve(bat_run *run, const batten_object *object, int s
     batten_status status =
         faired ? fair_points(run, object, faired, &report) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = add_report(&run->result->fairing, &report, set, count);
+        status = bat_fair_add_report(&run->result->fairing, &report, set, count);
     if (status == BATTEN_OK)
         status = fit_again(run, object, faired, &curve);
     if (status == BATTEN_OK)
@@ -217,66 +202,6 @@ static batten_status fair_curve(bat_run *run, const batten_object *object, int s
     status = bat_put_curve_like(run, status, curve, &made, true);
     batten_fair_report_release(&report);
     bat_release(faired);
-    return status;
-}
-
-/* Control points [count][dimension] back into the plane, or space, of the curve they are from. */
-static batten_status lift_curve(const batten_curve *from, const batten_curve *plane, int axis,
-                                batten_curve **out)
-{
-    const int wrapped = batten_curve_point_count(from), degree = batten_curve_degree(from);
-    const bool periodic = batten_curve_is_periodic(from);
-    double *points = bat_array3((size_t)wrapped, 3, sizeof *points);
-    if (!points)
-        return BATTEN_OUT_OF_MEMORY;
-    memcpy(points, batten_curve_points(from), 3 * (size_t)wrapped * sizeof *points);
-    bat_points_from_plane(axis, wrapped, batten_curve_points(plane), points);
-    const batten_points all = {3, periodic ? wrapped - degree : wrapped, points};
-    const double *knots = batten_curve_knots(from);
-    const batten_status status =
-        periodic ? batten_curve_create_periodic(all, degree, NULL, knots + degree, out)
-                 : batten_curve_create(all, degree, NULL, knots, out);
-    bat_release(points);
-    return status;
-}
-
-/* Of a curve in a plane two coordinates are made fair, for in space there are no inflections. */
-static batten_status fair_net(const bat_run *run, const batten_curve *curve, int axis,
-                              batten_fair_report *report, batten_curve **out)
-{
-    batten_curve_fair_options options = batten_curve_fair_defaults(bat_number(run, "within"));
-    batten_curve *plane = NULL, *made = NULL;
-    options.method = (batten_curve_fair_method)(bat_word(run, "method") - METHODS_OF_POINTS);
-    options.hold = bat_yes(run, "hold-ends");
-    if (axis < 0)
-        return batten_curve_fair(curve, &options, run->job, report, out);
-    batten_status status = bat_curve_in_plane(curve, axis, &plane);
-    if (status == BATTEN_OK)
-        status = batten_curve_fair(plane, &options, run->job, report, &made);
-    if (status == BATTEN_OK)
-        status = lift_curve(curve, made, axis, out);
-    const double height = batten_curve_points(curve)[axis];
-    lift_moves(axis, height, report->moves, report->move_count);
-    batten_curve_unref(plane);
-    batten_curve_unref(made);
-    return status;
-}
-
-/* Its control points are moved: what it passed before it may miss by the bound. */
-static batten_status fair_control_points(bat_run *run, const batten_object *object, int set)
-{
-    const int count = batten_curve_point_count(object->curve);
-    batten_fair_report report = {0};
-    batten_curve *curve = NULL;
-    batten_status status =
-        fair_net(run, object->curve, bat_flat_axis(count, batten_curve_points(object->curve)),
-                 &report, &curve);
-    if (status == BATTEN_OK)
-        status = add_report(&run->result->fairing, &report, set, count);
-    else if (status != BATTEN_OUT_OF_MEMORY && status != BATTEN_CANCELLED)
-        status = bat_fail(status, "'%s': %s", object->name, batten_message());
-    status = bat_put_curve_like(run, status, curve, object, true);
-    batten_fair_report_release(&report);
     return status;
 }
 
@@ -335,7 +260,7 @@ static batten_status fair_object(bat_run *run, const batten_object *object, int 
     const bool control_points = moves_control_points(run);
     const bool curve = object->kind == BATTEN_OBJECT_CURVE;
     if (curve && control_points)
-        return fair_control_points(run, object, set);
+        return bat_fair_control_points(run, object, set);
     if (object->kind == BATTEN_OBJECT_POINTS && !control_points)
         return fair_row(run, object, set);
     if (curve && object->point_count > 0)
