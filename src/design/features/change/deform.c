@@ -3,8 +3,8 @@
 #include "design/feature.h"
 #include "numeric/box.h"
 
-#include <batten/offset.h>
 #include <batten/measure.h>
+#include <batten/offset.h>
 #include <string.h>
 
 #define KINDS (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_BODIES | BAT_MESHES)

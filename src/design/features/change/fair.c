@@ -45,58 +45,6 @@ static bool moves_control_points(const bat_run *run)
     return bat_word(run, "method") >= BAT_METHODS_OF_POINTS;
 }
 
-/* ---- one report for a family of curves ---- */
-
-static void add_fairness(batten_fairness *sum, const batten_fairness *one, bool first)
-{
-    sum->inflections += one->inflections;
-    sum->excess_inflections += one->excess_inflections;
-    sum->curvature_extrema += one->curvature_extrema;
-    sum->jumps += one->jumps;
-    sum->energy += one->energy;
-    sum->variation += one->variation;
-    sum->max_curvature = bat_max(sum->max_curvature, one->max_curvature);
-    sum->fair = one->fair && (first || sum->fair);
-    sum->corners += one->corners;
-    sum->curvature_jumps += one->curvature_jumps;
-}
-
-static batten_status append_moves(batten_fair_move **all, int *count,
-                                  const batten_fair_move *more, int more_count, int set)
-{
-    if (more_count == 0)
-        return BATTEN_OK;
-    batten_fair_move *grown = bat_resize(*all, (size_t)(*count + more_count), sizeof *grown);
-    if (!grown)
-        return BATTEN_OUT_OF_MEMORY;
-    *all = grown;
-    for (int i = 0; i < more_count; i++) {
-        grown[*count] = more[i];
-        grown[(*count)++].set = set;
-    }
-    return BATTEN_OK;
-}
-
-batten_status bat_fair_add_report(batten_fair_report *sum, const batten_fair_report *one,
-                                  int set, int point_count)
-{
-    add_fairness(&sum->before, &one->before, set == 0);
-    add_fairness(&sum->after, &one->after, set == 0);
-    if (one->max_move > sum->max_move) {
-        sum->max_move = one->max_move;
-        sum->worst_set = set;
-        sum->worst_index = one->worst_index;
-    }
-    sum->rms_move += one->rms_move * one->rms_move * point_count;
-    sum->moved_count += one->moved_count;
-    batten_status status =
-        append_moves(&sum->moves, &sum->move_count, one->moves, one->move_count, set);
-    if (status == BATTEN_OK)
-        status = append_moves(&sum->suspects, &sum->suspect_count, one->suspects,
-                              one->suspect_count, set);
-    return status;
-}
-
 /* ---- one curve ---- */
 
 static batten_status fair_points(const bat_run *run, const batten_object *object,
@@ -361,7 +309,7 @@ const bat_feature bat_feature_fair = {
          "look like blunders are reported, not repaired.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
-         "  sheer: {interpolate: ducks}\n"
+         "  sheer: {interpolate: ducks, ends: natural}\n"
          "  faired: {fair: sheer, within: 1 cm}\n",
          "[SL section VII.2] [SL section VII.3] [NW06] [Kje83] [FS90] [EH95]",
          "batten_fair_points", BAT_PARAMETERS(parameters), false,

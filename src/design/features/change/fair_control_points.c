@@ -3,17 +3,6 @@
 
 #include <string.h>
 
-void bat_fair_lift_moves(int axis, double height, batten_fair_move *moves, int count)
-{
-    for (int i = 0; i < count; i++) {
-        const double from[2] = {moves[i].from[0], moves[i].from[1]};
-        const double to[2] = {moves[i].to[0], moves[i].to[1]};
-        bat_points_from_plane(axis, 1, from, moves[i].from);
-        bat_points_from_plane(axis, 1, to, moves[i].to);
-        moves[i].from[axis] = moves[i].to[axis] = height;
-    }
-}
-
 /* Control points [count][dimension] back into the plane, or space, of the curve they are from. */
 static batten_status lift_curve(const batten_curve *from, const batten_curve *plane, int axis,
                                 batten_curve **out)
