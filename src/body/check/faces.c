@@ -99,11 +99,12 @@ static batten_status find_miss(const bat_check *check, const batten_body_use *us
         return BATTEN_OK;
     batten_status status = put_places(curve, use->parameters, surface, &p);
     if (status == BATTEN_OK && !check->parts->is_traced) {
-        batten_deviation deviation = {.max = 0};
+        batten_deviation deviation;
         status = batten_surface_deviation(surface, (batten_points){3, p.count, p.points[0]},
                                           use->parameters ? p.uv[0] : NULL, check->work.job,
                                           NULL, &deviation);
-        *miss = deviation.max;
+        if (status == BATTEN_OK)
+            *miss = deviation.max;
         return status;
     }
     for (int i = 0; i < p.count && status == BATTEN_OK; i++) {

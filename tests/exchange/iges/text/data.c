@@ -131,6 +131,27 @@ TEST(a_run_ends_before_a_record_that_does_not_count_on)
     }
 }
 
+/* Asked for records at another place, behind another line, or after another number than the last: none go on. */
+TEST(nothing_goes_on_with_a_run_that_does_not_end_there)
+{
+    only_once();
+    for (int i = 0; i < 6; i++) {
+        section s;
+        begin_section(&s, 1, false, "\n");
+        add_all(&s, 81, i == 4 ? 1 : 2, 0);
+        bat_iges_run *run = s.file.runs.items;
+        const size_t next = 81 * run->count, at = i == 1 ? next + 81 : next;
+        const int line = 39 + (int)run->count;
+        s.file.number += i == 3;
+        run->is_damaged = i == 5;
+        CHECK_INT((long long)bat_iges_add_to_run(&s.file, at, i == 2 ? line + 1 : line, 5),
+                  i == 0 ? 5 : 0);
+        bat_release(s.file.runs.items);
+        bat_iges_file none = {.input = &s.input, .runs = {.size = sizeof(bat_iges_run)}};
+        CHECK_INT((long long)bat_iges_add_to_run(&none, 0, 1, 5), 0);
+    }
+}
+
 /* One by one: a damaged record, a jump of numbers, lines or places, and a short one stand for themselves. */
 TEST(records_that_do_not_go_on_begin_runs_of_their_own)
 {

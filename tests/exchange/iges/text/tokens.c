@@ -74,3 +74,44 @@ TEST(a_number_is_the_same_wherever_it_stands_and_however_it_is_asked_for)
             check_number(text, 4, numbers[i].value, numbers[i].whole);
         }
 }
+
+/* Asked for as a whole number: what is none, or none of a count. */
+TEST(what_is_no_count_is_named_with_its_number)
+{
+    static const struct {
+        const char *written, *words; /* NULL: good */
+        int value;
+    } cases[] = {
+        {"2147483647", NULL, 2147483647},
+        {"-2147483647", NULL, -2147483647},
+        {"2147483648", "parameter 1 is 2.14748e+09, too large for a count or pointer", 0},
+        {"-2147483648", "parameter 1 is -2.14748e+09, too large for a count or pointer", 0},
+        {"1.5", "parameter 1, '1.5', is not a whole number", 0},
+        {"1E2", "parameter 1, '1E2', is not a whole number", 0},
+        {"4Hfour", "parameter 1 is not a number but a string", 0},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        char text[80];
+        bat_input input;
+        bat_iges_parameters parameters;
+        size_t next = 0;
+        bool done = false;
+        int value = 77;
+        snprintf(text, sizeof text, "110,%s;", cases[i].written);
+        CHECK_OK(bat_input_begin(text, strlen(text), NULL, NULL, NULL, &input));
+        bat_iges_parameters_begin(&parameters);
+        for (size_t k = 0; k < strlen(text) + BAT_IGES_BEHIND; k++)
+            CHECK_OK(bat_list_add(&input, &parameters.text, k < strlen(text) ? &text[k] : " "));
+        parameters.text.count = strlen(text);
+        CHECK_OK(bat_iges_tokenise(&input, (bat_iges_delimiters){',', ';'}, &parameters, &next,
+                                   &done));
+        CHECK_STATUS(bat_iges_integer(&parameters, 1, &value),
+                     cases[i].words ? BATTEN_BAD_FORMAT : BATTEN_OK);
+        CHECK_INT(value, cases[i].words ? 77 : cases[i].value);
+        if (cases[i].words)
+            CHECK_TEXT(batten_message(), cases[i].words);
+        CHECK_OK(bat_iges_integer(&parameters, 2, &value)); /* what is not there is 0 */
+        CHECK_INT(value, 0);
+        bat_iges_parameters_end(&parameters);
+    }
+}
