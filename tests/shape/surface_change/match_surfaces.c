@@ -288,3 +288,33 @@ TEST(the_report_of_a_match_has_the_move_the_angle_and_the_curvature)
         batten_surface_unref(first);
     }
 }
+
+/* A strip over the unit square whose last two rows, or whose first two, are one: it stands still there. */
+static batten_surface *standing(double x, bool at_end)
+{
+    const double knots[2][6] = {{0, 0, 1, 1}, {0, 0, 0, 1, 1, 1}};
+    const double rows[3] = {x, x + at_end, x + 1};
+    double points[6][3];
+    for (int i = 0; i < 6; i++)
+        memcpy(points[i], (double[]){rows[i / 2], i % 2, 0}, sizeof points[0]);
+    const batten_axis u = {2, 3, knots[1], false}, v = {1, 2, knots[0], false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &u, &v, points[0], NULL, &surface));
+    return surface;
+}
+
+TEST(a_surface_that_stands_still_across_its_edge_is_named)
+{
+    for (int second = 0; second < 2; second++) {
+        /* Its edge U1 or U0 is that of the match when it is in this place. */
+        batten_surface *one = standing(0, !second), *other = standing(1, !second), *made = NULL;
+        CHECK_STATUS(batten_surface_match((batten_surface_edge){one, BATTEN_EDGE_U1},
+                                          (batten_surface_edge){other, BATTEN_EDGE_U0}, 1, 1e-9,
+                                          NULL, &made),
+                     BATTEN_NOT_COMPATIBLE);
+        CHECK_MESSAGE(second ? "the second surface has no slope across its edge"
+                             : "the first surface has no slope across its edge");
+        batten_surface_unref(one);
+        batten_surface_unref(other);
+    }
+}

@@ -188,3 +188,27 @@ TEST(large_pages_are_wished_for_wherever_a_whole_one_lies_within_the_file)
         batten_release(data);
     }
 }
+
+static size_t most_asked;
+
+static ssize_t noting_read(int file, void *bytes, size_t size)
+{
+    most_asked = size > most_asked ? size : most_asked;
+    return read(file, bytes, size);
+}
+
+/* However long a pipe is, there is room for one byte beyond the limit at most. */
+TEST(S1_no_more_is_asked_for_than_one_byte_beyond_the_limit)
+{
+    const bat_file_calls real = bat_system;
+    for (size_t limit = 10; limit < 20000; limit *= 30) {
+        char *data = NULL;
+        size_t size = 77;
+        most_asked = 0;
+        bat_system.read = noting_read;
+        CHECK_STATUS(batten_load_file("/dev/zero", limit, &data, &size), BATTEN_TOO_LARGE);
+        bat_system = real;
+        CHECK(most_asked > 0 && most_asked <= limit + 1);
+        CHECK(data == NULL && size == 77);
+    }
+}
