@@ -39,5 +39,7 @@ const bat_feature bat_feature_faired_table = {
          "outputs:\n"
          "  faired.csv: faired\n",
          "", "batten_hull_loft", BAT_PARAMETERS(parameters), false,
-         .also = "faired offsets, table of offsets from a surface, read off, lofted offsets"},
+         .also = "faired offsets, table of offsets from a surface, read off, lofted offsets",
+         .formula = "    (x_i, y, z_j) = S(u, v) on waterlines,  S(u, v) nearest to P in the plane x = x_i elsewhere",
+         .promise = "Its points are on the surface, and in the planes of their stations, within the error that is remarked."},
     .run = run_faired_table};
