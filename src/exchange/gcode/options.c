@@ -12,8 +12,8 @@ batten_status bat_gcode_check_options(const batten_write_gcode_options *o)
     if (!(o->feed >= 0 && o->plunge >= 0 && o->clearance >= 0 && isfinite(o->feed) &&
           isfinite(o->plunge) && isfinite(o->clearance)))
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "feed %g, plunge %g and clearance %g must be 0 or more", o->feed,
-                        o->plunge, o->clearance);
+                        "feed %g, plunge %g and clearance %g must be finite, 0 or more",
+                        o->feed, o->plunge, o->clearance);
     if (isinf(o->depth))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the depth is %g; it must be finite", o->depth);
     if (!(o->greatest_radius >= 0))

@@ -114,12 +114,12 @@ static const struct {
     int decimals;
     const char *words;
 } refusals[] = {
-    {-1, 2, 3, NAN, 4, 5, "feed -1, plunge 2 and clearance 3 must be 0 or more"},
-    {1, -2, 3, NAN, 4, 5, "feed 1, plunge -2 and clearance 3 must be 0 or more"},
-    {1, 2, -3, NAN, 4, 5, "feed 1, plunge 2 and clearance -3 must be 0 or more"},
-    {INFINITY, 2, 3, NAN, 4, 5, "feed inf, plunge 2 and clearance 3 must be 0 or more"},
-    {1, INFINITY, 3, NAN, 4, 5, "feed 1, plunge inf and clearance 3 must be 0 or more"},
-    {1, 2, INFINITY, NAN, 4, 5, "feed 1, plunge 2 and clearance inf must be 0 or more"},
+    {-1, 2, 3, NAN, 4, 5, "feed -1, plunge 2 and clearance 3 must be finite, 0 or more"},
+    {1, -2, 3, NAN, 4, 5, "feed 1, plunge -2 and clearance 3 must be finite, 0 or more"},
+    {1, 2, -3, NAN, 4, 5, "feed 1, plunge 2 and clearance -3 must be finite, 0 or more"},
+    {INFINITY, 2, 3, NAN, 4, 5, "feed inf, plunge 2 and clearance 3 must be finite, 0 or more"},
+    {1, INFINITY, 3, NAN, 4, 5, "feed 1, plunge inf and clearance 3 must be finite, 0 or more"},
+    {1, 2, INFINITY, NAN, 4, 5, "feed 1, plunge 2 and clearance inf must be finite, 0 or more"},
     {1, 2, 3, -INFINITY, 4, 5, "the depth is -inf; it must be finite"},
     {1, 2, 3, INFINITY, 4, 5, "the depth is inf; it must be finite"},
     {1, 2, 3, NAN, -4, 5, "the greatest radius is -4; it must be 0 or more"},
