@@ -22,15 +22,15 @@ typedef struct batten_fairness {
                            HUGE_VAL when there are corners */
     double variation; /**< integral of (d curvature / ds)^2 ds; HUGE_VAL when there are corners
                          or curvature jumps */
-    double max_curvature;
-    bool fair;           /**< the verdict: no excess inflections, corners, curvature jumps or
+    double max_curvature; /**< HUGE_VAL where it grows without bound, as at most cusps */
+    bool fair;            /**< the verdict: no excess inflections, corners, curvature jumps or
                               places of unbounded curvature */
-    int corners;         /**< places at which the direction turns by more than the bound, also
+    int corners;          /**< places at which the direction turns by more than the bound, also
                               where the curve stands still */
-    int curvature_jumps; /**< other joints at which curvature steps by more than the bound */
-    int halts;           /**< places inside at which the first derivative vanishes */
-    int cusps;           /**< of these, those at which the curve turns back */
-    int unbounded;       /**< other places, ends among them, at which the curve stands still and
+    int curvature_jumps;  /**< other joints at which curvature steps by more than the bound */
+    int halts;            /**< places inside at which the first derivative vanishes */
+    int cusps;            /**< of these, those at which the curve turns back */
+    int unbounded; /**< other places, ends among them, at which the curve stands still and
                               its curvature grows without bound */
     double energy_error, variation_error; /**< how far off the integrals may be, estimated. An
                               error that is no small part of its integral says that this is

@@ -181,7 +181,7 @@ static batten_status judge_curve(const batten_curve *curve,
     if (status == BATTEN_OK)
         status = count_turns(&j, allowed->inflections, allowed->uncertainty);
     if (status == BATTEN_OK) {
-        if (j.found.unbounded > 0)
+        if (j.found.unbounded > 0 || j.is_endless)
             j.found.max_curvature = HUGE_VAL;
         j.found.unbounded += is_too_sharp(&j);
         bat_conclude_fairness(&j.found);

@@ -35,6 +35,7 @@ typedef struct {
     const batten_fairness_options *options;
     double size;
     batten_parameters knots, halts, extrema;
+    bool is_endless; /* a corner or cusp where it stands still has curvature without bound */
     batten_fairness found;
 } bat_judged_curve;
 

@@ -88,6 +88,12 @@ static void add_halt_curvature(bat_judged_curve *j, halt_curvature worst)
         j->found.energy = HUGE_VAL;
 }
 
+/* A cusp is counted as such; what is left to say of it is whether its curvature has a bound. */
+static void add_cusp_curvature(bat_judged_curve *j, halt_curvature worst)
+{
+    j->is_endless |= worst != CURVATURE_BOUNDED;
+}
+
 static batten_status note_curvature_at_halt(bat_judged_curve *j, double u, batten_side side)
 {
     halt_curvature found;
@@ -117,14 +123,15 @@ static batten_status curvature_beside_knot(const bat_judged_curve *j, double u,
 }
 
 /* The worse of both sides, counted once. */
-static batten_status note_curvature_at_knot(bat_judged_curve *j, double left, double right)
+static batten_status note_curvature_at_knot(bat_judged_curve *j, double left, double right,
+                                            bool turns)
 {
     halt_curvature before, after;
     batten_status status = curvature_beside_knot(j, left, BATTEN_FROM_LEFT, &before);
     if (status == BATTEN_OK)
         status = curvature_beside_knot(j, right, BATTEN_FROM_RIGHT, &after);
     if (status == BATTEN_OK)
-        add_halt_curvature(j, before > after ? before : after);
+        (turns ? add_cusp_curvature : add_halt_curvature)(j, before > after ? before : after);
     return status;
 }
 
@@ -152,7 +159,7 @@ static batten_status add_halt_at_knot(bat_judged_curve *j, double left, double r
     const double turn =
         bat_atan2(bat_vec3_norm(bat_vec3_cross(before, after)), bat_vec3_dot(before, after));
     add_halt(j, turn);
-    return turn > j->options->angle ? BATTEN_OK : note_curvature_at_knot(j, left, right);
+    return note_curvature_at_knot(j, left, right, turn > j->options->angle);
 }
 
 /* Inside a span a curve that stands still either goes on or turns back: its direction is that
@@ -167,7 +174,11 @@ static batten_status add_halt_inside(bat_judged_curve *j, double u, double aside
         return status;
     const bool turns_back = bat_vec3_dot(before, after) < 0;
     add_halt(j, turns_back ? BAT_PI : 0);
-    return turns_back ? BATTEN_OK : note_curvature_at_halt(j, u, BATTEN_FROM_RIGHT);
+    halt_curvature found;
+    status = curvature_beside_halt(j, u, BATTEN_FROM_RIGHT, &found);
+    if (status == BATTEN_OK)
+        (turns_back ? add_cusp_curvature : add_halt_curvature)(j, found);
+    return status;
 }
 
 /* Does the curve stand still at u? Halts and places asked for rise. */

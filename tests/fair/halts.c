@@ -43,7 +43,23 @@ TEST(a_cusp_inside_a_span_is_found)
     CHECK_INT(found.corners, 1);
     CHECK_NEAR(found.largest_turn, BAT_PI, 1e-6);
     CHECK(isinf(found.energy));
+    CHECK(isinf(found.max_curvature));
+    CHECK_INT(found.unbounded, 0);
     CHECK(!found.fair);
+    batten_curve_unref(curve);
+}
+
+/* (t^2, t^4): there and back on one parabola, whose curvature is 2 where it turns. */
+TEST(curvature_has_a_bound_where_a_curve_goes_back_the_way_it_came)
+{
+    static const double knots[] = {-1, -1, -1, -1, -1, 1, 1, 1, 1, 1};
+    static const double points[] = {1, 1, 0, -1, -1.0 / 3, 1, 0, -1, 1, 1};
+    batten_curve *curve = NULL;
+    batten_fairness found;
+    CHECK_OK(batten_curve_create((batten_points){2, 5, points}, 4, NULL, knots, &curve));
+    CHECK_OK(batten_curve_fairness(curve, (batten_points){2, 0, NULL}, NULL, &found));
+    CHECK_INT(found.cusps, 1);
+    CHECK(found.max_curvature <= 2);
     batten_curve_unref(curve);
 }
 

@@ -221,10 +221,10 @@ TEST(misses_and_knots_of_parameters_are_noted_with_the_face_the_edge_and_the_num
     CHECK_INT(faults.loose, 2);
     CHECK_INT(faults.close_knots, 1);
     if (batten_notes_dropped(notes) == 0 && test_cases(10) >= 10) {
-        static const char *const texts[] = {"edge 1 misses its surface by 0.27 units",
-                                            "edge 2 misses its surface by 4 units",
-                                            "the curve of edge 3 in its parameters has knots "
-                                            "very near each other: 5.96046e-08 of the domain"};
+        static const char *const texts[] = {
+            "edge 1 misses its surface by 0.27 units", "edge 2 misses its surface by 4 units",
+            ("the curve of edge 3 in its parameters has knots "
+             "very near each other: 5.96046e-08 of the domain")};
         CHECK_INT(batten_notes_count(notes), 3);
         for (int i = 0; i < batten_notes_count(notes); i++) {
             CHECK_TEXT(batten_notes_at(notes, i)->text, texts[i]);
