@@ -1,5 +1,6 @@
 /*
- * Kjellander's method: a point is put where the cubic with the positions and tangents of its two neighbours is at its parameter.
+ * Kjellander's method: a point is put where the cubic with the positions and tangents of its two neighbours is at its parameter;
+ * one_by_one.c keeps the bound and tries a half of the way, a quarter, an eighth.
  *
  * That is P - F (h k / (h + k))^3 / 3, for the force F, the jump of the third derivative, between spans of h and k: of the
  * batten only the truncated power F (t - t_j)^3_+ / 6 is no cubic there, and the cubic with its values and slopes at both

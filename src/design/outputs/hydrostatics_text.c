@@ -1,5 +1,5 @@
-/* The report of hydrostatics: all of it as text, the table by draughts as CSV, and the table and the righting arms as JSON; CSV and
- * JSON have all digits. */
+/* The report of hydrostatics, its columns with their names and units: all of it as text, the table by draughts and the righting arms
+ * as CSV and JSON, which have all digits. */
 #include "design/outputs/hydrostatics.h"
 
 #include <string.h>

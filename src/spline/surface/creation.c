@@ -1,4 +1,4 @@
-/* A NURBS surface from what a caller gives: sizes, knots, periods are looked at. */
+/* A NURBS surface from what a caller gives: sizes, knots, periods are looked at; nurbs.c allocates and frees. */
 #include "base/plural.h"
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
