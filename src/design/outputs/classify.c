@@ -343,9 +343,8 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
     if (json)
         batten_text_add(out, "]}");
     batten_canonicals_release(&forms);
-    if (status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY)
-        return bat_fail(status, "%s: %s", object->name, batten_message());
-    return status;
+    return status == BATTEN_OK ? status
+                               : bat_fail(status, "%s: %s", object->name, batten_message());
 }
 
 static batten_status run_classify(bat_run *run)

@@ -50,10 +50,14 @@ TEST(a_prism_has_the_values_of_its_closed_form)
         {"\"BMT\": ", b * b / (6 * t)},
         {"\"KMT\": ", t * 2 / 3 + b * b / (6 * t)},
         {"\"CB\": ", 0.5},
-
         {"\"CWP\": ", 1},
+        {"\"CVP\": ", 0.5},
         {"\"TPC\": ", 1.025 * b * 0.2},
-
+        {"\"T\": ", t},
+        {"\"IT\": ", 20 * b * b * b / 12},
+        {"\"IL\": ", b * 8000 / 12},
+        {"\"BML\": ", 8000 / (12 * 10 * t)},
+        {"\"KML\": ", t * 2 / 3 + 8000 / (12 * 10 * t)},
         {"\"S\": ", 40 * hypot(t, b / 2)},
         {"\"MCT\": ", 1.025 * b * 8000 / 12 / 100 / 20},
     };
@@ -83,6 +87,108 @@ TEST(text_table_and_json_say_the_same)
     CHECK_NEAR(number(strstr(json, "\"T\": 3"), "\"VOL\": "), 225, 1e-9);
     batten_release(text);
     batten_release(csv);
+    batten_release(json);
+}
+
+/* Half the length between perpendiculars halves no more than what it divides. */
+TEST(a_length_between_perpendiculars_takes_the_place_of_the_waterline_s)
+{
+    static const struct {
+        const char *key;
+        double value;
+    } rows[] = {{"\"L\": ", 10},         {"\"LWL\": ", 20},
+                {"\"CB\": ", 1},         {"\"CWP\": ", 2},
+                {"\"CVP\": ", 0.5},      {"\"MCT\": ", 1.025 * 5 * 8000 / 12 / 1000},
+                {"\"density\": ", 1.025}};
+    char *json = NULL, *text = NULL;
+    CHECK_OK(report("a.json: {hydrostatics: half, draughts: 2, length: 10}", NULL, &json));
+    for (int k = 0; k < COUNT(rows); k++)
+        CHECK_NEAR(number(json, rows[k].key), rows[k].value, 1e-8 * rows[k].value);
+    CHECK_OK(report("a.txt: {hydrostatics: half, draughts: 2, length: 10}", NULL, &text));
+    CHECK_CONTAINS(text, "L in the coefficients and in MCT is 10 m\n");
+    batten_release(json);
+    batten_release(text);
+}
+
+TEST(seven_draughts_stand_in_two_blocks_with_their_conventions)
+{
+    char *text = NULL;
+    CHECK_OK(report("a.txt: {hydrostatics: half, draughts: [0.5, 1, 1.5, 2, 2.5, 3, 3.5]}",
+                    NULL, &text));
+    CHECK_CONTAINS(text,
+                   "water of 1.025 t/m3\ntrim 0 deg (by the stern, towards lower x, above "
+                   "0), heel 0 deg (to starboard above 0)\n"
+                   "L in the coefficients and in MCT is LWL\n");
+    char first[200], last[100];
+    snprintf(first, sizeof first, "%-12s %11g %11g %11g %11g %11g %11g\n", "T    m", 0.5, 1.0,
+             1.5, 2.0, 2.5, 3.0);
+    snprintf(last, sizeof last, "\n\n%-11s  %11g\n%-11s  %11g\n", "T    m", 3.5, "VOL  m3",
+             306.25);
+    CHECK_CONTAINS(text, first);
+    CHECK_CONTAINS(text, last);
+    CHECK_CONTAINS(text, "\nKML  longitudinal metacentre above the baseline, KB + BML\n");
+    CHECK(!strstr(text, "Afloat"));
+    batten_release(text);
+}
+
+/* The keel of the prism is at 0: at a draught below it nothing is wet. */
+TEST(what_a_dry_hull_has_not_is_a_dash_nothing_or_null)
+{
+    char *text = NULL, *csv = NULL, *json = NULL;
+    CHECK_OK(report("a.txt: {hydrostatics: half, draughts: -1}", NULL, &text));
+    CHECK_OK(report("a.csv: {hydrostatics: half, draughts: -1}", NULL, &csv));
+    CHECK_OK(report("a.json: {hydrostatics: half, draughts: -1}", NULL, &json));
+    CHECK_CONTAINS(text, "VOL  m3                0\n");
+    CHECK_CONTAINS(text, "KB   m                 -\n");
+    CHECK_CONTAINS(text, "CVP  1                 -\n");
+    CHECK_CONTAINS(csv, "\n-1,0,0,0,0,0,0,,,,,0,0,,,,,0,,,,\n");
+    CHECK_CONTAINS(json,
+                   "\"XCB\": null, \"YCB\": null, \"KB\": null, \"XCF\": null, \"IT\": 0, "
+                   "\"IL\": 0, \"BMT\": null, \"BML\": null, \"KMT\": null, \"KML\": null, "
+                   "\"TPC\": 0, \"MCT\": null, \"CB\": null, \"CWP\": null, \"CVP\": null}");
+    batten_release(text);
+    batten_release(csv);
+    batten_release(json);
+}
+
+/* The cells of a row of arms, as the text rounds them. */
+static void arm_cells(const char *json, const char *heel, char row[100])
+{
+    static const char *const keys[] = {"\"GZ\": ", "\"KN\": ", "\"T\": ", "\"trim\": "};
+    char key[30];
+    snprintf(key, sizeof key, "\"heel\": %s,", heel);
+    const char *at = strstr(json, key);
+    CHECK(at != NULL);
+    int length = snprintf(row, 100, "\n%-12s", heel);
+    for (int k = 0; k < COUNT(keys); k++)
+        length +=
+            snprintf(row + length, (size_t)(100 - length), " %11.6g", number(at, keys[k]));
+    snprintf(row + length, (size_t)(100 - length), "\n");
+}
+
+/* Off its middle the mass trims the hull; all is in the text that is in JSON. */
+TEST(how_a_mass_rests_is_in_the_text_as_in_json)
+{
+    static const char *const heels[] = {"5", "10"};
+    char *text = NULL, *json = NULL, row[100], trim[40];
+    CHECK_OK(report("a.txt: {hydrostatics: half, draughts: 2, mass: 205, gravity: [9.9, 0, "
+                    "1.5], heels: [5 deg, 10 deg]}",
+                    NULL, &text));
+    CHECK_OK(report("a.json: {hydrostatics: half, draughts: 2, mass: 205, gravity: [9.9, 0, "
+                    "1.5], heels: [5 deg, 10 deg]}",
+                    NULL, &json));
+    for (int k = 0; k < COUNT(heels); k++) {
+        arm_cells(strstr(json, "\"arms\""), heels[k], row);
+        CHECK_CONTAINS(text, row);
+    }
+    const char *afloat = strstr(json, "\"afloat\"");
+    CHECK(number(afloat, "\"trim\": ") > 0.01); /* the stern, where x is lower, is down */
+    snprintf(trim, sizeof trim, "at x = 0, trim %.6g deg, ", number(afloat, "\"trim\": "));
+    CHECK_CONTAINS(text, trim);
+    CHECK_CONTAINS(text, "Afloat with 205 t, their centre at (9.9, 0, 1.5) m\n");
+    CHECK_CONTAINS(text, " m: stable\n");
+    CHECK_CONTAINS(afloat, "\"stable\": true}");
+    batten_release(text);
     batten_release(json);
 }
 

@@ -1,4 +1,5 @@
 #include "design/expect.h"
+#include "support/json.h"
 
 #include <batten/design.h>
 #include <batten/text.h>
@@ -162,6 +163,59 @@ TEST(the_error_of_a_feature_is_in_its_report)
     CHECK(at && r->has_error && r->error_rms < r->error_max);
     check_figure(at, "error\": {\"max", r->error_max);
     check_figure(at, "rms", r->error_rms);
+    batten_release(json);
+    batten_design_free(design);
+}
+
+/* The example's boat has a chine: panels of one lofting that meet in a declared knuckle. */
+static char *check_sharpie(batten_design **out)
+{
+    char text[500], *json = NULL;
+    size_t size;
+    snprintf(text, sizeof text,
+             "batten: 1\nunits: in\ntolerance: 0.005 in\nfeatures:\n  table: {read: '%s'}\n"
+             "  hull: {loft: table, within: 0.125 in, knuckles: chine}\n"
+             "outputs:\n  k.json: {check: hull}\n",
+             test_source("examples/sharpie/offsets.csv"));
+    batten_design_options options = batten_design_defaults();
+    options.allow_outside = true;
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, out));
+    CHECK_OK(batten_design_output(*out, 0, NULL, NULL, &json, &size));
+    return json;
+}
+
+static int count_words(const char *text, const char *words)
+{
+    int count = 0;
+    for (const char *at = text; (at = strstr(at, words)); at++)
+        count++;
+    return count;
+}
+
+TEST(all_figures_of_a_lofting_and_its_knuckles_are_in_its_report)
+{
+    batten_design *design = NULL;
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
+    char *json = check_sharpie(&design);
+    const batten_loft_report *l = batten_design_result(design, "hull")->loft;
+    const char *at = strstr(json, "\"operation\": \"loft\"");
+    CHECK(at && l && l->correction_count > 1);
+    CHECK_TEXT(json_blank(json_behind(json)), "");
+    check_figure(at, "loft\": {\"max", l->max_move);
+    check_figure(at, "rms", l->rms_move);
+    check_figure(at, "station", l->worst_station);
+    check_figure(at, "point", l->worst_index);
+    check_figure(at, "height", l->height);
+    check_figure(at, "sections", l->cut_count);
+    check_figure(at, "in_excess", l->cuts_in_excess);
+    check_figure(at, "excess_inflections", l->excess_inflections);
+    check_figure(at, "rounds", l->rounds);
+    check_figure(at, "faired_error", l->faired_error);
+    CHECK_INT(count_words(json, "\"from\": ["), l->correction_count);
+    /* The chine is an edge of two panels on each side; surfaces have no C nor G. */
+    CHECK_INT(count_words(json, ", \"knuckle\": true}"), 1);
+    CHECK_INT(count_words(json, "\"c\": "), 0);
     batten_release(json);
     batten_design_free(design);
 }

@@ -67,3 +67,33 @@ TEST(bodies_and_meshes_are_checked)
     batten_release(data);
     batten_design_free(design);
 }
+
+/* A bound makes what is open a fault, which a note names. */
+TEST(faults_beyond_a_bound_are_noted_by_the_name_of_what_has_them)
+{
+    static const struct {
+        const char *outputs, *note;
+    } rows[] = {
+        {"outputs:\n  c.txt: {check: block, within: 1e-17}\n",
+         "'block' has faults beyond 1e-17"},
+        {"  a: {mesh: tank}\noutputs:\n  c.txt: {check: a, within: 1 mm}\n",
+         "'a' is a mesh that is not closed"},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_notes *notes = NULL;
+        batten_design *design = NULL;
+        char *data = NULL;
+        size_t size = 0;
+        bool found = false;
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_OK(open_with_block(rows[i].outputs, NULL, &design));
+        CHECK_OK(batten_design_output(design, 0, NULL, notes, &data, &size));
+        for (int k = 0; k < batten_notes_count(notes); k++)
+            found |= strstr(batten_notes_at(notes, k)->text, rows[i].note) != NULL;
+        CHECK(found || batten_notes_dropped(notes));
+        CHECK(!batten_design_output_holds(design, 0));
+        batten_release(data);
+        batten_design_free(design);
+        batten_notes_free(notes);
+    }
+}
