@@ -219,6 +219,32 @@ TEST(a_parabola_stays_bit_for_bit)
     batten_curve_unref(cubic);
 }
 
+/* A cubic over a line with its inflection at a parameter: the turns of nine points begin at 1/8 and end at 7/8. */
+TEST(the_inflections_required_are_those_of_8_points_of_a_span)
+{
+    static const double knots[8] = {0, 0, 0, 0, 1, 1, 1, 1};
+    static const struct {
+        double inflection;
+        int excess;
+    } rows[] = {{0.12, 1}, {0.13, 0}, {0.5, 0}, {0.87, 0}, {0.88, 1}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        /* y = u^3 / 6 - a u^2 / 2 */
+        const double a = rows[i].inflection;
+        const double points[8] = {0, 0, 1 / 3., 0, 2 / 3., -a / 6, 1, 1 / 6. - a / 2};
+        batten_curve *curve = NULL, *made = NULL;
+        batten_fair_report report = {0};
+        batten_curve_fair_options options = batten_curve_fair_defaults(1e-7);
+        options.method = BATTEN_CURVE_FAIR_COEFFICIENTS;
+        CHECK_OK(batten_curve_create((batten_points){2, 4, points}, 3, NULL, knots, &curve));
+        CHECK_OK(batten_curve_fair(curve, &options, NULL, &report, &made));
+        CHECK_INT(report.before.inflections, 1);
+        CHECK_INT(report.before.excess_inflections, rows[i].excess);
+        batten_fair_report_release(&report);
+        batten_curve_unref(made);
+        batten_curve_unref(curve);
+    }
+}
+
 /* ---- what is refused ---- */
 
 TEST(curves_and_options_that_mean_nothing_are_refused)

@@ -78,6 +78,32 @@ TEST(no_allowed_change_is_smaller)
     bat_batten_end(&batten);
 }
 
+/* Whatever its bound: a duck without freedom is where it was given to the last digit. */
+TEST(a_duck_that_is_held_stays_though_it_has_a_bound)
+{
+    double t[N], y[N], z[N], within[N], frames[N];
+    int freedom[N];
+    bat_batten batten;
+    const batten_fair_options options = least_change(0.05);
+    parabola(t, y);
+    y[11] += 0.03;
+    for (int i = 0; i < N; i++) {
+        within[i] = 0.05;
+        frames[i] = 1;
+        freedom[i] = i > 0 && i < N - 1 && i != 9;
+    }
+    memcpy(z, y, sizeof z);
+    CHECK_OK(bat_batten_begin(N, t, &batten));
+    const bat_fair_piece piece = {
+        &batten,
+        {.width = 1, .centre = y, .within = within, .freedom = freedom, .frames = frames},
+        &options,
+        NULL};
+    CHECK_OK(bat_fair_least_change(&piece, z));
+    CHECK(z[0] == y[0] && z[9] == y[9] && z[N - 1] == y[N - 1] && z[11] < y[11]);
+    bat_batten_end(&batten);
+}
+
 TEST(what_has_no_inflection_in_excess_stays_bit_for_bit)
 {
     double t[N], y[N], z[N], again[N];

@@ -118,6 +118,23 @@ TEST(pinned_ends_are_met_exactly_and_one_side_is_kept)
     }
 }
 
+/* Values on the other side, within the bound: what rounding leaves there is taken away at either end too. */
+TEST(no_coefficient_of_a_one_sided_line_is_on_the_other_side)
+{
+    for (int k = 1; k < 10; k++)
+        for (int end = 0; end < 2; end++) {
+            double values[DATA] = {0}, f[COUNT_OF];
+            int found;
+            make_rough(values);
+            values[end == 0 ? 0 : DATA - 1] = -0.001 * k;
+            bat_loft_line line = line_of(values, 0.01);
+            line.one_side = true;
+            CHECK_OK(bat_loft_line_fair(&line, f, &found));
+            for (int i = 0; i < COUNT_OF; i++)
+                CHECK(f[i] >= 0);
+        }
+}
+
 TEST(a_side_that_the_bound_forbids_is_no_line)
 {
     static const double values[DATA] = {1, 0.5, 0.2, 0, -0.1, 0, 0.2, 0.5, 1};

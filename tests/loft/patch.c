@@ -68,3 +68,15 @@ TEST(normals_are_unit_vectors_across_both_directions)
     CHECK_NEAR(across, 0, 1e-13);
     bat_loft_patch_free(&patch);
 }
+
+TEST(a_patch_that_was_released_is_empty_and_may_be_released_again)
+{
+    test_random random = test_random_begin("empty patch");
+    bat_loft_patch patch;
+    make_patch(&random, &patch);
+    for (int times = 0; times < 2; times++) {
+        bat_loft_patch_free(&patch);
+        CHECK(patch.nu == 0 && patch.nv == 0);
+        CHECK(!patch.u_knots && !patch.v_knots && !patch.points);
+    }
+}
