@@ -89,3 +89,34 @@ TEST(n6_planes_that_cannot_be_shown_are_refused)
                  BATTEN_UNSUPPORTED);
     batten_model_unref(model);
 }
+
+/* From 0 to 3 the regular cubics fill a square of side 1, those with one inflection two strips of 2, and the
+ * hyperbola mu = (4 lambda - 4) / (3 lambda - 4) parts the square of side 2 that is left. */
+TEST(regions_have_the_areas_of_their_closed_forms)
+{
+    const double loop = 7.0 / 3 - 4.0 / 9 * log(6.25);
+    const struct {
+        uint32_t colour;
+        double area;
+    } rows[] = {{0xFFF3C7, 4}, {0xFDD7B8, 4 - loop}, {0xD4DCF8, loop}};
+    batten_draw_options options = batten_draw_defaults();
+    batten_draw_cubic_plane_options plane = batten_draw_cubic_plane_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    plane.low = 0;
+    plane.high = 3;
+    plane.glyphs = false;
+    CHECK_OK(batten_draw_cubic_plane(NULL, &plane, &options, &data, &size));
+    const scene_image image = scene_decode(data, size);
+    int regular = 0, counts[COUNT(rows)] = {0};
+    for (int y = 0; y < image.height; y++)
+        for (int x = 0; x < image.width; x++) {
+            const uint32_t colour = scene_pixel(&image, x, y);
+            regular += colour == 0xC7E8C7;
+            for (int k = 0; k < COUNT(rows); k++)
+                counts[k] += colour == rows[k].colour;
+        }
+    for (int k = 0; k < COUNT(rows); k++) /* lines and words cover a part */
+        CHECK_NEAR((double)counts[k] / regular, rows[k].area, 0.15 * rows[k].area);
+    batten_release(data);
+}

@@ -60,6 +60,26 @@ TEST(no_word_is_cut_or_covered_whatever_the_proportions)
     }
 }
 
+TEST(a_long_title_is_written_as_small_as_its_block_wants)
+{
+    static const char title[] =
+        "The lines of a Wigley hull, ten metres by two, drawn for a try";
+    batten_model *model = scene_of(scene_wigley(10, 2, 1, 1));
+    const batten_draw_lines_plan_options plan = scene_plan(10);
+    batten_draw_options options = sheet(BATTEN_PICTURE_PDF);
+    char *data = NULL;
+    size_t size = 0;
+    options.title = title;
+    CHECK_OK(batten_draw_lines_plan(model, &plan, &options, NULL, &data, &size));
+    char *copy = test_array(size, 1);
+    memcpy(copy, data, size);
+    batten_release(data);
+    const scene_words words = scene_read_pdf(copy, size);
+    CHECK(scene_find(&words, "try") != NULL);
+    scene_check_words(&words, WIDTH, HEIGHT);
+    batten_model_unref(model);
+}
+
 TEST(stations_are_aligned_in_profile_and_half_breadth_plan)
 {
     batten_draw_lines_plan_options plan = batten_draw_lines_plan_defaults();

@@ -54,3 +54,21 @@ TEST(the_scale_is_the_largest_usual_one_that_fits_and_nothing_overlaps)
     }
     batten_model_unref(model);
 }
+
+/* So deep that the body plan stands beside the profile. */
+static const double deep[][3] = {{4, 1, 2}, {4, 2, 2}, {2, 1, 1}, {3, 1, 4}, {1, 1, 1}};
+
+TEST(what_is_left_of_the_width_is_shared_evenly)
+{
+    batten_model *model = scene_empty();
+    batten_draw_options options = batten_draw_defaults();
+    for (int i = 0; i < COUNT(deep); i++) {
+        const bat_lines_sheet s = laid_out(model, &options, deep[i]);
+        const bat_rectangle profile = s.plots[PROFILE].frame, body = s.plots[BODY].frame;
+        CHECK(body.x > profile.x + profile.width);
+        CHECK_NEAR(profile.x, 1684 - (body.x + body.width), 1e-9 * 1684);
+        CHECK_NEAR(s.plots[BREADTH].frame.x, profile.x, 0);
+        CHECK_NEAR(body.y, profile.y, 0);
+    }
+    batten_model_unref(model);
+}
