@@ -77,3 +77,37 @@ TEST(a_report_counts_cuts_panels_and_moves_of_what_was_made)
     CHECK(!report.cuts && !report.corrections && !report.faired);
     batten_offset_table_unref(table);
 }
+
+TEST(a_report_adds_up_its_panels_and_names_the_place_of_the_largest_move)
+{
+    static const char *const chine[] = {"chine"};
+    batten_offset_table *table = make_table();
+    batten_loft_options options = batten_loft_defaults(0.02);
+    bat_hull_panels panels;
+    batten_loft_report report;
+    options.knuckle_count = 1;
+    options.knuckles = chine;
+    CHECK_OK(make_panels(table, &options, &panels));
+    panels.reached[0] = (bat_loft_reached){.rounds = 3, .excess = 20, .cuts_in_excess = 100};
+    panels.reached[1] = (bat_loft_reached){.rounds = 4, .excess = 50, .cuts_in_excess = 600};
+    panels.at[0].height = 0.125;
+    panels.at[0].trimmed = 9;
+    for (int p = 0; p < 2; p++)
+        for (int k = 0; k < panels.at[p].datum_count; k++)
+            panels.at[p].data[k].move = 0;
+    bat_loft_datum *worst = panels.at[1].data + panels.at[1].datum_count - 1;
+    worst[0].move = 0.004;
+    panels.at[0].data[1].move = 0.003;
+    CHECK_OK(bat_loft_fill_report(&panels, table, &report));
+    CHECK(report.rounds == 7 && report.excess_inflections == 70);
+    CHECK_INT(report.cuts_in_excess, 700);
+    CHECK(report.height == 0.125 && report.trimmed_count == 9);
+    CHECK(report.max_move == 0.004 && worst->station > 0 && worst->index > 0);
+    CHECK_INT(report.worst_station, worst->station);
+    CHECK_INT(report.worst_index, worst->index);
+    const int count = panels.at[0].datum_count + panels.at[1].datum_count;
+    CHECK_NEAR(report.rms_move, 0.005 / sqrt(count), 1e-17);
+    bat_hull_panels_free(&panels);
+    batten_loft_report_release(&report);
+    batten_offset_table_unref(table);
+}
