@@ -9,6 +9,7 @@
 static const char prism[] = "  low: {line: [[0, 0, 0], [20, 0, 0]]}\n"
                             "  high: {line: [[0, 5, 4], [20, 5, 4]]}\n"
                             "  half: {ruled: [low, high]}\n"
+                            "  deep: {move: half, by: [0, 0, -1]}\n"
                             "  both: {mirror: half, plane: centre}\n";
 
 static batten_status report(const char *output, batten_notes *notes, char **data)
@@ -284,4 +285,27 @@ TEST(what_cannot_float_is_refused_with_its_reason)
         CHECK(status != BATTEN_OK && !data);
         CHECK_MESSAGE(rows[i].message);
     }
+}
+
+/* Has a report a note with these words? True also where notes were dropped. */
+static bool is_noted(const char *output, const char *words)
+{
+    batten_notes *notes = NULL;
+    char *data = NULL;
+    CHECK_OK(batten_notes_create(20, &notes));
+    CHECK_OK(report(output, notes, &data));
+    bool found = batten_notes_dropped(notes) > 0;
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        found |= strstr(batten_notes_at(notes, i)->text, words) != NULL;
+    batten_release(data);
+    batten_notes_free(notes);
+    return found;
+}
+
+TEST(a_hull_that_reaches_below_the_baseline_is_remarked_upon)
+{
+    static const char words[] = "the hull reaches to z = -1, below the baseline z = 0";
+    CHECK(is_noted("a.txt: {hydrostatics: deep, draughts: 1}", words));
+    if (test_cases(10) >= 10)
+        CHECK(!is_noted("a.txt: {hydrostatics: half, draughts: 1}", "below the baseline"));
 }

@@ -27,3 +27,15 @@ TEST(parameters_that_contradict_each_other_are_refused_by_name)
     };
     EXPECT_OUTPUTS(hull, rows);
 }
+
+/* Digits after these are those of rounding. */
+TEST(stations_stand_where_they_are_asked_for)
+{
+    static const expect_row rows[] = {
+        {"l.dxf: {lines-plan: boat, station-at: [0.5, 2.25], waterlines: 0.5, buttocks: 1}",
+         BATTEN_OK, "\ngrid\n 10\n0.5|\ngrid\n 10\n2.25|!\ngrid\n 10\n0.4|!\ngrid\n 10\n3.6"},
+        {"l.dxf: {lines-plan: boat, waterlines: 0.5, buttocks: 1}", BATTEN_OK,
+         "\ngrid\n 10\n0.4|\ngrid\n 10\n3.6|!\ngrid\n 10\n0.5|!\ngrid\n 10\n2.25"},
+    };
+    EXPECT_OUTPUTS(hull, rows);
+}
