@@ -85,3 +85,24 @@ TEST(the_variation_of_bending_is_that_of_differences)
         bat_loft_patch_free(&patch);
     }
 }
+
+/* The value is the curvature of the cut in the normal: of a hundredth of the size it is the hundredfold. */
+TEST(a_cut_of_a_patch_of_a_hundredth_of_the_size_bends_a_hundred_times_as_much)
+{
+    static const bat_loft_cut station = {BAT_CUT_STATION, {1, 0, 0}, 0, 0, 0, false, false};
+    test_random random = test_random_begin("small bending");
+    double bend[2];
+    bat_loft_patch patch;
+    bat_loft_place at;
+    bat_loft_measure measure;
+    make_patch(&random, &patch);
+    for (int small = 0; small < 2; small++) {
+        for (int k = 0; small && k < COORDINATES; k++)
+            patch.points[k] *= 0.01;
+        bat_loft_place_at(&patch, 0.4, 0.4, &at);
+        bend[small] = bat_loft_bending(&at, &station, &measure);
+    }
+    CHECK(fabs(bend[0]) > 0);
+    CHECK_NEAR(bend[1], 100 * bend[0], 1e-9 * fabs(bend[1]));
+    bat_loft_patch_free(&patch);
+}
