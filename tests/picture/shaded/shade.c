@@ -371,3 +371,27 @@ TEST(the_mean_curvature_of_a_thick_torus_changes_its_sign)
     CHECK(sign * (scene_blue(inside) - scene_red(inside)) > 40);
     batten_model_unref(model);
 }
+
+/* The range of the colours follows the curvatures, whatever the size. */
+TEST(the_colours_of_curvature_do_not_depend_on_the_unit)
+{
+    static const batten_shading shadings[] = {BATTEN_SHADING_GAUSSIAN, BATTEN_SHADING_MEAN};
+    batten_model *small_torus = scene_of(scene_torus(3, 1)),
+                 *large_torus = scene_of(scene_torus(3 * 0x1p20, 0x1p20));
+    for (int i = 0; i < COUNT(shadings); i++) {
+        batten_draw_options options = small(shadings[i]);
+        options.view = BATTEN_VIEW_TOP;
+        const scene_image a = image_of(small_torus, options),
+                          b = image_of(large_torus, options);
+        int coloured = 0;
+        for (int x = 0; x < 230; x++) { /* the legend's numbers are beyond */
+            const uint32_t one = scene_pixel(&a, x, 100), other = scene_pixel(&b, x, 100);
+            CHECK(abs(scene_red(one) - scene_red(other)) < 20);
+            CHECK(abs(scene_blue(one) - scene_blue(other)) < 20);
+            coloured += abs(scene_red(one) - scene_blue(one)) > 50;
+        }
+        CHECK(coloured > 10);
+    }
+    batten_model_unref(small_torus);
+    batten_model_unref(large_torus);
+}
