@@ -196,7 +196,8 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  * With BATTEN_FAIR_LEAST_CHANGE a curve without inflections in excess is not moved. Else of all
  * battens that turn where the one of least energy does, as often as the points require, that
  * with the least sum of (move / bound)^2 is taken, whose points may also slide along the curve;
- * where the bounds leave none, or the search ends elsewhere, `after` says what is in excess.
+ * where the bounds leave none, or the search ends elsewhere, `after` says what is in excess. A
+ * curve of which no inflection in excess is removed stays as it was.
  *
  * Pieces of fewer than 4 points are judged and not moved. Bounds and moves below the last places
  * of the coordinates count as 0.
@@ -213,7 +214,7 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, COINCIDENT,
  *         CANCELLED, INCOMPLETE, UNSUPPORTED (a method that is not for points of this
- *         dimension), NO_CONVERGENCE, or TOLERANCE_NOT_MET with the residual in the message
+ *         dimension), or TOLERANCE_NOT_MET with the residual in the message
  *
  * Cost: linear in count (the worst first: count for each move).
  * Source: [SL] ch. VII; [NW06] ch. 19 for the method; [Kje83].

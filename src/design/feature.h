@@ -7,8 +7,9 @@
 
 /* One value of an argument, in design units and radians. */
 typedef struct {
-    double number[6]; /* LENGTH, ANGLE, NUMBER: [0]; POINT: [3]; RANGE: [0] and [1]; MOVE: all */
-    int count;        /* COUNT; WORD: its place in `words`; YES_NO; MODEL: which feature,
+    double
+        number[6]; /* LENGTH, ANGLE, NUMBER: [0]; POINT: [3]; RANGE: [0] and [1]; MOVE: all */
+    int count;     /* COUNT; WORD: its place in `words`; YES_NO; MODEL: which feature,
                          as POINTS that have a text */
     const char *text; /* WORD, TEXT, FILE; MODEL, POINTS: its name */
 } bat_item;
@@ -25,6 +26,7 @@ typedef struct {
     batten_feature_result shown;
     batten_model *value;
     batten_fair_report fairing;
+    double fairing_bound; /* of the points that were moved; 0: of control points */
     batten_surface_skin_report skin;
     batten_loft_report loft;
     bool has_fit; /* the curves were interpolated with these options */

@@ -1,12 +1,13 @@
 /*
  * Fairing by least change: of all battens that pass the ducks within their bounds and turn no more often than the points require,
- * the one nearest to them, by the sum of the squares of the moves over their bounds. A curve that has no inflection in excess is
- * not moved at all.
+ * the one nearest to them, by the sum of the squares of the moves over their bounds. A curve that has no inflection in excess, or of
+ * which none can be removed, is not moved at all.
  *
  * Where it may turn is read off the batten of least energy within the bounds. For a function the program is convex and solved
  * once; of a plane curve P' x P'' is a product, which is taken to the first order about the last solution, again and again.
  */
 #include "fair/least_change.h"
+#include "base/work.h"
 #include "fair/fairness.h"
 #include "fair/sign_pattern.h"
 
@@ -60,15 +61,27 @@ static void settle(const bat_ducks *ducks, int count, double *z)
             memcpy(z + i * w, ducks->centre + i * w, (size_t)w * sizeof *z);
 }
 
+/*
+ * One step. Where bounds leave no room for the signs, the prices of all that miss make a program too hard to solve: `length` is 0
+ * then, and z as it was.
+ */
+static batten_status take_step(bat_least_change *c, double *z, double *length)
+{
+    const batten_status status = bat_change_step(c, z, length);
+    return status == BATTEN_INCOMPLETE || status == BATTEN_NOT_COMPATIBLE ? BATTEN_OK : status;
+}
+
 /* From the least energy on, where all signs are as they should be. */
 static batten_status change_least(bat_least_change *c, double *z)
 {
+    const int rounds = c->width == 1 ? 1 : ROUNDS;
+    bat_work work = {c->piece->job, 0};
     double length = HUGE_VAL;
     batten_status status = BATTEN_OK;
-    for (int round = 0; status == BATTEN_OK && round < ROUNDS && length > at_rest; round++) {
-        status = bat_change_step(c, z, &length);
-        if (c->width == 1)
-            break;
+    for (int round = 0; status == BATTEN_OK && round < rounds && length > at_rest; round++) {
+        status = bat_work_step(&work, (uint64_t)c->ducks, round / (double)rounds, "fairing");
+        if (status == BATTEN_OK)
+            status = take_step(c, z, &length);
     }
     if (status == BATTEN_OK)
         settle(&c->piece->ducks, c->ducks, z);
@@ -98,7 +111,7 @@ batten_status bat_fair_least_change(const bat_fair_piece *piece, double *z)
         status = count_excess(piece, changed, &left);
     if (status == BATTEN_OK && left > 0)
         status = count_excess(piece, least, &left_least);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK && bat_min_int(left, left_least) < excess)
         memcpy(z, left > left_least ? least : changed, numbers * sizeof *z);
     bat_arena_free(&c.arena);
     return status;

@@ -82,6 +82,8 @@ static batten_status move_all(moving *m)
     batten_status status = BATTEN_OK;
     bool done = false;
     m->measure = method->measure(method->state, m->z, m->unfairness);
+    if (method->is_done)
+        status = method->is_done(method->state, m->z, &done);
     for (int moves = 0; status == BATTEN_OK && !done && moves < most;) {
         const int i = worst_point(m);
         if (i < 0)

@@ -52,6 +52,8 @@ static batten_status worst_first(const bat_fair_piece *piece, double *z)
     double *forces = moments + (size_t)n * (size_t)w, to[3];
     batten_status status = BATTEN_OK;
     bool done = false;
+    if (options->stop_when_fair)
+        status = bat_piece_is_fair(piece, z, &done);
     for (int k = 0; status == BATTEN_OK && !done && k < most; k++) {
         bat_batten_bend(batten, w, z, moments, forces);
         const int i = worst_duck(batten, ducks, z, forces, options->relaxation, to);

@@ -363,3 +363,23 @@ TEST(a_hairpin_of_the_polygon_moves_freely)
     for (int i = 0; i < 7; i++)
         CHECK(hypot(z[2 * i] - points[2 * i], z[2 * i + 1] - points[2 * i + 1]) <= 0.1);
 }
+
+TEST(a_fair_curve_is_not_moved_where_fairing_stops_at_the_verdict)
+{
+    static const double points[] = {0, 0, 1, 0.2, 2, 0.32, 3, 0.33, 4, 0.2, 5, 0};
+    static const batten_fair_method methods[] = {
+        BATTEN_FAIR_SPRINGBACK, BATTEN_FAIR_CIRCLE_RATE, BATTEN_FAIR_KJELLANDER};
+    const batten_points given = {2, 6, points};
+    double moved[12];
+    batten_fair_options options = batten_fair_defaults(0.01);
+    options.order = BATTEN_FAIR_WORST_FIRST;
+    for (int k = 0; k < 3; k++) {
+        options.method = methods[k];
+        options.stop_when_fair = false;
+        CHECK_OK(batten_fair_points(given, NULL, &options, NULL, NULL, moved));
+        CHECK(memcmp(moved, points, sizeof points) != 0);
+        options.stop_when_fair = true;
+        CHECK_OK(batten_fair_points(given, NULL, &options, NULL, NULL, moved));
+        CHECK(memcmp(moved, points, sizeof points) == 0);
+    }
+}

@@ -258,3 +258,63 @@ TEST(curves_in_space_have_no_inflections_to_remove)
         BATTEN_UNSUPPORTED);
     CHECK_MESSAGE("curves in space have none");
 }
+
+/* Between points far apart and bounds so small, every batten turns too often; the program of the signs has no good answer. */
+static const struct {
+    double point[2], within;
+} rigid[] = {{{0.5714, 0.4505}, 0},       {{0.5663, 0.2628}, 9.67e-5},  {{0.1054, 0.6425}, 0},
+             {{0.3837, 0.8284}, 4.98e-5}, {{0.04832, 0.4644}, 1.07e-4}, {{0.9114, 0.4985}, 0}};
+
+TEST(a_curve_of_which_bounds_let_no_inflection_be_removed_stays_and_says_so)
+{
+    enum { COUNT = sizeof rigid / sizeof *rigid };
+    double points[2 * COUNT], within[COUNT], moved[2 * COUNT] = {0};
+    batten_fair_report report = {0};
+    for (int i = 0; i < COUNT; i++) {
+        memcpy(points + 2 * i, rigid[i].point, sizeof rigid[i].point);
+        within[i] = rigid[i].within;
+    }
+    batten_fair_options options = least_change(1e-4);
+    options.within_each = within;
+    CHECK_OK(batten_fair_points((batten_points){2, COUNT, points}, NULL, &options, NULL,
+                                &report, moved));
+    CHECK(report.before.excess_inflections > 0);
+    CHECK_INT(report.after.excess_inflections, report.before.excess_inflections);
+    CHECK_INT(report.moved_count, 0);
+    CHECK(memcmp(points, moved, sizeof points) == 0);
+    batten_fair_report_release(&report);
+}
+
+typedef struct {
+    int asked, refused; /* at that question; 0: never */
+} questions;
+
+static bool is_refused(void *user)
+{
+    questions *q = user;
+    return ++q->asked == q->refused;
+}
+
+TEST(each_round_of_the_least_change_asks_whether_to_stop)
+{
+    enum { COUNT = 30 };
+    double points[2 * COUNT], moved[2 * COUNT];
+    const batten_points given = {2, COUNT, points};
+    questions calm = {0}, all = {0}, last = {0};
+    if (test_cases(10) < 10)
+        return; /* calls that are tried again ask again */
+    batten_job job = {.size = sizeof job, .is_cancelled = is_refused};
+    batten_fair_options options = least_change(0.05);
+    noisy_spiral(COUNT, 0.02, points);
+    job.user = &all;
+    CHECK_OK(batten_fair_points(given, NULL, &options, &job, NULL, moved));
+    options.method = BATTEN_FAIR_SPRINGBACK;
+    job.user = &calm;
+    CHECK_OK(batten_fair_points(given, NULL, &options, &job, NULL, moved));
+    CHECK(all.asked > calm.asked);
+    options.method = BATTEN_FAIR_LEAST_CHANGE;
+    last.refused = all.asked;
+    job.user = &last;
+    CHECK_STATUS(batten_fair_points(given, NULL, &options, &job, NULL, moved),
+                 BATTEN_CANCELLED);
+}

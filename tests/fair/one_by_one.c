@@ -209,6 +209,7 @@ TEST(the_moves_are_as_many_as_are_allowed_and_else_20_for_each_point)
     }
 }
 
+/* It is asked before the first move, too. */
 TEST(the_moves_end_when_the_method_says_so)
 {
     static const double target[] = {4, 3, 2, 1};
@@ -223,7 +224,7 @@ TEST(the_moves_end_when_the_method_says_so)
             CHECK_STATUS(bat_move_one_by_one(&s.method, z), s.status);
             CHECK_INT(s.asked, done_after);
             for (int i = 0; i < 4; i++)
-                CHECK(z[i] == (i < done_after ? target[i] : 0));
+                CHECK(z[i] == (i < done_after - 1 ? target[i] : 0));
         }
 }
 

@@ -24,6 +24,7 @@ bat_correction bat_loft_correction_at(const batten_loft_report *report, int inde
     static const char *const reasons[] = {"noise", "bound", "suspect"};
     const batten_loft_correction *c = report->corrections + index;
     return (bat_correction){batten_offset_table_label(report->faired, c->station),
+                            c->station,
                             c->index,
                             line_of(report->faired, c->station, c->index),
                             c->from,
@@ -32,11 +33,22 @@ bat_correction bat_loft_correction_at(const batten_loft_report *report, int inde
                             reasons[c->reason]};
 }
 
+/* The energy is the least to this part of a bound. */
+static const double least_of_bound = 1e-6;
+
+/* Points that a search left at their bound would move farther. Control points have balls of their own (bound 0). */
+static const char *reason_of(const batten_fair_move *move, double bound)
+{
+    const double distance = bat_distance(3, move->from, move->to);
+    return bound > 0 && distance >= (1 - least_of_bound) * bound ? "bound" : "noise";
+}
+
 /* `table`: of what was faired; NULL for curves. */
 static bat_correction move_of(const batten_fair_move *move, const batten_offset_table *table,
                               const char *reason)
 {
-    bat_correction c = {.index = move->index,
+    bat_correction c = {.set = move->set,
+                        .index = move->index,
                         .line = "",
                         .from = move->from,
                         .to = move->to,
@@ -56,11 +68,13 @@ typedef struct {
     bat_correction *at;
 } corrections;
 
+/* Equal distances in the order of curves and points, whatever qsort does with them. */
 static int farthest_first(const void *a, const void *b)
 {
-    const double p = ((const bat_correction *)a)->distance,
-                 q = ((const bat_correction *)b)->distance;
-    return (p < q) - (p > q);
+    const bat_correction *p = a, *q = b;
+    if (p->distance != q->distance)
+        return p->distance < q->distance ? 1 : -1;
+    return p->set != q->set ? p->set - q->set : p->index - q->index;
 }
 
 /* The table that was faired, where it is the only object; else NULL. */
@@ -81,7 +95,8 @@ static batten_status collect_moves(const bat_result *result, bat_arena *arena, c
     if (!out->at)
         return BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < f->move_count; k++)
-        out->at[out->count++] = move_of(f->moves + k, table, "noise");
+        out->at[out->count++] =
+            move_of(f->moves + k, table, reason_of(f->moves + k, result->fairing_bound));
     for (int k = 0; k < f->suspect_count; k++)
         out->at[out->count++] = move_of(f->suspects + k, table, "suspect");
     qsort(out->at, (size_t)out->count, sizeof *out->at, farthest_first);

@@ -7,6 +7,7 @@
 /* One correction, as lists have it. */
 typedef struct {
     batten_station_label place; /* of curves "curve 2" */
+    int set;                    /* which station or curve */
     int index;                  /* which point */
     const char *line;           /* "" for none */
     const double *from, *to;

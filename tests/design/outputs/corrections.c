@@ -1,6 +1,7 @@
 #include "support/test.h"
 
 #include <batten/design.h>
+#include <math.h>
 #include <stdlib.h>
 
 /* The example's sharpie lofted, a row of points faired, and lists of what both changed. */
@@ -91,5 +92,30 @@ TEST(what_was_neither_lofted_nor_faired_has_no_corrections)
     CHECK_STATUS(batten_design_output(design, 4, NULL, NULL, &data, &size),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("'table' is neither lofted nor faired");
+    batten_design_free(design);
+}
+
+TEST(points_that_fairing_leaves_at_their_bound_are_called_so)
+{
+    static const char text[] =
+        "batten: 1\nunits: m\nfeatures:\n"
+        "  ducks: {points: [[0, 0], [1, 0.2], [2, 0.32], [3, 0.33], [4, 0.2], [5, 0]]}\n"
+        "  fair: {fair: ducks, within: 0.01}\noutputs:\n  list.csv: {corrections: fair}\n";
+    batten_design *design = NULL;
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
+    const batten_fair_report *fair = batten_design_result(design, "fair")->fairing;
+    int at_bound = 0, rows = 0;
+    for (int k = 0; k < fair->move_count; k++) {
+        const batten_fair_move *m = fair->moves + k;
+        at_bound += hypot(m->to[0] - m->from[0], m->to[1] - m->from[1]) > 0.0099999;
+    }
+    char *csv = take_output(design, 0);
+    for (const char *p = csv; (p = strstr(p, ",bound\n")); p++)
+        rows++;
+    CHECK(at_bound > 0 && at_bound < fair->move_count);
+    CHECK_INT(rows, at_bound);
+    CHECK_CONTAINS(csv, ",noise\n");
+    batten_release(csv);
     batten_design_free(design);
 }

@@ -228,6 +228,7 @@ static batten_status fair_curves(bat_run *run, const bat_objects *curves)
     batten_fair_report *report = &run->result->fairing;
     batten_status status = BATTEN_OK;
     int point_count = 0;
+    report->before.fair = report->after.fair = true;
     for (int i = 0; i < curves->count && status == BATTEN_OK; i++) {
         status = fair_object(run, curves->at[i], i);
         point_count += moved_points_of(run, curves->at[i]);
@@ -249,6 +250,33 @@ static batten_status fair_table(bat_run *run, const batten_object *object)
         status = bat_add(run, &made);
     batten_offset_table_unref(faired);
     return status;
+}
+
+/* ---- what has no effect ---- */
+
+static void note_idle(const bat_run *run, const char *parameter, bool is_used, const char *why)
+{
+    if (bat_argument_of(run, parameter)->given && !is_used)
+        bat_note(run, "'%s' has no effect: %s", parameter, why);
+}
+
+static void note_idle_options(const bat_run *run, bool table)
+{
+    const int method = bat_word(run, "method"), order = bat_word(run, "order");
+    const bool springback = method == BATTEN_FAIR_SPRINGBACK;
+    const bool stops =
+        springback ? !table && order == BATTEN_FAIR_WORST_FIRST
+                   : method == BATTEN_FAIR_CIRCLE_RATE || method == BATTEN_FAIR_KJELLANDER;
+    note_idle(run, "order", springback && !table,
+              "only springback of curves releases ducks in an order");
+    note_idle(run, "hold-ends", method != BATTEN_FAIR_CIRCLE_RATE,
+              "by circle rates the first and the last two points always stay");
+    note_idle(run, "families", table, "it is of a table of offsets");
+    note_idle(run, "corner-angle", table, "it is of a table of offsets");
+    if (bat_yes(run, "stop-when-fair"))
+        note_idle(run, "stop-when-fair", stops,
+                  "only methods that move the worst point first, 'order: worst-first', "
+                  "'circle-rate' and 'kjellander', stop between moves");
 }
 
 static void show_report(bat_run *run)
@@ -279,6 +307,7 @@ static batten_status run_fair(bat_run *run)
     if (status != BATTEN_OK)
         return status;
     inherit_fit(run);
+    run->result->fairing_bound = moves_control_points(run) ? 0 : bat_number(run, "within");
     if (objects.at[0]->kind != BATTEN_OBJECT_OFFSET_TABLE)
         status = fair_curves(run, &objects);
     else if (objects.count == 1)
@@ -286,8 +315,10 @@ static batten_status run_fair(bat_run *run)
     else
         status = bat_fail(BATTEN_BAD_ARGUMENT,
                           "one table of offsets is made fair at a time, not %d", objects.count);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
         show_report(run);
+        note_idle_options(run, objects.at[0]->kind == BATTEN_OBJECT_OFFSET_TABLE);
+    }
     bat_objects_release(&objects);
     return status;
 }

@@ -244,3 +244,59 @@ TEST(the_report_of_several_curves_is_the_sum_of_theirs)
     batten_fair_report_release(&one);
     batten_design_free(design);
 }
+
+TEST(lines_too_short_to_be_made_fair_do_not_spoil_the_verdict)
+{
+    static const char text[] =
+        "batten: 1\nunits: m\nfeatures:\n  short: {points: [[0, 5], [1, 5]]}\n"
+        "  arch: {points: [[0, 0], [1, 0.2], [2, 0.32], [3, 0.33], [4, 0.2], [5, 0]]}\n"
+        "  all: {collect: [short, arch]}\n  f: {fair: all, within: 0.01}\n";
+    batten_design *design = NULL;
+    CHECK_OK(evaluate_design(text, "f", NULL, &design));
+    const batten_fair_report *report = batten_design_result(design, "f")->fairing;
+    CHECK(report->before.fair);
+    CHECK(report->after.fair);
+    CHECK_INT(report->moved_count, 4);
+    batten_design_free(design);
+}
+
+/* Options, and what is said of each that has no effect beside the others; NULL: nothing. */
+static const struct {
+    const char *options, *remark;
+} idle[] = {
+    {"order: worst-first, stop-when-fair: yes", NULL},
+    {"method: kjellander, stop-when-fair: yes, hold-ends: no", NULL},
+    {"stop-when-fair: yes", "'stop-when-fair' has no effect: only methods that move"},
+    {"method: least-change, stop-when-fair: yes", "'stop-when-fair' has no effect"},
+    {"method: kjellander, order: sweeps", "'order' has no effect: only springback of curves"},
+    {"method: circle-rate, hold-ends: no", "'hold-ends' has no effect: by circle rates"},
+    {"families: lines", "'families' has no effect: it is of a table"},
+    {"corner-angle: 20 deg", "'corner-angle' has no effect: it is of a table"},
+};
+
+/* Also true where one was dropped for want of memory. */
+static bool has_remark(const batten_notes *notes, const char *text)
+{
+    bool found = batten_notes_dropped(notes) > 0;
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        found |= strstr(batten_notes_at(notes, i)->text, text) != NULL;
+    return found;
+}
+
+TEST(options_that_have_no_effect_are_remarked_upon)
+{
+    for (size_t k = 0; k < sizeof idle / sizeof *idle; k++) {
+        char text[900];
+        batten_design *design = NULL;
+        batten_notes *notes = NULL;
+        CHECK_OK(batten_notes_create(10, &notes));
+        snprintf(text, sizeof text, "%s  f: {fair: p, within: 0.05, %s}\n", design_of_row,
+                 idle[k].options);
+        CHECK_OK(evaluate_design(text, "f", notes, &design));
+        CHECK(idle[k].remark || batten_notes_dropped(notes) > 0 ||
+              !has_remark(notes, "has no effect"));
+        CHECK(!idle[k].remark || has_remark(notes, idle[k].remark));
+        batten_notes_free(notes);
+        batten_design_free(design);
+    }
+}
