@@ -265,7 +265,7 @@ static size_t fill_records(bat_iges_file *file, char *text, const char *const *r
         if (records[k][0] == '-')
             continue;
         char *record = text + 81 * count;
-        snprintf(record, 82, "%-64s%8dP%7d\n", records[k], 1, k + 1);
+        snprintf(record, 82, "%-64s%8dP%6c%c\n", records[k], 1, ' ', '1' + k);
         CHECK_OK(
             bat_iges_add_data(file, (bat_span){record, RECORD}, 11 + k, records[k][0] == '?'));
         count++;
