@@ -168,7 +168,7 @@ double *bat_points_in_plane(int axis, int count, const double *points)
 {
     double *plane = bat_array3((size_t)count, axis < 0 ? 3 : 2, sizeof *plane);
     double *to = plane;
-    if (plane && axis < 0)
+    if (plane && axis < 0 && count > 0)
         memcpy(plane, points, 3 * (size_t)count * sizeof *plane);
     const int first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
     for (const double *from = points; plane && axis >= 0 && to < plane + 2 * (size_t)count;
