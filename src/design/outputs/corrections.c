@@ -43,9 +43,9 @@ static const char *reason_of(const batten_fair_move *move, double bound)
     return bound > 0 && distance >= (1 - least_of_bound) * bound ? "bound" : "noise";
 }
 
-/* `table`: of what was faired; NULL for curves. */
+/* `table`: of what was faired; NULL for curves, of which `what` moved. */
 static bat_correction move_of(const batten_fair_move *move, const batten_offset_table *table,
-                              const char *reason)
+                              const char *what, const char *reason)
 {
     bat_correction c = {.set = move->set,
                         .index = move->index,
@@ -58,7 +58,7 @@ static bat_correction move_of(const batten_fair_move *move, const batten_offset_
         c.place = batten_offset_table_label(table, move->set);
         c.line = line_of(table, move->set, move->index);
     } else {
-        batten_text_print(c.place.text, sizeof c.place.text, "curve %d", move->set + 1);
+        batten_text_print(c.place.text, sizeof c.place.text, "%s %d", what, move->set + 1);
     }
     return c;
 }
@@ -90,15 +90,16 @@ static batten_status collect_moves(const bat_result *result, bat_arena *arena, c
 {
     const batten_fair_report *f = &result->fairing;
     const batten_offset_table *table = only_table(result->value);
+    const char *what = result->fairing_bound > 0 ? "curve" : "control points of curve";
     out->at = bat_arena_array(arena, (size_t)f->move_count + (size_t)f->suspect_count,
                               sizeof *out->at);
     if (!out->at)
         return BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < f->move_count; k++)
         out->at[out->count++] =
-            move_of(f->moves + k, table, reason_of(f->moves + k, result->fairing_bound));
+            move_of(f->moves + k, table, what, reason_of(f->moves + k, result->fairing_bound));
     for (int k = 0; k < f->suspect_count; k++)
-        out->at[out->count++] = move_of(f->suspects + k, table, "suspect");
+        out->at[out->count++] = move_of(f->suspects + k, table, what, "suspect");
     qsort(out->at, (size_t)out->count, sizeof *out->at, farthest_first);
     return BATTEN_OK;
 }
@@ -249,8 +250,9 @@ const bat_feature bat_feature_corrections = {
          "when the point was evened out within its bound, 'bound' when it is held at its bound and\n"
          "would move farther, 'suspect' when it stands out alone among its neighbours: it may be a\n"
          "wrong digit, and is never changed for that. Suspects of 'fair' are listed with the place\n"
-         "that is suggested, which was not carried out. As JSON when the file ends in .json, CSV\n"
-         "with all digits when it ends in .csv; else text. 'faired-table' makes the table itself.",
+         "that is suggested, which was not carried out. Where 'fair' moved control points these are\n"
+         "listed, and may have gone farther than the curve. As JSON when the file ends in .json,\n"
+         "CSV with all digits when it ends in .csv; else text. 'faired-table' makes the table itself.",
          "features:\n"
          "  table: {read: offsets.csv}\n"
          "  hull: {loft: table, within: 3 mm}\n"

@@ -6,7 +6,7 @@
 
 /* One correction, as lists have it. */
 typedef struct {
-    batten_station_label place; /* of curves "curve 2" */
+    batten_station_label place; /* of curves "curve 2", "control points of curve 2" */
     int set;                    /* which station or curve */
     int index;                  /* which point */
     const char *line;           /* "" for none */

@@ -119,3 +119,21 @@ TEST(points_that_fairing_leaves_at_their_bound_are_called_so)
     batten_release(csv);
     batten_design_free(design);
 }
+
+TEST(control_points_that_fairing_moved_are_listed_as_such)
+{
+    static const char text[] =
+        "batten: 1\nunits: m\nfeatures:\n"
+        "  net: {points: [[0, 0], [1, 1], [2, 1.6], [3, 2.4], [4, 2.3], [5, 2.4], [6, 1.9], [7, 0]]}\n"
+        "  curve: {b-spline: net}\n"
+        "  fair: {fair: curve, within: 0.02, method: farin-sapidis}\noutputs:\n"
+        "  list.csv: {corrections: fair}\n";
+    batten_design *design = NULL;
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
+    char *csv = take_output(design, 0);
+    CHECK_CONTAINS(csv, "reason\ncontrol points of curve 1,");
+    CHECK(strstr(csv, ",bound\n") == NULL);
+    batten_release(csv);
+    batten_design_free(design);
+}
