@@ -214,7 +214,7 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  * @param[out] report  what was reached; may be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, COINCIDENT,
  *         CANCELLED, INCOMPLETE, UNSUPPORTED (a method that is not for points of this
- *         dimension), or TOLERANCE_NOT_MET with the residual in the message
+ *         dimension), TOO_LARGE, or TOLERANCE_NOT_MET with the residual in the message
  *
  * Cost: linear in count (the worst first: count for each move).
  * Source: [SL] ch. VII; [NW06] ch. 19 for the method; [Kje83].

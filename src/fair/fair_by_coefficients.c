@@ -25,7 +25,7 @@ static void add_span(coefficients *c, int span)
     const double a = knots[span], half = (knots[span + 1] - a) / 2;
     double x[BATTEN_MAX_DEGREE + 1], weight[BATTEN_MAX_DEGREE + 1];
     double basis[4 * (BATTEN_MAX_DEGREE + 1)];
-    double *matrix = c->matrix + c->span_count * (p + 1) * (p + 1);
+    double *matrix = c->matrix + (size_t)c->span_count * (size_t)((p + 1) * (p + 1));
     memset(matrix, 0, (size_t)((p + 1) * (p + 1)) * sizeof *matrix);
     bat_gauss(nodes, x, weight);
     for (int k = 0; k < nodes; k++) {
@@ -45,7 +45,7 @@ static double find_gradient(coefficients *c, const double *z)
     const int p = c->net->degree, d = c->net->dimension;
     memset(c->gradient, 0, (size_t)(c->net->count * d) * sizeof *c->gradient);
     for (int s = 0; s < c->span_count; s++) {
-        const double *matrix = c->matrix + s * (p + 1) * (p + 1);
+        const double *matrix = c->matrix + (size_t)s * (size_t)((p + 1) * (p + 1));
         for (int i = 0; i <= p; i++) {
             double *out = c->gradient + bat_fair_net_index(c->net, c->first[s] + i) * d;
             for (int j = 0; j <= p; j++) {

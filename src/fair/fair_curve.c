@@ -1,4 +1,4 @@
-/* A B-spline curve made fair by its control points, none of which moves farther than a bound, nor therefore any of its points. */
+/* A B-spline curve made fair by its control points, such that no point of it moves farther than a bound. */
 #include "fair/fair_curve.h"
 #include "fair/fair_points.h"
 #include "fair/fairness.h"
@@ -39,8 +39,9 @@ static batten_status check_curve(const batten_curve *curve,
     if (curve->degree < 2)
         return bat_fail(BATTEN_UNSUPPORTED, "a polyline has corners, which no fairing rounds");
     if (curve->weights)
-        return bat_fail(BATTEN_UNSUPPORTED,
-                        "the curve is rational; batten_curve_approximate makes it a B-spline");
+        return bat_fail(
+            BATTEN_UNSUPPORTED,
+            "the curve is rational, and control points of B-splines are moved: approximate it first");
     return BATTEN_OK;
 }
 

@@ -1,6 +1,7 @@
 /* The rows and squares of the program of fairing by least change. */
 #include "fair/least_change.h"
 #include "numeric/programs/convex_program.h"
+#include "spline/curve/curve.h"
 
 #include <string.h>
 
@@ -18,10 +19,13 @@ static const double room_of_held = 1e-7;
 
 batten_status bat_change_begin(const bat_fair_piece *piece, bat_least_change *out)
 {
-    const int n = piece->batten->count, w = piece->ducks.width, unknowns = n * w;
-    const int rows_of_duck = w == 1 ? 3 : SIDES + 3;
+    const int n = piece->batten->count, w = piece->ducks.width;
     bat_least_change *c = out;
     *c = (bat_least_change){.piece = piece, .ducks = n, .width = w};
+    if (n > BAT_MAX_POINTS)
+        return bat_fail(BATTEN_TOO_LARGE, "%d points between corners are more than %d", n,
+                        BAT_MAX_POINTS);
+    const int unknowns = n * w, rows_of_duck = w == 1 ? 3 : SIDES + 3;
     c->row_room = rows_of_duck * n;
     c->entry_room = c->row_room * SUPPORT * w;
     c->knots = bat_arena_array(&c->arena, (size_t)n + 6, sizeof *c->knots);
