@@ -71,9 +71,11 @@ static void feature_text(batten_text *text, const batten_feature_result *r, cons
         batten_text_add(text, " failed");
     if (r->has_error)
         batten_text_add(text, "  error at most %.3g %s", r->error_max, unit);
+    const bool control_points = r->fairing && r->fairing->control_points;
     if (r->has_moves)
-        batten_text_add(text, "  %d point%s moved, at most %.3g %s", r->moved_count,
-                        r->moved_count == 1 ? "" : "s", r->move_max, unit);
+        batten_text_add(text, "  %d %spoint%s moved, %sat most %.3g %s", r->moved_count,
+                        control_points ? "control " : "", r->moved_count == 1 ? "" : "s",
+                        control_points ? "the curve by " : "", r->move_max, unit);
     if (r->fairing)
         batten_text_add(text, ", excess inflections %d -> %d",
                         r->fairing->before.excess_inflections,

@@ -102,6 +102,17 @@ BATTEN_API batten_status batten_chain_fairness(const batten_chain *chain, batten
                                                batten_fairness *out);
 
 /**
+ * Add the fairness of one curve to that of a family: sums of counts and integrals, the largest of
+ * curvatures, turns and jumps, fair when all are.
+ *
+ * @param[in,out] sum  of those before; begin with zeros and `fair` true
+ * @param one  as a judgement left it
+ *
+ * Cost: constant.
+ */
+BATTEN_API void batten_fairness_add(batten_fairness *sum, const batten_fairness *one);
+
+/**
  * How many inflections of a polyline can be seen: the changes of side of its turning, between
  * bulges that rise from their chord by more than a height.
  *
@@ -165,6 +176,7 @@ typedef struct batten_fair_report {
     int move_count;    /**< length of `moves`: one for each point that moved */
     batten_fair_move *moves;    /**< release with batten_fair_report_release */
     batten_fair_move *suspects; /**< with the suggested place; not carried out */
+    bool control_points; /**< what moved are control points; `max_move` is of the curve */
 } batten_fair_report;
 /** Release the moves and the suspects of a report. */
 BATTEN_API void batten_fair_report_release(batten_fair_report *report);

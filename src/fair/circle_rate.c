@@ -8,7 +8,6 @@
  * Source: [SL] section VII.2.
  */
 #include "fair/fair_points.h"
-#include "fair/one_by_one.h"
 
 #include <float.h>
 
@@ -78,12 +77,6 @@ static double rounding(const bat_fair_piece *piece, const double *z)
     return 64 * DBL_EPSILON * size / (least * least);
 }
 
-static batten_status is_fair(void *state, const double *z, bool *done)
-{
-    const circle_rates *c = state;
-    return bat_piece_is_fair(c->piece, z, done);
-}
-
 batten_status bat_fair_circle_rate(const bat_fair_piece *piece, double *z)
 {
     const size_t n = (size_t)piece->batten->count;
@@ -91,14 +84,10 @@ batten_status bat_fair_circle_rate(const bat_fair_piece *piece, double *z)
     if (!c.rate)
         return BATTEN_OUT_OF_MEMORY;
     c.chord = c.rate + n;
-    const bat_one_by_one method = {.state = &c,
-                                   .measure = sum_of_departures,
-                                   .propose = put_on_line,
-                                   .is_done = piece->options->stop_when_fair ? is_fair : NULL,
-                                   .count = piece->batten->count,
-                                   .ducks = &piece->ducks,
-                                   .most = piece->options->max_moves,
-                                   .job = piece->job};
+    bat_one_by_one method = bat_piece_one_by_one(piece);
+    method.state = &c;
+    method.measure = sum_of_departures;
+    method.propose = put_on_line;
     const batten_status status = bat_move_one_by_one(&method, z);
     bat_release(c.rate);
     return status;

@@ -88,7 +88,7 @@ static batten_status report_on(const bat_fair_net *net, const batten_curve *made
                                const double *z, batten_fair_report *report)
 {
     const int d = net->dimension;
-    bat_fair_tally tally = {0};
+    bat_fair_tally tally = {.report.control_points = true};
     int required = 0;
     batten_status status = required_of(net->curve, net->options->within, &required);
     if (status == BATTEN_OK)

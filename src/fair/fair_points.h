@@ -1,7 +1,7 @@
 /* Fairing points: the options that are checked for curves and tables alike, the methods, the report. */
 #ifndef BAT_FAIR_POINTS_H
 #define BAT_FAIR_POINTS_H
-#include "fair/elastic_batten.h"
+#include "fair/one_by_one.h"
 
 batten_status bat_fair_check_options(int count, const batten_fair_options *options);
 
@@ -21,6 +21,9 @@ batten_status bat_fair_least_change(const bat_fair_piece *piece, double *z);
 
 /* Has the batten through z, in whose bounds lie the given places, the verdict? */
 batten_status bat_piece_is_fair(const bat_fair_piece *piece, const double *z, bool *out);
+
+/* Its points, options and job, for a method that is still to say what it measures. */
+bat_one_by_one bat_piece_one_by_one(const bat_fair_piece *piece);
 
 /* A report that grows. Begins with {0}; hand it over with finish, or drop it with end. */
 typedef struct {

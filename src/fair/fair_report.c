@@ -108,8 +108,8 @@ static batten_status judge_batten(bat_fair_tally *tally, const bat_batten *batte
         return status;
     if (tally->piece_count++ == 0)
         tally->report.before.fair = tally->report.after.fair = true;
-    bat_fairness_add(&tally->report.before, &before);
-    bat_fairness_add(&tally->report.after, &after);
+    batten_fairness_add(&tally->report.before, &before);
+    batten_fairness_add(&tally->report.after, &after);
     return BATTEN_OK;
 }
 

@@ -234,7 +234,7 @@ batten_status bat_batten_is_fair(const bat_batten *batten, const bat_batten_poin
     return status;
 }
 
-void bat_fairness_add(batten_fairness *sum, const batten_fairness *one)
+void batten_fairness_add(batten_fairness *sum, const batten_fairness *one)
 {
     sum->inflections += one->inflections;
     sum->excess_inflections += one->excess_inflections;

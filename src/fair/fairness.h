@@ -68,7 +68,4 @@ batten_status bat_batten_fairness(const bat_batten *batten, const bat_batten_poi
 batten_status bat_batten_is_fair(const bat_batten *batten, const bat_batten_points *ducks,
                                  bool *out);
 
-/* The fairness of a family: sums, maxima, all fair. Begins with {.fair = true}. */
-void bat_fairness_add(batten_fairness *sum, const batten_fairness *one);
-
 #endif

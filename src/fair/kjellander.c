@@ -8,7 +8,6 @@
  * Source: [Kje83].
  */
 #include "fair/fair_points.h"
-#include "fair/one_by_one.h"
 
 typedef struct {
     const bat_fair_piece *piece;
@@ -55,12 +54,6 @@ static void put_on_cubic(void *state, const double *z, int i, double *to)
         to[c] -= k->forces[i * w + c] * length * length * length / 3;
 }
 
-static batten_status is_fair(void *state, const double *z, bool *done)
-{
-    const kjellander *k = state;
-    return bat_piece_is_fair(k->piece, z, done);
-}
-
 batten_status bat_fair_kjellander(const bat_fair_piece *piece, double *z)
 {
     const size_t numbers = (size_t)piece->batten->count * (size_t)piece->ducks.width;
@@ -68,14 +61,10 @@ batten_status bat_fair_kjellander(const bat_fair_piece *piece, double *z)
     if (!k.moments)
         return BATTEN_OUT_OF_MEMORY;
     k.forces = k.moments + numbers;
-    const bat_one_by_one method = {.state = &k,
-                                   .measure = sum_of_squared_jumps,
-                                   .propose = put_on_cubic,
-                                   .is_done = piece->options->stop_when_fair ? is_fair : NULL,
-                                   .count = piece->batten->count,
-                                   .ducks = &piece->ducks,
-                                   .most = piece->options->max_moves,
-                                   .job = piece->job};
+    bat_one_by_one method = bat_piece_one_by_one(piece);
+    method.state = &k;
+    method.measure = sum_of_squared_jumps;
+    method.propose = put_on_cubic;
     const batten_status status = bat_move_one_by_one(&method, z);
     bat_release(k.moments);
     return status;

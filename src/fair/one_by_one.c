@@ -83,7 +83,7 @@ static batten_status move_all(moving *m)
     bool done = false;
     m->measure = method->measure(method->state, m->z, m->unfairness);
     if (method->is_done)
-        status = method->is_done(method->state, m->z, &done);
+        status = method->is_done(method->judge, m->z, &done);
     for (int moves = 0; status == BATTEN_OK && !done && moves < most;) {
         const int i = worst_point(m);
         if (i < 0)
@@ -93,7 +93,7 @@ static batten_status move_all(moving *m)
             memset(m->rests, 0, (size_t)n * sizeof *m->rests);
             moves++;
             if (method->is_done)
-                status = method->is_done(method->state, m->z, &done);
+                status = method->is_done(method->judge, m->z, &done);
         }
         if (status == BATTEN_OK)
             status = bat_work_step(&work, (uint64_t)n, moves / (double)most, "fairing");

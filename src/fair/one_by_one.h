@@ -9,8 +9,9 @@ typedef struct {
     double (*measure)(void *state, const double *z, double *unfairness);
     /* Where point i should be for the sake of those beside it; `to` [width] is where it is. */
     void (*propose)(void *state, const double *z, int i, double *to);
-    /* Whether to stop; NULL: go on. */
-    batten_status (*is_done)(void *state, const double *z, bool *done);
+    /* Whether to stop, asked of `judge`; NULL: go on. */
+    batten_status (*is_done)(const void *judge, const double *z, bool *done);
+    const void *judge;
     int count;
     const bat_ducks *ducks; /* pull and anchor are not looked at */
     int most;               /* moves; 0: 20 for each point */

@@ -1,17 +1,8 @@
 /* Springback: ducks are released one by one, every second, or all until none wants to move. */
 #include "base/work.h"
 #include "fair/fair_points.h"
-#include "fair/fairness.h"
 
 #include <string.h>
-
-batten_status bat_piece_is_fair(const bat_fair_piece *piece, const double *z, bool *out)
-{
-    const bat_ducks *ducks = &piece->ducks;
-    return bat_batten_is_fair(
-        piece->batten, &(bat_batten_points){ducks->width, ducks->centre, ducks->within, z},
-        out);
-}
 
 /* Which duck is under the largest force of those that would move; -1 for none. `to` is where.
  */

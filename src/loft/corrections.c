@@ -76,7 +76,7 @@ static batten_status measure_offs(const bat_hull_panels *panels, offs *o)
 
 /* ---- why ---- */
 
-/* The point of a station on a line; -1 when there is none. */
+/* The point of a station on a line, or -1. */
 static int find_on_line(const offs *o, int station, int line)
 {
     if (line < 0 || station < 0 || station >= batten_offset_table_station_count(o->table))

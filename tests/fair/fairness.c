@@ -167,9 +167,9 @@ TEST(a_family_has_sums_and_maxima_and_is_fair_when_all_are)
                                .curvature_jumps = 3,
                                .largest_turn = 0.75,
                                .largest_jump = 1};
-    bat_fairness_add(&sum, &a);
+    batten_fairness_add(&sum, &a);
     CHECK(sum.fair);
-    bat_fairness_add(&sum, &b);
+    batten_fairness_add(&sum, &b);
     CHECK(!sum.fair);
     CHECK_INT(sum.inflections, 2);
     CHECK_INT(sum.excess_inflections, 1);

@@ -44,9 +44,9 @@ static void propose_target(void *state, const double *z, int i, double *to)
     }
 }
 
-static batten_status ask_to_stop(void *state, const double *z, bool *done)
+static batten_status ask_to_stop(const void *judge, const double *z, bool *done)
 {
-    targets *s = state;
+    targets *s = *(targets *const *)judge;
     (void)z;
     *done = ++s->asked == s->done_after && s->status == BATTEN_OK;
     return s->asked == s->done_after ? s->status : BATTEN_OK;
@@ -215,10 +215,11 @@ TEST(the_moves_end_when_the_method_says_so)
     static const double target[] = {4, 3, 2, 1};
     for (int done_after = 1; done_after <= 3; done_after++)
         for (int fails = 0; fails < 2; fails++) {
-            targets s;
+            targets s, *self = &s;
             double z[4] = {0};
             begin_targets(1, 4, target, &s);
             s.method.is_done = ask_to_stop;
+            s.method.judge = &self;
             s.done_after = done_after;
             s.status = fails ? BATTEN_UNSUPPORTED : BATTEN_OK;
             CHECK_STATUS(bat_move_one_by_one(&s.method, z), s.status);

@@ -90,7 +90,7 @@ static batten_status collect_moves(const bat_result *result, bat_arena *arena, c
 {
     const batten_fair_report *f = &result->fairing;
     const batten_offset_table *table = only_table(result->value);
-    const char *what = result->fairing_bound > 0 ? "curve" : "control points of curve";
+    const char *what = f->control_points ? "control points of curve" : "curve";
     out->at = bat_arena_array(arena, (size_t)f->move_count + (size_t)f->suspect_count,
                               sizeof *out->at);
     if (!out->at)

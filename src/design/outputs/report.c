@@ -59,14 +59,14 @@ static void text_feature(batten_text *out, const bat_check *check,
     if (r->fairing) {
         const batten_fair_report *f = r->fairing;
         batten_text_add(out, "    ");
-        add_plural(out, f->moved_count, "point");
-        batten_text_add(out, " moved, at most ");
+        add_plural(out, f->moved_count, f->control_points ? "control point" : "point");
+        batten_text_add(out, f->control_points ? " moved, the curve by at most "
+                                               : " moved, at most ");
         add_length(out, check, f->max_move);
-        batten_text_add(
-            out,
-            " (curve %d, point %d)\n    inflections in excess: %d before, %d after; energy ",
-            f->worst_set + 1, f->worst_index + 1, f->before.excess_inflections,
-            f->after.excess_inflections);
+        batten_text_add(out, " (curve %d, %spoint %d)\n", f->worst_set + 1,
+                        f->control_points ? "control " : "", f->worst_index + 1);
+        batten_text_add(out, "    inflections in excess: %d before, %d after; energy ",
+                        f->before.excess_inflections, f->after.excess_inflections);
         add_rounded(out, f->before.energy);
         batten_text_add(out, " before, ");
         add_rounded(out, f->after.energy);

@@ -57,8 +57,9 @@ static void json_moves(batten_text *out, const batten_feature_result *r)
     json_number(out, "max", f->max_move);
     batten_text_add(out, ", ");
     json_number(out, "rms", f->rms_move);
-    batten_text_add(out, ", \"count\": %d, \"set\": %d, \"index\": %d}", f->moved_count,
-                    f->worst_set, f->worst_index);
+    batten_text_add(out, ", \"count\": %d, \"set\": %d, \"index\": %d, \"control_points\": %s}",
+                    f->moved_count, f->worst_set, f->worst_index,
+                    f->control_points ? "true" : "false");
     batten_text_add(out,
                     ", \"excess_inflections\": {\"before\": %d, \"after\": %d}, \"energy\": {",
                     f->before.excess_inflections, f->after.excess_inflections);

@@ -260,7 +260,7 @@ static batten_status draw_view(bat_canvas *canvas, const bat_lines_sheet *s,
     return status;
 }
 
-/* That there are diagonals is said where the view is wide enough. */
+/* The title mentions the diagonals where the view is wide enough. */
 static const char *title_of(bat_canvas *canvas, const bat_lines_sheet *s, bat_lines_view view,
                             double size)
 {

@@ -107,7 +107,7 @@ void bat_dxf_sheet_line(bat_dxf_sheet *sheet, size_t count, const double *xy)
     begin_entity(sheet, "SEQEND", sheet->layer);
 }
 
-/* The next letter of UTF-8 and its number; a byte that is none stands for a question mark. */
+/* The next letter of UTF-8 and its number; a byte that begins no letter gives a question mark. */
 static const char *next_letter(const char *text, unsigned *letter)
 {
     static const struct {

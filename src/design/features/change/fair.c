@@ -330,7 +330,7 @@ const bat_feature bat_feature_fair = {
          "by 'circle-rate' the curvature of the circle through each three points of a plane is made\n"
          "linear, by 'kjellander' a point goes to the cubic with its neighbours' tangents, both at\n"
          "the worst point first. 'least-change' moves points of a plane as little as removes the\n"
-         "inflections in excess, and nothing where there are none. No point moves farther than\n"
+         "inflections in excess; a curve without any stays as it is. No point moves farther than\n"
          "'within' from where it was given. Curves are interpolated anew through the moved points,\n"
          "with the parameters and ends they had; points alone get a curve as 'interpolate' makes\n"
          "it; a table of offsets stays a table, by springback. Curves of IGES and STEP files have\n"

@@ -1,27 +1,6 @@
 /* One report of the feature 'fair' for a family of curves: sums, and moves in space. */
 #include "design/features/change/fair.h"
 
-static void add_fairness(batten_fairness *sum, const batten_fairness *one)
-{
-    sum->inflections += one->inflections;
-    sum->excess_inflections += one->excess_inflections;
-    sum->curvature_extrema += one->curvature_extrema;
-    sum->jumps += one->jumps;
-    sum->energy += one->energy;
-    sum->energy_error += one->energy_error;
-    sum->variation += one->variation;
-    sum->variation_error += one->variation_error;
-    sum->max_curvature = bat_max(sum->max_curvature, one->max_curvature);
-    sum->fair = sum->fair && one->fair;
-    sum->corners += one->corners;
-    sum->cusps += one->cusps;
-    sum->halts += one->halts;
-    sum->unbounded += one->unbounded;
-    sum->curvature_jumps += one->curvature_jumps;
-    sum->largest_turn = bat_max(sum->largest_turn, one->largest_turn);
-    sum->largest_jump = bat_max(sum->largest_jump, one->largest_jump);
-}
-
 static batten_status append_moves(batten_fair_move **all, int *count,
                                   const batten_fair_move *more, int more_count, int set)
 {
@@ -41,8 +20,8 @@ static batten_status append_moves(batten_fair_move **all, int *count,
 batten_status bat_fair_add_report(batten_fair_report *sum, const batten_fair_report *one,
                                   int set, int point_count)
 {
-    add_fairness(&sum->before, &one->before);
-    add_fairness(&sum->after, &one->after);
+    batten_fairness_add(&sum->before, &one->before);
+    batten_fairness_add(&sum->after, &one->after);
     if (one->max_move > sum->max_move) {
         sum->max_move = one->max_move;
         sum->worst_set = set;
@@ -50,6 +29,7 @@ batten_status bat_fair_add_report(batten_fair_report *sum, const batten_fair_rep
     }
     sum->rms_move += one->rms_move * one->rms_move * point_count;
     sum->moved_count += one->moved_count;
+    sum->control_points |= one->control_points;
     batten_status status =
         append_moves(&sum->moves, &sum->move_count, one->moves, one->move_count, set);
     if (status == BATTEN_OK)

@@ -1,12 +1,12 @@
 /*
  * How many lines a plane section can have at most, by the control net.
  *
- * The section is where F = w (coordinate - level) is 0. Where all control values of F have one sign there is none.
+ * The section is where F = w (coordinate - level) is 0. Where all control values of F have one sign, the plane misses the surface.
  * Where they increase strictly along u in every row, F does, and each line of constant v meets the section once where F is
  * negative at its begin and positive at its end, else never. The edges change sign no more often than their control values,
  * so those begins are at most as many intervals as the runs of negative values of the first edge, those ends as many as the
- * runs of positive ones of the last; two such sets have at most one interval less in common than they are in all. So many
- * lines can there be.
+ * runs of positive ones of the last; two such sets have at most one interval less in common than they are in all. That is the
+ * largest number of lines.
  */
 #include "design/features/take/section_proof.h"
 

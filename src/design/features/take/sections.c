@@ -93,7 +93,7 @@ static batten_status put_section(bat_run *run, const batten_object *object, cutt
     return bat_put_curve_like(run, status, curve, &like, false);
 }
 
-/* A plane that meets nothing is told; one whose lines may not be all is counted. */
+/* A remark on each plane that meets nothing; those with lines that may be missing are counted for one note. */
 static void judge_section(const bat_run *run, const batten_object *object, cutting *c,
                           int level, int lines)
 {
@@ -139,7 +139,7 @@ static batten_status cut_family(bat_run *run, const bat_objects *surfaces, cutti
     return status;
 }
 
-static void tell_proofs(const bat_run *run, const cutting *c)
+static void note_proofs(const bat_run *run, const cutting *c)
 {
     if (c->unproved > 0)
         bat_note(
@@ -171,7 +171,7 @@ static batten_status run_sections(bat_run *run)
     if (status == BATTEN_OK && batten_model_count(run->model) == 0)
         status = bat_fail(BATTEN_NOT_FOUND, "none of the planes meets a surface");
     if (status == BATTEN_OK) {
-        tell_proofs(run, &c);
+        note_proofs(run, &c);
         bat_report_error(run, c.wanted.error, c.wanted.error);
     }
     bat_objects_release(&surfaces);
