@@ -1,4 +1,5 @@
 #include "design/expect.h"
+#include "design/outputs/made_check.h"
 #include "support/json.h"
 
 #include <batten/design.h>
@@ -218,4 +219,118 @@ TEST(all_figures_of_a_lofting_and_its_knuckles_are_in_its_report)
     CHECK_INT(count_words(json, "\"c\": "), 0);
     batten_release(json);
     batten_design_free(design);
+}
+
+/* ---- of a check that is made by hand: each figure under its name ---- */
+
+static const char made_features[] =
+    "{\n  \"ok\": true, \"fair\": null, \"unit\": \"in\", \"within\": null,\n  \"features\": [\n"
+    "    {\"name\": \"ducks\", \"operation\": \"points\"},\n"
+    "    {\"name\": \"faired\", \"operation\": \"fair\", \"moved\": {\"max\": 0.0123456, \"rms\": "
+    "0.004, \"count\": 3, \"set\": 1, \"index\": 4, \"control_points\": false}, "
+    "\"excess_inflections\": {\"before\": 7, \"after\": 2}, \"energy\": {\"before\": 12345.678, "
+    "\"after\": 0.5}, \"suspects\": 1},\n"
+    "    {\"name\": \"net\", \"operation\": \"fair\", \"moved\": {\"max\": 2, \"rms\": 0, "
+    "\"count\": 1, \"set\": 0, \"index\": 0, \"control_points\": true}, \"excess_inflections\": "
+    "{\"before\": 0, \"after\": 0}, \"energy\": {\"before\": 3, \"after\": 0}, \"suspects\": 0},\n"
+    "    {\"name\": \"skin\", \"operation\": \"skin\", \"skin\": {\"deviation\": 0.25, "
+    "\"worst_section\": 3, \"exact_knots\": 12, \"knots\": 1, \"span_ratio\": 0.125, "
+    "\"normal_jump\": 0.375, \"speed_jump\": 0.0625, \"crease\": 0.75, \"cure\": \"rescaled\", "
+    "\"reversed\": 2, \"turned\": 4, \"crossings\": 5, \"disorders\": 6}},\n"
+    "    {\"name\": \"near\", \"operation\": \"arcs\", \"error\": {\"max\": 0.75, \"rms\": "
+    "0.5}},\n"
+    "    {\"name\": \"hull\", \"operation\": \"loft\", \"error\": {\"max\": 0.75, \"rms\": 0.5}, "
+    "\"loft\": {\"max\": 0.5, \"rms\": 0.1, \"station\": 1, \"point\": 2, \"height\": 0.001, "
+    "\"sections\": 30, \"in_excess\": 2, \"excess_inflections\": 4, \"rounds\": 8, "
+    "\"faired_error\": 0.03125, \"corrections\": [{\"place\": \"station 1 (x = 1)\", \"point\": "
+    "1, \"line\": \"\", \"from\": [1, 2, 3], \"to\": [1, 2.5, 3], \"distance\": 0.5, \"reason\": "
+    "\"noise\"}, {\"place\": ";
+
+static const char made_figures[] =
+    "\n  ],\n  \"objects\": [\n"
+    "    {\"name\": \"sheer\", \"type\": \"curve\", \"fairness\": {\"fair\": true, "
+    "\"inflections\": 1, \"excess_inflections\": 0, \"curvature_extrema\": 2, \"jumps\": 0.5, "
+    "\"energy\": 1.2345678, \"variation\": 7.5, \"max_curvature\": 0.0123456, \"corners\": 0, "
+    "\"curvature_jumps\": 0, \"halts\": 0, \"cusps\": 0, \"unbounded\": 0, \"energy_error\": "
+    "1e-9, \"variation_error\": 2e-9, \"largest_turn\": 0, \"largest_jump\": 0}, "
+    "\"continuity\": {\"knots\": 1, \"c\": 2, \"g\": 3},\n     \"distances\": [{\"from\": "
+    "\"ducks\", \"faired\": false, \"points\": 1, \"max\": 0.00123456, \"rms\": 0.00123456, "
+    "\"at\": [1, 0.123456, 0]}]},\n"
+    "    {\"name\": \"ch\\\"ine\", \"type\": \"curve\", \"fairness\": {\"fair\": false, "
+    "\"inflections\": 3, \"excess_inflections\": 2, \"curvature_extrema\": 5, \"jumps\": 0, "
+    "\"energy\": null, \"variation\": null, \"max_curvature\": null, \"corners\": 1, "
+    "\"curvature_jumps\": 2, \"halts\": 3, \"cusps\": 4, \"unbounded\": 6, \"energy_error\": 0, "
+    "\"variation_error\": 0, \"largest_turn\": 1.5, \"largest_jump\": 0.25}},\n"
+    "    {\"name\": \"bottom\", \"type\": \"surface\",\n     \"distances\": [{\"from\": "
+    "\"ducks\", \"faired\": false, \"points\": 9, \"max\": 0.5, \"rms\": 0.25, \"at\": [4, 5, "
+    "6]}, {\"from\": \"faired\", \"faired\": true, \"points\": 9, \"max\": 123456, \"rms\": 0, "
+    "\"at\": [7, 8, 9]}],\n     \"edges\": [{\"name\": \"v low\", \"gap\": 0.000123456, "
+    "\"at_centre\": true}, {\"name\": \"v high\", \"gap\": 7, \"at_centre\": false}],\n     "
+    "\"sections\": [\n      {\"family\": \"station\", \"name\": \"S1\", \"at\": 1, "
+    "\"visible_inflections\": 0, \"visible_excess\": 0, \"fairness\": {\"fair\": false, ";
+
+static const char made_ends[] =
+    "      {\"family\": \"station\", \"name\": \"S3\", \"at\": 3},\n"
+    "      {\"family\": \"waterline\", \"name\": \"W1\", \"at\": 0.5, \"visible_inflections\": 1, "
+    "\"visible_excess\": 1, ";
+
+static const char made_meetings[] =
+    "      {\"family\": \"buttock\", \"name\": \"B1\", \"at\": 4}]},\n"
+    "    {\"name\": \"side\", \"type\": \"surface\",\n     \"distances\": [],\n     \"edges\": "
+    "[],\n     \"sections\": []}\n  ],\n  \"creases\": 2, \"edge_jumps\": 3, \"folds\": 4,\n  "
+    "\"joins\": [\n"
+    "    {\"a\": \"sheer\", \"side_a\": \"end\", \"b\": \"ch\\\"ine\", \"side_b\": \"start\", "
+    "\"g0\": 0.5, \"g1\": null, \"g2\": null, \"g3\": null, \"c\": 0, \"g\": 1},\n"
+    "    {\"a\": \"sheer\", \"side_a\": \"start\", \"b\": \"ch\\\"ine\", \"side_b\": \"end\", "
+    "\"g0\": 0, \"g1\": 0.5, \"g2\": null, \"g3\": 8, \"c\": 2, \"g\": 3},\n"
+    "    {\"a\": \"bottom\", \"side_a\": \"v high\", \"b\": \"side\", \"side_b\": \"v low\", "
+    "\"g0\": 0, \"g1\": 0.25, \"g2\": 0.125, \"g3\": null, \"knuckle\": true},\n"
+    "    {\"a\": \"bottom\", \"side_a\": \"u low\", \"b\": \"side\", \"side_b\": \"u high\", "
+    "\"g0\": 0, \"g1\": 0.25, \"g2\": null, \"g3\": null, \"part\": \"a\"},\n"
+    "    {\"a\": \"bottom\", \"side_a\": \"u high\", \"b\": \"side\", \"side_b\": \"u low\", "
+    "\"g0\": 0, \"g1\": 0.75, \"g2\": 0.5, \"g3\": null, \"part\": \"b\"}],\n  "
+    "\"messages\": []\n}\n";
+
+TEST(each_figure_of_features_objects_and_joins_stands_under_its_name)
+{
+    made_check made;
+    make_check(&made);
+    made.check.judged_count = 0;
+    made.check.unfairness = (bat_unfairness){.creases = 2, .edge_jumps = 3, .folds = 4};
+    char *json = write_check(&made.check, bat_report_json);
+    CHECK(strncmp(json, made_features, strlen(made_features)) == 0);
+    CHECK_CONTAINS(json, made_figures);
+    CHECK_CONTAINS(json, made_ends);
+    CHECK_TEXT(strstr(json, "      {\"family\": \"buttock\""), made_meetings);
+    CHECK_TEXT(json_blank(json_behind(json)), "");
+    batten_release(json);
+    batten_offset_table_unref(made.table);
+}
+
+TEST(what_was_judged_is_fair_or_not_and_messages_stand_at_the_end)
+{
+    made_check made;
+    batten_notes *notes = NULL;
+    make_check(&made);
+    CHECK_OK(batten_notes_create(5, &notes));
+    batten_notes_add(notes, "a\"b.yaml", 7, "hull", "%d places", 2);
+    batten_notes_remark(notes, "", 0, "", "found");
+    made.run.notes = notes;
+    made.check.ok = false;
+    made.check.within = 0.5;
+    char *json = write_check(&made.check, bat_report_json);
+    CHECK_CONTAINS(json, "\"ok\": false, \"fair\": true, \"unit\": \"in\", \"within\": 0.5,\n");
+    if (batten_notes_dropped(notes) == 0)
+        CHECK_TEXT(strstr(json, "],\n  \"messages\""),
+                   "],\n  \"messages\": [\n    {\"file\": \"a\\\"b.yaml\", \"line\": 7, "
+                   "\"entity\": \"hull\", \"text\": \"2 places\", \"remark\": false},\n    "
+                   "{\"file\": \"\", \"line\": 0, \"entity\": \"\", \"text\": \"found\", "
+                   "\"remark\": true}]\n}\n");
+    batten_release(json);
+    made.check.unfairness.folds = 1;
+    json = write_check(&made.check, bat_report_json);
+    CHECK_CONTAINS(json, "\"ok\": false, \"fair\": false, ");
+    batten_release(json);
+    batten_notes_free(notes);
+    batten_offset_table_unref(made.table);
 }
