@@ -48,7 +48,7 @@ typedef struct {
     batten_region region;
     double centroid[3], turning;
     batten_parameters found[LISTS];
-    double sharpest[LIST_PLACES]; /* of more extrema of curvature, the largest first */
+    double sharpest[LIST_PLACES]; /* extrema of the largest curvature, which comes first */
 } facts;
 
 static void facts_end(facts *f)
@@ -84,7 +84,7 @@ static batten_status measure_plane(const batten_curve *flat, double within, fact
     return status == BATTEN_COINCIDENT ? BATTEN_OK : status;
 }
 
-/* Of a long list of extrema those of the largest curvature. */
+/* Of the extrema those of the largest curvature, which the text states of a long list. */
 static batten_status find_sharpest(const batten_curve *curve, facts *f)
 {
     const batten_parameters *all = &f->found[EXTREMA];
@@ -116,9 +116,7 @@ static batten_status find_places(const batten_curve *flat, facts *f)
     for (int k = 0; status == BATTEN_OK && k < LISTS; k++)
         if (!lists[k].plane || batten_curve_dimension(flat) == 2)
             status = lists[k].find(flat, &f->found[k]);
-    if (status == BATTEN_OK && f->found[EXTREMA].count > LIST_PLACES)
-        status = find_sharpest(flat, f);
-    return status;
+    return status == BATTEN_OK ? find_sharpest(flat, f) : status;
 }
 
 /* The centroid where the curve is, in space. */

@@ -1,6 +1,6 @@
 #include "design/outputs/fairness.h"
 
-#include "support/test.h"
+#include "design/outputs/checked.h"
 
 #include <stdlib.h>
 
@@ -248,4 +248,45 @@ TEST(the_messages_of_a_report_are_the_notes)
     batten_release(json);
     batten_design_free(design);
     batten_notes_free(notes);
+}
+
+/* ---- what keeps a result from being fair ---- */
+
+/* In excess: 2 of the profile, 1 of the knuckle, 4 of the sheer; that of a station shows in its section. */
+static batten_loft_cut cuts[] = {{.family = BATTEN_LOFT_STATION, .needed = 0, .found = 9},
+                                 {.family = BATTEN_LOFT_PROFILE, .needed = 1, .found = 3},
+                                 {.family = BATTEN_LOFT_DIAGONAL, .needed = 0, .found = 9},
+                                 {.family = BATTEN_LOFT_SHEER, .needed = 5, .found = 3},
+                                 {.family = BATTEN_LOFT_KNUCKLE, .needed = 0, .found = 1},
+                                 {.family = BATTEN_LOFT_SHEER, .needed = 0, .found = 4}};
+
+TEST(inflections_in_excess_of_the_edges_of_a_lofting_count)
+{
+    static batten_loft_report loft = {.cut_count = COUNT(cuts), .cuts = cuts, .panel_count = 1};
+    static const char *const whats[] = {"moved", "aside"};
+    for (int i = 0; i < COUNT(whats); i++) {
+        checked_design d;
+        checked_open("  table: {points: [[0, 0, 0]]}\n  hull: {loft: table, within: 1 mm}\n"
+                     "  moved: {move: hull, by: x}\n  aside: {move: table, by: x}\n",
+                     whats[i], &d);
+        checked_result(&d, "hull")->shown.loft = &loft;
+        checked_put_line(&d, whats[i], (batten_vec3){0, 0, 0}, (batten_vec3){1, 0, 0});
+        checked_run(&d, HUGE_VAL);
+        CHECK_INT(d.check.unfairness.inflections, i ? 0 : 7);
+        CHECK(bat_check_is_fair(&d.check) == (i == 1));
+        checked_close(&d);
+    }
+}
+
+TEST(each_kind_of_flaw_alone_keeps_a_result_from_being_fair)
+{
+    static const bat_unfairness flaws[] = {
+        {.corners = 1}, {.curvature_jumps = 1}, {.inflections = 1}, {.unbounded = 1},
+        {.creases = 1}, {.edge_jumps = 1},      {.folds = 1}};
+    bat_check check = {.unfairness = {.largest_turn = 1, .largest_crease = 1}};
+    CHECK(bat_check_is_fair(&check));
+    for (int i = 0; i < COUNT(flaws); i++) {
+        check.unfairness = flaws[i];
+        CHECK(!bat_check_is_fair(&check));
+    }
 }

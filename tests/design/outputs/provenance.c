@@ -1,4 +1,5 @@
 #include "design/expect.h"
+#include "design/outputs/checked.h"
 
 /* Which points a shape is measured against: those given, those moved by fairing, none where an operation displaces. */
 
@@ -33,4 +34,157 @@ static const expect_row rows[] = {
 TEST(shapes_are_measured_against_the_points_that_they_come_from)
 {
     EXPECT_OUTPUTS(curves, rows);
+}
+
+/* ---- where each object comes from ---- */
+
+static const double row[] = {0, 0, 0, 1, 0.5, 0, 2, 0.25, 0};
+
+static void put_row(checked_design *d, const char *feature)
+{
+    checked_put_points(d, feature, 3, row);
+}
+
+/* Written in reverse, so that the order is that of evaluation. */
+static const char chain[] = "  sheet: {skin: [second, first], within: 8 m}\n"
+                            "  aside: {skin: [second, first], spine: rail}\n"
+                            "  second: {fair: first, within: 0.005}\n"
+                            "  first: {fair: curve, within: 0.02}\n"
+                            "  curve: {interpolate: ducks}\n"
+                            "  moved: {move: ducks, by: x}\n"
+                            "  ducks: {points: [[0, 0, 0]]}\n"
+                            "  rail: {line: [[0, 0, 0], [0, 0, 1]]}\n"
+                            "  unused: {points: [[0, 0, 0]]}\n";
+
+static void open_chain(const char *what, checked_design *d)
+{
+    static const char *const faired[] = {"first", "second"};
+    checked_open(chain, what, d);
+    put_row(d, "unused");
+    put_row(d, "ducks");
+    put_row(d, "moved");
+    for (int i = 0; i < COUNT(faired); i++) {
+        put_row(d, faired[i]);
+        checked_result(d, faired[i])->shown.has_moves = true;
+    }
+    checked_put_line(d, "sheet", (batten_vec3){0, 0, 0}, (batten_vec3){1, 0, 0});
+    checked_put_line(d, "aside", (batten_vec3){5, 0, 0}, (batten_vec3){6, 0, 0});
+}
+
+static void check_origin(const checked_design *d, int object, const char *given,
+                         const char *faired, double moved_by)
+{
+    const bat_checked *c = &d->check.objects[object];
+    CHECK_INT(c->given, given ? bat_document_feature(&d->document, given) : -1);
+    CHECK_INT(c->faired, faired ? bat_document_feature(&d->document, faired) : -1);
+    CHECK_NEAR(c->moved_by, moved_by, 1e-15);
+}
+
+TEST(data_are_the_first_points_upstream_and_the_last_made_fair_within_the_sum_of_the_bounds)
+{
+    checked_design d;
+    open_chain("sheet", &d);
+    checked_run(&d, HUGE_VAL);
+    check_origin(&d, 0, "ducks", "second", 0.025);
+    CHECK(!d.check.objects[0].is_hull);
+    CHECK_INT(d.check.objects[0].panels_of, -1);
+    for (int i = 0; i < d.document.feature_count; i++) {
+        const char *name = d.document.features[i].name;
+        CHECK(d.check.upstream[i] ==
+              (strcmp(name, "aside") != 0 && strcmp(name, "moved") != 0 &&
+               strcmp(name, "rail") != 0 && strcmp(name, "unused") != 0));
+    }
+    checked_close(&d);
+}
+
+TEST(what_lies_along_a_spine_has_no_data)
+{
+    checked_design d;
+    open_chain("aside", &d);
+    checked_run(&d, HUGE_VAL);
+    check_origin(&d, 0, NULL, NULL, 0.025);
+    checked_close(&d);
+}
+
+TEST(each_feature_that_is_checked_has_its_own_data)
+{
+    checked_design d;
+    open_chain("[curve, moved, unused, first]", &d);
+    for (int i = 0; i < 2; i++)
+        checked_put_line(&d, "curve", (batten_vec3){10, i, 0}, (batten_vec3){11, i, 0});
+    checked_run(&d, HUGE_VAL);
+    CHECK_INT(d.check.object_count, 5);
+    check_origin(&d, 0, "ducks", NULL, 0);
+    check_origin(&d, 1, "ducks", NULL, 0);
+    check_origin(&d, 2, "ducks", NULL, 0);
+    check_origin(&d, 3, "unused", NULL, 0);
+    check_origin(&d, 4, "ducks", "first", 0.02);
+    checked_close(&d);
+}
+
+static const char lofted[] = "  table: {points: [[0, 0, 0]]}\n"
+                             "  curves: {interpolate: table}\n"
+                             "  hull: {loft: table, within: 3 mm}\n"
+                             "  other: {loft: table, within: 5 mm}\n"
+                             "  shifted: {move: hull, by: x}\n"
+                             "  rows: {interpolate: table}\n";
+
+TEST(what_comes_of_a_table_is_a_hull_and_panels_are_those_of_a_lofting_with_several)
+{
+    static const batten_table_point point = {0, 1, 2, -1};
+    static const batten_table_station station = {"0", 0, 1, &point};
+    static batten_loft_report one = {.panel_count = 1}, two = {.panel_count = 2};
+    checked_design d;
+    batten_offset_table *table = NULL;
+    CHECK_OK(batten_offset_table_create(1, 0, NULL, 1, &station, &table));
+    checked_open(lofted, "[shifted, rows, other]", &d);
+    checked_put(&d, "table",
+                &(batten_object){.kind = BATTEN_OBJECT_OFFSET_TABLE, .offset_table = table});
+    batten_offset_table_unref(table);
+    checked_result(&d, "hull")->shown.loft = &two;
+    checked_result(&d, "other")->shown.loft = &one;
+    checked_put_line(&d, "shifted", (batten_vec3){0, 0, 0}, (batten_vec3){1, 0, 0});
+    checked_put_line(&d, "rows", (batten_vec3){0, 5, 0}, (batten_vec3){1, 5, 0});
+    checked_put_line(&d, "other", (batten_vec3){0, 9, 0}, (batten_vec3){1, 9, 0});
+    checked_run(&d, HUGE_VAL);
+    check_origin(&d, 0, "table", NULL, 0.003);
+    check_origin(&d, 1, "table", NULL, 0);
+    check_origin(&d, 2, "table", NULL, 0.005);
+    CHECK(d.check.objects[0].is_hull && d.check.objects[1].is_hull);
+    CHECK_INT(d.check.objects[0].panels_of, bat_document_feature(&d.document, "hull"));
+    CHECK_INT(d.check.objects[1].panels_of, -1);
+    CHECK_INT(d.check.objects[2].panels_of, -1);
+    checked_close(&d);
+}
+
+/* ---- rows before fairing ---- */
+
+/* Does the row [2][3] come from the given one, in the plane of x and z, within this bound? */
+static bool is_taken(const checked_design *d, int count, const double *faired)
+{
+    double *points = NULL, bound = -1;
+    CHECK_OK(
+        bat_check_given_row(&d->check, d->check.objects, count, faired, 1, &points, &bound));
+    const bool found = bound > 0;
+    CHECK_NEAR(bound, found ? 0.025 : 0, 1e-15);
+    const double *from = found ? row : faired;
+    for (int i = 0; i < count; i++)
+        CHECK(points[2 * i] == from[3 * i] && points[2 * i + 1] == from[3 * i + 2]);
+    bat_release(points);
+    return found;
+}
+
+TEST(a_row_is_taken_for_one_given_whose_points_are_all_within_the_bounds_of_fairing)
+{
+    checked_design d;
+    open_chain("[sheet, moved]", &d);
+    checked_run(&d, HUGE_VAL);
+    CHECK(is_taken(&d, 3, (double[]){0, 0.025, 0, 1, 0.5, 0, 2, 0.25, 0}));
+    CHECK(is_taken(&d, 3, (double[]){0, 0, 0, 1, 0.5, 0, 2.015, 0.25, -0.02}));
+    CHECK(!is_taken(&d, 3, (double[]){0, 0.02501, 0, 1, 0.5, 0, 2, 0.25, 0}));
+    CHECK(!is_taken(&d, 3, (double[]){0, 0, 0, 1, 0.5, 0, 2.02, 0.25, 0.02}));
+    CHECK(!is_taken(&d, 2, row));
+    d.check.objects[0].faired = -1;
+    CHECK(!is_taken(&d, 3, row));
+    checked_close(&d);
 }
