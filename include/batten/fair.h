@@ -331,6 +331,20 @@ BATTEN_API batten_status batten_fair_offset_table(const batten_offset_table *off
 
 /* ---- a fair surface at once ---- */
 
+/** How a line is looked at. */
+typedef enum batten_loft_view {
+    BATTEN_LOFT_IN_SPACE,  /**< both of the others */
+    BATTEN_LOFT_IN_PLAN,   /**< from above: its half-breadths over x */
+    BATTEN_LOFT_IN_PROFILE /**< from the side: its heights over x */
+} batten_loft_view;
+
+/** A run along which a line of a hull is straight. */
+typedef struct batten_loft_straight {
+    const char *line; /**< its name in the table; or "profile", "sheer" */
+    int from, to;     /**< between these stations, from < to, counted from 0 */
+    batten_loft_view view;
+} batten_loft_straight;
+
 typedef struct batten_loft_options {
     size_t size;
     double within; /**< no point of the table is farther from the surface, in the plane of its
@@ -338,6 +352,8 @@ typedef struct batten_loft_options {
     double height; /**< bulges up to this are not seen; 0: a millionth of the breadth */
     int knuckle_count;           /**< lines at which the hull has an edge; 0 */
     const char *const *knuckles; /**< [knuckle_count], their names in the table, in any order */
+    int straight_count;          /**< straight runs of its lines; 0 */
+    const batten_loft_straight *straight; /**< [straight_count], in any order */
 } batten_loft_options;
 /** The defaults of a lofting: no point is farther than `within`, model units. */
 BATTEN_API batten_loft_options batten_loft_defaults(double within);
@@ -454,21 +470,24 @@ BATTEN_API batten_status batten_surface_loft(const batten_offset_table *table,
  *     sum (distance / bound)^2 + lambda integral (d^3 f / du^3)^2 du
  *
  * with no more inflections over x than the points require; y and z have the bound over the square root
- * of 2 each, and lambda makes the mean distance at most a quarter of it. Panels on both sides of a
- * line have the same control points there. A panel with nothing between its lines is ruled: of degree
+ * of 2 each, and lambda makes the mean distance at most a quarter of it. On a straight run f'' is 0 but for
+ * rounding: its control points lie on one straight line; a run begins and ends at knots, which are at the
+ * stations of the sheer, and where a line's own ends are elsewhere it reaches out to the next. Panels on both
+ * sides of a line have the same control points there. A panel with nothing between its lines is ruled: of degree
  * 1 across, so that its frames are straight; it is judged by its lines, for its other sections turn
  * where its twist makes them. One with points between them is found as by batten_surface_loft, with
  * its edges held. Lines of the table beyond the profile or the sheer are left out before, by
  * batten_offset_table_select.
  *
  * @param table  stations from aft to forward; every line that is named has a point at each
- * @param options  never NULL; without knuckles as batten_surface_loft
+ * @param options  never NULL; without knuckles and straight runs as batten_surface_loft
  * @param job  progress, cancelling; NULL for no questions
  * @param[out] report  of all panels; may be NULL. With NOT_COMPATIBLE `enough` is filled in
  * @param[out] out  [knuckle_count + 1], from below
  * @return as batten_surface_loft; NOT_FOUND (a line that the table does not have, or not at each
- * station); BAD_ARGUMENT (a line named twice; lines that change places from station to station, or may
- * within the bound); TOO_FEW_POINTS (3 stations)
+ * station; a straight run on a line that bounds no panel); BAD_ARGUMENT (a line named twice; lines that change
+ * places from station to station, or may within the bound; straight runs with no room between them);
+ * TOO_FEW_POINTS (3 stations)
  *
  * Cost: a few programs of twice as many unknowns as stations for each line; of panels with points
  * as batten_surface_loft

@@ -59,10 +59,11 @@ static batten_status set_quadratic(bat_line_program *f)
         f->quadratic[i] = abc[0] + abc[1] * (t[0] + t[1] + t[2]) / 3 +
                           abc[2] * (t[0] * t[1] + t[1] * t[2] + t[0] * t[2]) / 3;
     }
-    for (int k = 0; k < line->datum_count; k++) {
-        const double t = line->t[k];
-        f->missing[k] = (line->values[k] - (abc[0] + t * (abc[1] + t * abc[2]))) / line->within;
-    }
+    bat_loft_line_straighten(line, f->quadratic);
+    for (int k = 0; k < line->datum_count; k++)
+        f->missing[k] =
+            (line->values[k] - bat_loft_line_at(line, f->quadratic, line->t[k], 0)) /
+            line->within;
     return BATTEN_OK;
 }
 
@@ -87,6 +88,7 @@ static void add_up(const bat_line_program *f, double *line)
         line[of->count - 1] = of->values[of->datum_count - 1];
     for (int i = 0; i < of->count && of->one_side; i++)
         line[i] = bat_max(line[i], 0); /* but for rounding it is */
+    bat_loft_line_straighten(of, line);
 }
 
 static int count_inflections(const bat_loft_line *of, const double *line)
@@ -209,6 +211,8 @@ static void pin_ends(bat_line_program *f)
         f->x[last] = (of->values[of->datum_count - 1] - f->quadratic[last]) / of->within;
     f->first = of->pinned[0];
     f->unknowns = of->count - of->pinned[0] - of->pinned[1];
+    for (int k = 0; k < of->run_count; k++)
+        f->unknowns -= of->runs[k].last - of->runs[k].first - 1;
 }
 
 /* The extent of the values. */

@@ -7,6 +7,12 @@
 #include "base/arena.h"
 #include "loft/patch.h"
 
+/* Coefficients first .. last lie on one straight line over their Greville abscissas: the function is
+ * straight on the spans that they alone make. */
+typedef struct {
+    int first, last; /* at least 3 apart */
+} bat_straight_run;
+
 typedef struct {
     int count;           /* coefficients */
     const double *knots; /* [count + 4], cubic, from 0 to 1 */
@@ -19,19 +25,24 @@ typedef struct {
     double height;  /* bulges up to this are not seen */
     bool pinned[2]; /* the first, the last value is met exactly */
     bool one_side;  /* f >= 0 */
+    int run_count;
+    const bat_straight_run *runs; /* [run_count], ascending; they share a coefficient at most */
 } bat_loft_line;
 
 /* A derivative of the function of these coefficients. */
 double bat_loft_line_at(const bat_loft_line *line, const double *f, double t, int order);
+/* Within each run put the coefficients on the line from its first to its last. */
+void bat_loft_line_straighten(const bat_loft_line *line, double *f);
 
 typedef struct {
     const bat_loft_line *of;
     bat_arena arena;
     double size;         /* of the values */
     double smooth;       /* the weight of f''' */
-    double *quadratic;   /* [count]: its coefficients */
+    double *quadratic;   /* [count]: its coefficients, straight on the runs */
     double *missing;     /* [datum_count]: of the values, beyond the quadratic, in bounds */
-    int first, unknowns; /* those that are not pinned */
+    int first, unknowns; /* those that are not pinned; a run has its two ends */
+    bool impossible;     /* what is pinned breaks a bound by itself */
     double *hessian, *linear; /* of the differences in bounds */
     double *x;                /* [count]: the differences */
     int row_count;

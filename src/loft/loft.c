@@ -1,4 +1,5 @@
 /* The lofting of a hull, as others call it: one smooth surface, or panels between knuckles. */
+#include "base/plural.h"
 #include "loft/report.h"
 
 #include <string.h>
@@ -26,6 +27,11 @@ static batten_status take_options(const batten_loft_options *given, batten_loft_
                         "%d knuckles are declared; their number must be 0 or above, and each "
                         "has a name",
                         out->knuckle_count);
+    if (out->straight_count < 0 || (out->straight_count > 0 && !out->straight))
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "%d straight runs are declared; their number must be 0 or above, and "
+                        "each has a line",
+                        out->straight_count);
     return BATTEN_OK;
 }
 
@@ -123,5 +129,11 @@ batten_status batten_surface_loft(const batten_offset_table *table,
                         "one surface has no knuckles, and %d are declared: batten_hull_loft "
                         "makes the panels between them",
                         chosen.knuckle_count);
+    if (chosen.straight_count > 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "straight runs are on lines in space, which batten_hull_loft makes: %d "
+                        "%s declared",
+                        chosen.straight_count,
+                        bat_one_or_many(chosen.straight_count, "is", "are"));
     return batten_hull_loft(table, &chosen, job, report, out);
 }

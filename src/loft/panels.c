@@ -72,7 +72,7 @@ static batten_status make_panels(const batten_offset_table *table,
                                  const batten_loft_options *options, bat_hull_panels *p)
 {
     batten_status status = BATTEN_OK;
-    p->has_rails = options->knuckle_count > 0;
+    p->has_rails = options->knuckle_count > 0 || options->straight_count > 0;
     p->count = options->knuckle_count + 1;
     p->at = bat_array((size_t)p->count, sizeof *p->at);
     p->reached = bat_array((size_t)p->count, sizeof *p->reached);

@@ -16,22 +16,7 @@ void bat_hull_rails_free(bat_hull_rails *rails)
     *rails = (bat_hull_rails){0};
 }
 
-const batten_table_point *bat_hull_rail_point(const bat_hull_rails *rails, int rail,
-                                              int station)
-{
-    return rails->of.stations[station].points +
-           rails->at[rail * rails->of.station_count + station];
-}
-
 /* ---- which lines ---- */
-
-static const char *line_name(const bat_hull_rails *r, int rail)
-{
-    const int line = r->line[rail];
-    return line >= 0   ? batten_offset_table_line(r->of.table, line)->name
-           : rail == 0 ? "profile"
-                       : "sheer";
-}
 
 /* The lines as they are declared: the lower edge, the knuckles, the upper edge. */
 static batten_status find_lines(const batten_loft_options *options, bat_hull_rails *r)
@@ -45,7 +30,7 @@ static batten_status find_lines(const batten_loft_options *options, bat_hull_rai
         for (int i = 0; i < k; i++)
             if (r->line[k] >= 0 && r->line[k] == r->line[i])
                 return bat_fail(BATTEN_BAD_ARGUMENT, "the line '%.60s' is declared twice",
-                                line_name(r, k));
+                                bat_hull_rail_name(r, k));
     return status;
 }
 
@@ -64,7 +49,8 @@ static batten_status place_at(bat_hull_rails *r, int rail, int k)
         return bat_fail(BATTEN_NOT_FOUND,
                         "the line '%.60s' has no point at %s; a line that "
                         "bounds a panel has one at every station",
-                        line_name(r, rail), batten_offset_table_label(r->of.table, k).text);
+                        bat_hull_rail_name(r, rail),
+                        batten_offset_table_label(r->of.table, k).text);
     r->at[rail * r->of.station_count + k] = at;
     return BATTEN_OK;
 }
@@ -93,11 +79,11 @@ static batten_status refuse_order(const bat_hull_rails *r, int rail, int k)
             "the line '%.60s' is the %s edge of the hull at %s, less "
             "what lies below it on the centre plane; a knuckle has a panel on either "
             "side",
-            line_name(r, rail == 1 ? rail : rail - 1), rail == 1 ? "lower" : "upper",
+            bat_hull_rail_name(r, rail == 1 ? rail : rail - 1), rail == 1 ? "lower" : "upper",
             batten_offset_table_label(r->of.table, k).text);
     return bat_fail(
         BATTEN_BAD_ARGUMENT, "the line '%.60s' is not above the line '%.60s' at %s%s",
-        line_name(r, rail), line_name(r, rail - 1),
+        bat_hull_rail_name(r, rail), bat_hull_rail_name(r, rail - 1),
         batten_offset_table_label(r->of.table, k).text, k > 0 ? ", as it is at the first" : "");
 }
 
@@ -137,13 +123,6 @@ static void trim_stations(bat_hull_rails *r)
 
 /* ---- their knots ---- */
 
-static double u_of(const bat_hull_rails *r, int rail, int k)
-{
-    const double aft = bat_hull_rail_point(r, rail, 0)->x,
-                 fore = bat_hull_rail_point(r, rail, r->of.station_count - 1)->x;
-    return (bat_hull_rail_point(r, rail, k)->x - aft) / (fore - aft);
-}
-
 /* At the stations of the sheer; few stations want knots halfway too, to bend between them. */
 static batten_status set_knots(bat_hull_rails *r)
 {
@@ -154,17 +133,18 @@ static batten_status set_knots(bat_hull_rails *r)
         return BATTEN_OUT_OF_MEMORY;
     for (int rail = 0; rail <= top; rail++)
         for (int k = 1; k < n; k++)
-            if (!(u_of(r, rail, k) > u_of(r, rail, k - 1)))
+            if (!(bat_hull_rail_u(r, rail, k) > bat_hull_rail_u(r, rail, k - 1)))
                 return bat_fail(BATTEN_NOT_INCREASING,
                                 "the line '%.60s' does not run forward from %s to %s",
-                                line_name(r, rail),
+                                bat_hull_rail_name(r, rail),
                                 batten_offset_table_label(r->of.table, k - 1).text,
                                 batten_offset_table_label(r->of.table, k).text);
     for (int k = 1; k < n; k++) {
         if (n < MANY)
-            r->inner[r->inner_count++] = (u_of(r, top, k - 1) + u_of(r, top, k)) / 2;
+            r->inner[r->inner_count++] =
+                (bat_hull_rail_u(r, top, k - 1) + bat_hull_rail_u(r, top, k)) / 2;
         if (k + 1 < n)
-            r->inner[r->inner_count++] = u_of(r, top, k);
+            r->inner[r->inner_count++] = bat_hull_rail_u(r, top, k);
     }
     return BATTEN_OK;
 }
@@ -173,8 +153,10 @@ static batten_status set_knots(bat_hull_rails *r)
 
 /* The numbers of a line of which one coordinate is made fair. */
 typedef struct {
+    const batten_loft_options *options;
     double within, height;
     double *t, *values, *knots;
+    bat_straight_run *runs;
 } line_numbers;
 
 static bool is_constant(int count, const double *values)
@@ -226,6 +208,8 @@ static batten_status fair_coordinate(bat_hull_rails *r, int rail, int axis, doub
         bat_required_within(1, n, numbers->t, numbers->values, bound, &line.changes);
     made->needed[axis] = line.changes;
     if (status == BATTEN_OK)
+        status = bat_hull_find_runs(r, numbers->options, rail, axis, &line, numbers->runs);
+    if (status == BATTEN_OK)
         status = bat_loft_line_fair(&line, made->yz[axis], &made->found[axis]);
     return status;
 }
@@ -248,20 +232,26 @@ static batten_status fair_rail(bat_hull_rails *r, int rail, const line_numbers *
             return BATTEN_OUT_OF_MEMORY;
     }
     for (int k = 0; k < n; k++)
-        numbers->t[k] = u_of(r, rail, k);
+        numbers->t[k] = bat_hull_rail_u(r, rail, k);
     const double bound = numbers->within * (constant ? 1 : sqrt(0.5));
     for (int axis = 0; axis < 2 && status == BATTEN_OK; axis++)
         status = fair_coordinate(r, rail, axis, bound, numbers);
     return status;
 }
 
-static batten_status fair_rails(bat_hull_rails *r, double within, double height)
+static batten_status fair_rails(bat_hull_rails *r, const batten_loft_options *options,
+                                double height)
 {
     const size_t n = (size_t)r->of.station_count, d = sizeof(double);
     const line_numbers numbers = {
-        within, height, bat_arena_array(&r->of.arena, n, d),
+        options,
+        options->within,
+        height,
         bat_arena_array(&r->of.arena, n, d),
-        bat_arena_array(&r->of.arena, (size_t)r->inner_count + 2 * BAT_LOFT_SUPPORT, d)};
+        bat_arena_array(&r->of.arena, n, d),
+        bat_arena_array(&r->of.arena, (size_t)r->inner_count + 2 * BAT_LOFT_SUPPORT, d),
+        bat_arena_array(&r->of.arena, (size_t)options->straight_count,
+                        sizeof(bat_straight_run))};
     batten_status status = bat_arena_status(&r->of.arena);
     if (status != BATTEN_OK)
         return status;
@@ -280,7 +270,8 @@ static double agreement(const bat_hull_rails *r, const bat_loft_line *line, int 
     for (int side = 0; side < 2; side++) {
         const int i = rail - 1 + side, next = part > 0 ? k + 1 : k;
         const double sign = side == 1 ? 1 : -1;
-        const double u = (1 - part) * u_of(r, i, k) + part * u_of(r, i, next);
+        const double u =
+            (1 - part) * bat_hull_rail_u(r, i, k) + part * bat_hull_rail_u(r, i, next);
         const batten_table_point *a = bat_hull_rail_point(r, i, k),
                                  *b = bat_hull_rail_point(r, i, next);
         given[0] += sign * ((1 - part) * a->y + part * b->y);
@@ -307,7 +298,7 @@ static batten_status check_places(const bat_hull_rails *r, const bat_loft_line *
                     "the lines '%.60s' and '%.60s' are %.3g apart at %s, and "
                     "within %g they change places there or before the next: lines may not meet, "
                     "and a smaller bound keeps near ones apart",
-                    line_name(r, rail - 1), line_name(r, rail),
+                    bat_hull_rail_name(r, rail - 1), bat_hull_rail_name(r, rail),
                     bat_hypot(b->y - a->y, b->z - a->z),
                     batten_offset_table_label(r->of.table, k).text, within);
         }
@@ -367,6 +358,8 @@ batten_status bat_hull_rails_make(const batten_offset_table *table,
     /* of the breadth: as of a patch */
     const double height = options->height > 0 ? options->height : 1e-6 * 2 * r->of.breadth;
     if (status == BATTEN_OK)
-        status = fair_rails(r, options->within, height);
+        status = bat_hull_check_runs(r, options);
+    if (status == BATTEN_OK)
+        status = fair_rails(r, options, height);
     return status == BATTEN_OK ? refuse_turned(r, options->within) : status;
 }

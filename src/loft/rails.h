@@ -2,6 +2,7 @@
 #ifndef BAT_LOFT_RAILS_H
 #define BAT_LOFT_RAILS_H
 #include "loft/hull.h"
+#include "loft/line_program.h"
 #include <batten/fair.h>
 
 typedef struct {
@@ -21,7 +22,32 @@ batten_status bat_hull_rails_make(const batten_offset_table *table,
 void bat_hull_rails_free(bat_hull_rails *rails);
 
 /* The point of a rail at a station, as the table gives it. */
-const batten_table_point *bat_hull_rail_point(const bat_hull_rails *rails, int rail,
-                                              int station);
+static inline const batten_table_point *bat_hull_rail_point(const bat_hull_rails *rails,
+                                                            int rail, int station)
+{
+    return rails->of.stations[station].points +
+           rails->at[rail * rails->of.station_count + station];
+}
+
+/* Where it is on the rail. */
+static inline double bat_hull_rail_u(const bat_hull_rails *rails, int rail, int station)
+{
+    const double aft = bat_hull_rail_point(rails, rail, 0)->x,
+                 fore = bat_hull_rail_point(rails, rail, rails->of.station_count - 1)->x;
+    return (bat_hull_rail_point(rails, rail, station)->x - aft) / (fore - aft);
+}
+
+/* ---- straight.c ---- */
+
+/* BAD_ARGUMENT, NOT_FOUND when a straight run is on none of the rails. */
+batten_status bat_hull_check_runs(const bat_hull_rails *rails,
+                                  const batten_loft_options *options);
+/* The runs [straight_count] on which a coordinate, 0 for y and 1 for z, of a rail with these knots is
+ * straight. BAD_ARGUMENT when two of them make one. */
+batten_status bat_hull_find_runs(const bat_hull_rails *rails,
+                                 const batten_loft_options *options, int rail, int axis,
+                                 bat_loft_line *line, bat_straight_run *runs);
+/* What messages call a rail. */
+const char *bat_hull_rail_name(const bat_hull_rails *rails, int rail);
 
 #endif

@@ -1,6 +1,7 @@
 #include "loft/line.h"
 
 #include "loft/patch.h"
+#include "spline/spline.h"
 #include "support/test.h"
 
 enum { DATA = 9, INNER = 7, COUNT_OF = INNER + BAT_LOFT_SUPPORT };
@@ -144,4 +145,130 @@ TEST(a_side_that_the_bound_forbids_is_no_line)
     CHECK_OK(bat_loft_line_fair(&line, f, &found));
     line.one_side = true;
     CHECK_STATUS(bat_loft_line_fair(&line, f, &found), BATTEN_NOT_COMPATIBLE);
+}
+
+/* ---- straight runs ---- */
+
+/* A straight line up to 1/2, a cubic after it, each value off by up to 0.002. */
+static void make_bent(double *values)
+{
+    static const double off[DATA] = {2, -1, -2, 1, 2, -2, 1, -1, 2};
+    for (int k = 0; k < DATA; k++) {
+        const double s = bat_max(0, k / (DATA - 1.) - 0.5);
+        values[k] = 0.3 + 0.5 * k / (DATA - 1.) + 8 * s * s * s + 1e-3 * off[k];
+    }
+}
+
+/* How far the inner coefficients of a run are off the line through the outer ones. */
+static double unevenness(const bat_loft_line *line, bat_straight_run run, const double *f)
+{
+    double most = 0;
+    const double from = bat_greville(BAT_LOFT_DEGREE, line->knots, run.first),
+                 to = bat_greville(BAT_LOFT_DEGREE, line->knots, run.last);
+    for (int i = run.first; i <= run.last; i++) {
+        const double s = (bat_greville(BAT_LOFT_DEGREE, line->knots, i) - from) / (to - from);
+        most = bat_max(most, fabs(f[i] - (f[run.first] + s * (f[run.last] - f[run.first]))));
+    }
+    return most;
+}
+
+/* Runs at the beginning, inside, at the end, two with a coefficient in common, and two apart: of spans
+ * from 0, to 8. */
+static const struct {
+    int count;
+    bat_straight_run runs[2];
+} runs_of[] = {
+    {1, {{0, 6}}},         {1, {{0, 3}}},
+    {1, {{2, 5}}},         {1, {{7, COUNT_OF - 1}}},
+    {2, {{0, 3}, {3, 6}}}, {2, {{0, 4}, {6, COUNT_OF - 1}}},
+};
+
+TEST(runs_are_straight_to_rounding_and_the_bound_stays)
+{
+    double values[DATA] = {0}, f[COUNT_OF];
+    int found;
+    make_bent(values);
+    for (int c = 0; c < COUNT(runs_of); c++)
+        for (int pin = 0; pin < 4; pin++) {
+            bat_loft_line line = line_of(values, 0.2);
+            line.pinned[0] = pin & 1;
+            line.pinned[1] = pin & 2;
+            line.run_count = runs_of[c].count;
+            line.runs = runs_of[c].runs;
+            CHECK_OK(bat_loft_line_fair(&line, f, &found));
+            for (int r = 0; r < line.run_count; r++)
+                CHECK(unevenness(&line, line.runs[r], f) < 1e-15);
+            for (int k = 0; k < DATA; k++)
+                CHECK(fabs(bat_loft_line_at(&line, f, t[k], 0) - values[k]) <= 0.2);
+            CHECK((f[0] == values[0]) == line.pinned[0]);
+            CHECK((f[COUNT_OF - 1] == values[DATA - 1]) == line.pinned[1]);
+        }
+}
+
+TEST(a_line_that_bends_only_beyond_its_run_is_found_within_the_errors_of_its_values)
+{
+    static const bat_straight_run half = {0, 6}; /* the spans from 0 to 1/2 */
+    double values[DATA] = {0}, f[COUNT_OF];
+    int found;
+    make_bent(values);
+    bat_loft_line line = line_of(values, 0.005);
+    line.run_count = 1;
+    line.runs = &half;
+    CHECK_OK(bat_loft_line_fair(&line, f, &found));
+    CHECK_INT(found, 0);
+    for (int k = 0; k < DATA; k++) {
+        const double s = bat_max(0, t[k] - 0.5);
+        CHECK_NEAR(bat_loft_line_at(&line, f, t[k], 0), 0.3 + 0.5 * t[k] + 8 * s * s * s,
+                   0.007);
+        if (t[k] < 0.5)
+            CHECK_NEAR(bat_loft_line_at(&line, f, t[k], 2), 0, 1e-12);
+    }
+}
+
+/* With nothing else to choose the least squares of the distances remain. */
+TEST(a_line_that_is_one_run_is_the_line_of_least_squares)
+{
+    static const bat_straight_run whole = {0, COUNT_OF - 1};
+    double values[DATA] = {0}, f[COUNT_OF], mean = 0, slope = 0, squares = 0;
+    int found;
+    make_bent(values);
+    for (int k = 0; k < DATA; k++)
+        mean += values[k] / DATA;
+    for (int k = 0; k < DATA; k++) {
+        const double s = k / (DATA - 1.) - 0.5;
+        slope += s * values[k];
+        squares += s * s;
+    }
+    bat_loft_line line = line_of(values, 0.6);
+    line.run_count = 1;
+    line.runs = &whole;
+    CHECK_OK(bat_loft_line_fair(&line, f, &found));
+    CHECK_INT(found, 0);
+    for (int k = 0; k <= 20; k++)
+        CHECK_NEAR(bat_loft_line_at(&line, f, k / 20., 0),
+                   mean + slope / squares * (k / 20. - 0.5), 1e-12);
+}
+
+TEST(a_line_that_is_one_run_between_pinned_ends_is_their_chord_or_none)
+{
+    static const bat_straight_run whole = {0, COUNT_OF - 1};
+    double values[DATA] = {0}, f[COUNT_OF];
+    int found;
+    make_bent(values);
+    double most = 0;
+    for (int k = 0; k < DATA; k++)
+        most = bat_max(most, fabs(values[0] + (values[DATA - 1] - values[0]) * k / (DATA - 1.) -
+                                  values[k]));
+    for (int side = 0; side < 2; side++) {
+        bat_loft_line line = line_of(values, most * (side ? 1.02 : 0.98));
+        line.run_count = 1;
+        line.runs = &whole;
+        line.pinned[0] = line.pinned[1] = true;
+        CHECK_STATUS(bat_loft_line_fair(&line, f, &found),
+                     side ? BATTEN_OK : BATTEN_NOT_COMPATIBLE);
+    }
+    for (int k = 0; k <= 20; k++)
+        CHECK_NEAR(bat_loft_line_at(&(bat_loft_line){.count = COUNT_OF, .knots = knots}, f,
+                                    k / 20., 0),
+                   values[0] + (values[DATA - 1] - values[0]) * k / 20., 1e-14);
 }

@@ -242,3 +242,57 @@ TEST(a_row_that_the_least_sum_breaks_is_told_and_kept_by_the_program)
     for (int k = 0; k < DATA; k++)
         CHECK(fabs(bat_loft_line_at(&b.line, b.x, b.t[k], 0) - b.missing[k]) < 0.9951);
 }
+
+/* Of the whole line, its quadratic too: squares of moves and of f''' of unit size. */
+static double sum_of_whole(const bench *b, const double *x)
+{
+    double line[N], sum = 0;
+    for (int i = 0; i < N; i++)
+        line[i] = b->quadratic[i] + b->line.within * x[i];
+    for (int k = 0; k < DATA; k++) {
+        const double off = bat_loft_line_at(&b->line, x, b->t[k], 0) - b->missing[k];
+        sum += off * off;
+    }
+    for (int span = 3; span < N; span++) {
+        const double h = b->knots[span + 1] - b->knots[span];
+        const double third =
+            bat_loft_line_at(&b->line, line, b->knots[span] + h / 3, 3) / b->program.size;
+        sum += b->program.smooth * h * third * third;
+    }
+    return sum;
+}
+
+/* Every coefficient that is free is moved either way, and the run with it. */
+static void check_least(const bench *b, bat_straight_run run, int first, int last)
+{
+    const double least = sum_of_whole(b, b->x);
+    for (int i = first; i <= last; i++)
+        for (int side = -1; side <= 1 && (i <= run.first || i >= run.last); side += 2) {
+            double x[N];
+            memcpy(x, b->x, sizeof x);
+            x[i] += 1e-3 * side;
+            bat_loft_line_straighten(&b->line, x);
+            CHECK(sum_of_whole(b, x) > least);
+        }
+}
+
+TEST(straight_runs_leave_the_least_sum_of_lines_that_are_straight_there)
+{
+    static const bat_straight_run runs[] = {{0, 3}, {1, 4}, {2, 5}, {0, 4}, {1, 5}, {0, 5}};
+    for (int k = 0; k < COUNT(runs); k++)
+        for (int pin = 0; pin < (runs[k].last - runs[k].first < 5 ? 4 : 3); pin++) {
+            bench b;
+            bool holds;
+            begin_bench(pin & 1, pin & 2, &b);
+            b.line.run_count = 1;
+            b.line.runs = runs + k;
+            b.program.smooth = 1e-2;
+            b.program.unknowns -= runs[k].last - runs[k].first - 1;
+            bat_loft_line_straighten(&b.line, b.quadratic);
+            bat_line_build(&b.program, false);
+            CHECK_OK(bat_line_solve_freely(&b.program, b.factor, &holds));
+            CHECK(!(pin & 1) || b.x[0] == 0.7);
+            CHECK(!(pin & 2) || b.x[N - 1] == -0.4);
+            check_least(&b, runs[k], pin & 1, N - 1 - (pin >> 1));
+        }
+}

@@ -1,6 +1,7 @@
 /* The feature 'loft': a fair hull straight from its table of offsets. */
 #include "base/arena.h"
 #include "base/plural.h"
+#include "design/features/surfaces/straight_runs.h"
 #include "design/shared/place.h"
 
 #include <batten/fair.h>
@@ -17,6 +18,8 @@ static const batten_parameter parameters[] = {
      "bulges of sections up to this are not inflections; 0: a millionth of the breadth"},
     {"knuckles", BATTEN_VALUE_TEXT, true, false, NULL, NULL,
      "lines of the table at which the hull has an edge: chines, wales"},
+    {"straight", BATTEN_VALUE_TEXT, true, false, NULL, NULL,
+     "runs of its lines: 'chine from stem to 2', in both views or 'in plan', 'in profile'"},
 };
 
 /* " of panel 2", where there are several. */
@@ -127,7 +130,9 @@ static batten_status loft_table(bat_run *run, const batten_offset_table *table,
     batten_surface **surfaces = bat_arena_array(arena, (size_t)count, sizeof *surfaces);
     if (status != BATTEN_OK || !surfaces)
         return BATTEN_OUT_OF_MEMORY;
-    status = bat_expect(run, count);
+    status = bat_take_straight_runs(run, table, arena, &options);
+    if (status == BATTEN_OK)
+        status = bat_expect(run, count);
     if (status == BATTEN_OK)
         status = batten_hull_loft(table, &options, run->job, &run->result->loft, surfaces);
     if (status == BATTEN_OK)
@@ -172,24 +177,28 @@ const bat_feature bat_feature_loft = {
          "refused, with the name of its line. Profile, knuckles and sheer are then made fair first,\n"
          "each in space; they bound panels, numbered from the keel up, that share their lines point\n"
          "for point. A panel with nothing between its lines is straight across; others are found as\n"
-         "above, with their edges held.\n\n"
+         "above, with their edges held. Where a line is straight by intent, as many a chine towards the\n"
+         "stem, say so in 'straight': the name of the line, or 'profile' or 'sheer', and the names of two\n"
+         "stations. It is then straight there to the last digit, and its points keep the bound; 'in plan'\n"
+         "and 'in profile' ask for the view from above or from the side alone.\n\n"
          "The output 'corrections' lists which points of the table moved, how far and why, and\n"
          "'faired-table' makes the table that the surface has.",
          "features:\n"
          "  table: {read: offsets.csv}\n"
          "  hull: {loft: table, within: 3 mm}\n"
          "  boat: {read: sharpie.csv, lines: [bottom, chine, sheer]}\n"
-         "  planks: {loft: boat, within: 3 mm, knuckles: chine}\n",
+         "  planks: {loft: boat, within: 3 mm, knuckles: chine}\n"
+         "  barge: {loft: boat, within: 3 mm, knuckles: chine, straight: [chine from 3 to 7, sheer from 3 to 7]}\n",
          "[SL section VII.3] [EH95] [NW06]", "batten_hull_loft", BAT_PARAMETERS(parameters),
          false,
          .also =
              "lofting, fair hull, hull surface, table of offsets, lines fairing, convex program, ship hull, mould loft, "
-             "hard chine, knuckle, plank, strake, plywood hull",
+             "hard chine, knuckle, plank, strake, plywood hull, straight run, parallel middle body",
          .formula =
              "    Σ (d_k / within)² + λ Σ_a C(3, a) ∫∫ |∂³S / ∂u^a ∂v^(3−a)|² du dv → minimum,  |d_k| ≤ within,\n"
              "    σ II(T, T) ≥ 0 along sections, σ = ±1 with as many changes as the points require;\n"
              "    of lines: Σ (d_k / w)² + λ ∫ f‴(u)² du → minimum,  |d_k| ≤ w = within / √2 in y and in z",
          .promise =
              "No point is farther than the bound, in the plane of its station; inflections are counted on the surface; "
-             "panels have the same control points on the line between them."},
+             "panels have the same control points on the line between them; f″ = 0 but for rounding on straight runs."},
     .run = run_loft};
