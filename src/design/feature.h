@@ -40,8 +40,10 @@ typedef struct {
     batten_status (*run)(bat_run *run);
     int family; /* of features that share `run`: which of them this is, in its enumeration */
     /* The parameter that, when given, puts the result away from the points of its inputs: then
-     * distances from them mean nothing. NULL for none. */
+     * distances from them mean nothing. "!keep": when it is 'no'. NULL for none. */
     const char *displacing;
+    /* Parameters of whose features the points stay beside the result: "path guide". */
+    const char *beside;
     /* Of an output: does "hull.step: hull", without an operation, mean this one? Of several the
      * last of the list is taken. NULL: never. */
     bool (*takes_file)(const char *name);

@@ -416,11 +416,10 @@ TEST(a_bound_that_is_not_met_is_exit_status_1)
     for (int i = 0; i < COUNT(limits); i++) {
         char text[512];
         snprintf(text, sizeof text,
-                 "batten: 1\nfeatures:\n  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, "
-                 "1, 0]], columns: 2}\n"
-                 "  rows: {interpolate: grid}\n  flat: {skin: rows}\n  high: {move: flat, by: "
-                 "[0, 0, 1 mm]}\n"
-                 "outputs:\n  bound.txt: {check: high, within: %s}\n",
+                 "batten: 1\nfeatures:\n  grid: {points: [[0, 0, 0], [1, 0, 1 mm], [2, 0, 0], "
+                 "[0, 1, 0], [1, 1, 1 mm], [2, 1, 0]], columns: 3}\n"
+                 "  flat: {fit-grid: grid, points-u: 2, points-v: 2, degree-u: 1, degree-v: "
+                 "1}\noutputs:\n  bound.txt: {check: flat, within: %s}\n",
                  limits[i]);
         test_write(design, text);
         CHECK_INT(RUN("batten", "check", design).exit, i);

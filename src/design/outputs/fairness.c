@@ -54,11 +54,9 @@ static batten_status find_fold(bat_check *check, bat_checked *checked)
 
 static batten_status check_surface(bat_check *check, bat_checked *checked)
 {
-    batten_status status = bat_check_add_distance(check, checked, checked->given);
+    batten_status status = bat_check_add_distances(check, checked);
     if (status == BATTEN_OK)
         status = find_fold(check, checked);
-    if (status == BATTEN_OK)
-        status = bat_check_add_distance(check, checked, checked->faired);
     if (status == BATTEN_OK)
         status = bat_check_add_sections(check, checked);
     for (int i = 0; i < 4 && status == BATTEN_OK && checked->is_hull; i++)
@@ -84,9 +82,13 @@ static batten_status add_curve_distance(bat_check *check, bat_checked *checked)
     bat_release(points);
     if (status != BATTEN_OK)
         return status;
-    bat_data_distance *to = &checked->distances[checked->distance_count++];
+    bat_data_distance *to = bat_arena_array(&check->arena, 1, sizeof *to);
+    if (!to)
+        return BATTEN_OUT_OF_MEMORY;
+    checked->distances = to;
+    checked->distance_count = 1;
     *to = (bat_data_distance){.feature = object->name,
-                              .is_faired = checked->faired >= 0,
+                              .is_faired = bat_check_is_faired(checked),
                               .count = object->point_count,
                               .max = deviation.max,
                               .rms = deviation.rms};
@@ -224,7 +226,8 @@ static batten_status check_curve(bat_check *check, bat_checked *checked)
     batten_status status = judge_curve(check, checked);
     if (status == BATTEN_OK)
         status = add_knots(check, checked);
-    return status == BATTEN_OK && checked->object->point_count
+    return status == BATTEN_OK && checked->object->point_count &&
+                   !checked->object->points_are_vertices
                ? add_curve_distance(check, checked)
                : status;
 }

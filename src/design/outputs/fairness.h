@@ -40,12 +40,25 @@ typedef struct {
     bool is_near;     /* on average within a twentieth of the half-breadth */
 } bat_edge;
 
+/* A feature whose points a shape is made from. */
+typedef struct {
+    int feature;
+    bool is_faired; /* they are those after fairing, not those given */
+    bool is_last;   /* nothing on the way to the shape made them fair again */
+} bat_data_root;
+
+/* Those given come first. */
+typedef struct {
+    int count;
+    bat_data_root *at;
+} bat_data_roots;
+
 typedef struct {
     const batten_object *object;
-    int given, faired; /* the features that its data are from, or -1 */
-    bool is_hull;      /* its data are a table of offsets */
-    int panels_of;     /* the lofting with knuckles that it comes from; -1 for none */
-    double moved_by;   /* how far fairing may have moved its points: the sum of the bounds */
+    bat_data_roots data;
+    bool is_hull;    /* its data are a table of offsets */
+    int panels_of;   /* the lofting with knuckles that it comes from; -1 for none */
+    double moved_by; /* how far fairing may have moved its points */
     bool has_fairness;
     batten_fairness fairness;              /* of a curve, in its plane */
     int knot_count, parametric, geometric; /* of a curve: joins at knots and at the seam, and
@@ -55,7 +68,7 @@ typedef struct {
     bat_solid_faults faults;               /* of a body or mesh */
     batten_surface_fold fold;              /* of a surface */
     int distance_count, section_count, edge_count;
-    bat_data_distance distances[2]; /* from the points given, from those after fairing */
+    bat_data_distance *distances; /* from the points given, from those after fairing */
     bat_section *sections;
     bat_edge edges[4];
 } bat_checked;
@@ -125,6 +138,8 @@ bool bat_check_is_fair(const bat_check *check);
 
 /* Find for each object of the argument the features that its data are from; marks `upstream`. */
 batten_status bat_check_trace(bat_check *check, const char *parameter);
+/* Were its points made fair? */
+bool bat_check_is_faired(const bat_checked *checked);
 typedef batten_status (*bat_row_visit)(void *context, const bat_row *row);
 /* Every row of a feature; the lines of a table too when `with_lines`. */
 batten_status bat_check_visit_rows(const bat_check *check, int feature, bool with_lines,
@@ -136,8 +151,8 @@ batten_status bat_check_given_row(const bat_check *check, const bat_checked *che
 
 /* ---- distances.c ---- */
 
-/* Measure the points of a feature against the surfaces of the check. */
-batten_status bat_check_add_distance(bat_check *check, bat_checked *checked, int feature);
+/* Measure the points that a surface is made from against the surfaces made from the same. */
+batten_status bat_check_add_distances(bat_check *check, bat_checked *checked);
 
 /* ---- sections.c ---- */
 

@@ -7,45 +7,105 @@
 
 /* ---- data ---- */
 
+/* Has it points that it comes near? Control points of a curve are none. */
 static bool has_data(const batten_model *model)
 {
     for (int i = 0; model && i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
-        if (object->kind == BATTEN_OBJECT_OFFSET_TABLE || object->point_count)
+        if (object->kind == BATTEN_OBJECT_OFFSET_TABLE ||
+            (object->point_count && !object->points_are_vertices))
             return true;
     }
     return false;
 }
 
-/* Does a feature place its result away from the points of its inputs? */
-static bool displaces(const bat_entry *entry)
+/* Does it consist of curves alone that leave their points? */
+static bool leaves_points(const batten_model *model)
+{
+    const int count = model ? batten_model_count(model) : 0;
+    for (int i = 0; i < count; i++)
+        if (!batten_model_object(model, i)->points_are_vertices)
+            return false;
+    return count > 0;
+}
+
+/* Is a parameter given, or, as "!keep", given as 'no'? */
+static bool is_given(const bat_entry *entry, const char *condition)
 {
     const batten_feature *shown = &entry->feature->shown;
-    const char *displacing = entry->feature->displacing;
-    for (int k = 0; displacing && k < shown->parameter_count; k++)
-        if (strcmp(shown->parameters[k].name, displacing) == 0)
-            return entry->arguments[k].count > 0;
+    const bool negated = condition[0] == '!';
+    for (int k = 0; k < shown->parameter_count; k++)
+        if (strcmp(shown->parameters[k].name, condition + negated) == 0)
+            return entry->arguments[k].count > 0 &&
+                   !(negated && entry->arguments[k].items[0].count);
     return false;
 }
 
-/* The first feature upstream that has points, and the last that made points fair; none when
- * sections were displaced since, for then distances from them mean nothing. */
-static void find_data(const bat_check *check, const bool *upstream, int *given, int *faired)
+/* Does a feature place its result away from the points of its inputs? */
+static bool displaces(const bat_check *check, int feature)
 {
-    const bat_document *d = check->run->document;
-    *given = *faired = -1;
-    for (int i = 0; i < d->feature_count; i++)
-        if (upstream[i] && displaces(&d->features[i]))
-            return;
-    for (int k = 0; k < d->feature_count; k++) {
-        const int i = d->order[k];
-        if (!upstream[i] || !has_data(check->run->results[i].value))
-            continue;
-        if (check->run->results[i].shown.has_moves)
-            *faired = i;
-        else if (*given < 0)
-            *given = i;
+    const bat_entry *entry = &check->run->document->features[feature];
+    const char *displacing = entry->feature->displacing;
+    return (displacing && is_given(entry, displacing)) ||
+           leaves_points(check->run->results[feature].value);
+}
+
+/* Do the points of this parameter's features stay beside the result? */
+static bool is_beside(const bat_feature *feature, const char *parameter)
+{
+    const size_t length = strlen(parameter);
+    for (const char *at = feature->beside; at && (at = strstr(at, parameter)); at += length)
+        if ((at == feature->beside || at[-1] == ' ') && (!at[length] || at[length] == ' '))
+            return true;
+    return false;
+}
+
+/* How a feature is met on the way up from the shape. */
+typedef enum { NOT_MET, MET_BEHIND_FAIRING, MET_OPENLY } meeting;
+
+/* What the search knows of each feature, by its index. */
+typedef struct {
+    meeting met;
+    bool is_displacing;
+    bool has_points;   /* its result has */
+    bool has_upstream; /* so have those that it is made from */
+    bool is_faired;    /* it, or what it is made from, was made fair */
+    double moved_by;   /* by fairing: the sum of the bounds on the way here */
+} ancestry;
+
+/* Calls `visit` for each feature whose points come to lie on the result of this one. */
+static void visit_parents(const bat_check *check, int feature, ancestry *all,
+                          void (*visit)(ancestry *parent, ancestry *child))
+{
+    const bat_entry *entry = &check->run->document->features[feature];
+    const batten_feature *shown = &entry->feature->shown;
+    for (int k = 0; k < shown->parameter_count; k++) {
+        const batten_parameter *parameter = &shown->parameters[k];
+        for (int i = 0; i < entry->arguments[k].count; i++) {
+            const bat_item *item = &entry->arguments[k].items[i];
+            if (bat_item_is_feature(parameter->kind, item) && item->count >= 0 &&
+                !is_beside(entry->feature, parameter->name))
+                visit(&all[item->count], &all[feature]);
+        }
     }
+}
+
+static void inherit(ancestry *parent, ancestry *child)
+{
+    child->has_upstream |= parent->has_points || parent->has_upstream;
+    child->is_faired |= parent->is_faired;
+    child->moved_by = bat_max(child->moved_by, parent->moved_by);
+}
+
+static void meet_behind_fairing(ancestry *parent, ancestry *child)
+{
+    (void)child;
+    parent->met = parent->met == MET_OPENLY ? MET_OPENLY : MET_BEHIND_FAIRING;
+}
+
+static void meet_alike(ancestry *parent, ancestry *child)
+{
+    parent->met = parent->met == MET_OPENLY ? MET_OPENLY : child->met;
 }
 
 /* Is a feature's result, or what it is made from, a table of offsets? */
@@ -61,6 +121,7 @@ static bool has_table(const bat_check *check, const bool *upstream)
     return false;
 }
 
+/* The parameter 'within' of a feature that makes fair or lofts. */
 static double sum_within(const bat_entry *entry)
 {
     double sum = 0;
@@ -71,17 +132,83 @@ static double sum_within(const bat_entry *entry)
     return sum;
 }
 
-/* The parameter 'within' of all fairing and lofting upstream, one after the other. */
-static double sum_moves(const bat_check *check, const bool *upstream)
+/* Down the order of the document: what each feature has of those that it is made from. */
+static void look_down(const bat_check *check, ancestry *all)
 {
     const bat_document *d = check->run->document;
-    double sum = 0;
-    for (int i = 0; i < d->feature_count; i++) {
+    for (int k = 0; k < d->feature_count; k++) {
+        const int i = d->order[k];
         const batten_feature_result *result = &check->run->results[i].shown;
-        if (upstream[i] && (result->has_moves || result->loft))
-            sum += sum_within(&d->features[i]);
+        ancestry *own = &all[i];
+        if (!d->features[i].feature || !d->features[i].arguments)
+            continue;
+        visit_parents(check, i, all, inherit);
+        own->is_displacing = displaces(check, i);
+        own->has_points = has_data(check->run->results[i].value);
+        own->has_upstream &= !own->is_displacing;
+        own->is_faired |= result->has_moves;
+        if (result->has_moves || result->loft)
+            own->moved_by += sum_within(&d->features[i]);
     }
-    return sum;
+}
+
+/* Up from the shape, as far as points lie on it: a feature that displaces ends the way. */
+static void look_up(const bat_check *check, int feature, ancestry *all)
+{
+    const bat_document *d = check->run->document;
+    all[feature].met = MET_OPENLY;
+    for (int k = d->feature_count - 1; k >= 0; k--) {
+        const int i = d->order[k];
+        if (all[i].met && !all[i].is_displacing)
+            visit_parents(check, i, all,
+                          check->run->results[i].shown.has_moves ? meet_behind_fairing
+                                                                 : meet_alike);
+    }
+}
+
+/* The points given are those of the first features that have any; those after fairing are of the
+ * last. Points that were displaced after fairing are faired ones. */
+static bool find_root(const bat_check *check, int feature, const ancestry *own,
+                      bat_data_root *root)
+{
+    const bool is_last = check->run->results[feature].shown.has_moves && own->met == MET_OPENLY;
+    const bool is_first = !own->has_upstream;
+    *root = (bat_data_root){feature, own->is_faired, own->met == MET_OPENLY};
+    return own->met && own->has_points && (is_first || is_last);
+}
+
+/* First the points given, then those after fairing, each in the order of the document. */
+static batten_status collect_roots(bat_check *check, const ancestry *all, bat_data_roots *out)
+{
+    const bat_document *d = check->run->document;
+    bat_data_root root;
+    int count = 0;
+    for (int i = 0; i < d->feature_count; i++)
+        count += find_root(check, i, &all[i], &root);
+    out->at = bat_arena_array(&check->arena, (size_t)count, sizeof *out->at);
+    if (!out->at)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int faired = 0; faired < 2; faired++)
+        for (int k = 0; k < d->feature_count; k++)
+            if (find_root(check, d->order[k], &all[d->order[k]], &root) &&
+                root.is_faired == (bool)faired)
+                out->at[out->count++] = root;
+    return BATTEN_OK;
+}
+
+/* How far the points of a feature's result may have been moved, and which they are. */
+static batten_status find_data(bat_check *check, int feature, bat_data_roots *roots,
+                               double *moved_by)
+{
+    ancestry *all = bat_array((size_t)check->run->document->feature_count, sizeof *all);
+    if (!all)
+        return BATTEN_OUT_OF_MEMORY;
+    look_down(check, all);
+    look_up(check, feature, all);
+    *moved_by = all[feature].moved_by;
+    const batten_status status = collect_roots(check, all, roots);
+    bat_release(all);
+    return status;
 }
 
 /* The lofting upstream that makes several panels; -1 for none. */
@@ -105,16 +232,16 @@ static batten_status trace_feature(bat_check *check, bat_graph *graph, int featu
     bool *upstream = bat_array((size_t)feature_count, sizeof *upstream);
     batten_status status =
         upstream ? bat_graph_mark(graph, feature, upstream) : BATTEN_OUT_OF_MEMORY;
-    int given = -1, faired = -1;
+    bat_data_roots roots = {0, NULL};
+    double moved_by = 0;
     if (status == BATTEN_OK)
-        find_data(check, upstream, &given, &faired);
+        status = find_data(check, feature, &roots, &moved_by);
     for (int i = 0; status == BATTEN_OK && i < feature_count; i++)
         check->upstream[i] |= upstream[i];
     for (int i = first; status == BATTEN_OK && i < first + count; i++) {
-        check->objects[i].given = given;
-        check->objects[i].faired = faired;
-        check->objects[i].is_hull = given >= 0 && has_table(check, upstream);
-        check->objects[i].moved_by = sum_moves(check, upstream);
+        check->objects[i].data = roots;
+        check->objects[i].is_hull = has_table(check, upstream);
+        check->objects[i].moved_by = moved_by;
         check->objects[i].panels_of = find_panels(check, upstream);
     }
     bat_release(upstream);
@@ -206,13 +333,31 @@ static batten_status match_row(void *context, const bat_row *given)
     return search->found ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
+/* Every row of the points given. */
+static batten_status visit_given_rows(const bat_check *check, const bat_checked *checked,
+                                      bat_row_visit visit, void *context)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < checked->data.count && status == BATTEN_OK; i++)
+        if (!checked->data.at[i].is_faired)
+            status =
+                bat_check_visit_rows(check, checked->data.at[i].feature, true, visit, context);
+    return status;
+}
+
+bool bat_check_is_faired(const bat_checked *checked)
+{
+    const bat_data_roots *roots = &checked->data;
+    return roots->count > 0 && roots->at[roots->count - 1].is_faired;
+}
+
 batten_status bat_check_given_row(const bat_check *check, const bat_checked *checked, int count,
                                   const double *row, int axis, double **points, double *bound)
 {
     row_search search = {count, row, checked->moved_by, axis, NULL};
     batten_status status = BATTEN_OK;
-    if (checked->faired >= 0 && checked->given >= 0)
-        status = bat_check_visit_rows(check, checked->given, true, match_row, &search);
+    if (bat_check_is_faired(checked))
+        status = visit_given_rows(check, checked, match_row, &search);
     *bound = search.found ? checked->moved_by : 0;
     if (status == BATTEN_OK && !search.found)
         search.found = bat_points_in_plane(axis, count, row);

@@ -136,20 +136,30 @@ static void count_excess(bat_check *check, const bat_checked *checked)
     }
 }
 
+/* The rows of the points that the surface was made from last: those after fairing where they were
+ * made fair. */
+static batten_status visit_last_rows(section_context *context, bat_row_visit visit)
+{
+    const bat_data_roots *data = &context->checked->data;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < data->count && status == BATTEN_OK; i++)
+        if (data->at[i].is_last)
+            status =
+                bat_check_visit_rows(context->check, data->at[i].feature, true, visit, context);
+    return status;
+}
+
 batten_status bat_check_add_sections(bat_check *check, bat_checked *checked)
 {
-    const int feature = checked->faired >= 0 ? checked->faired : checked->given;
     section_context context = {check, checked};
-    if (feature < 0)
-        return BATTEN_OK;
-    batten_status status = bat_check_visit_rows(check, feature, true, count_section, &context);
+    batten_status status = visit_last_rows(&context, count_section);
     checked->sections = bat_arena_array(&check->arena, (size_t)checked->section_count,
                                         sizeof *checked->sections);
     checked->section_count = 0;
     if (status == BATTEN_OK && !checked->sections)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = bat_check_visit_rows(check, feature, true, add_section, &context);
+        status = visit_last_rows(&context, add_section);
     count_excess(check, checked);
     return status;
 }

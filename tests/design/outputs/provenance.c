@@ -71,13 +71,25 @@ static void open_chain(const char *what, checked_design *d)
     checked_put_line(d, "aside", (batten_vec3){5, 0, 0}, (batten_vec3){6, 0, 0});
 }
 
+/* Those given come first, the others are those after fairing. */
+static void check_data(const checked_design *d, int object, int count, const char *const *names,
+                       int given)
+{
+    const bat_data_roots *data = &d->check.objects[object].data;
+    CHECK_INT(data->count, count);
+    for (int i = 0; i < count && count == data->count; i++) {
+        CHECK_INT(data->at[i].feature, bat_document_feature(&d->document, names[i]));
+        CHECK(data->at[i].is_faired == (i >= given));
+        CHECK(data->at[i].is_last == (i >= given || count == given));
+    }
+}
+
 static void check_origin(const checked_design *d, int object, const char *given,
                          const char *faired, double moved_by)
 {
-    const bat_checked *c = &d->check.objects[object];
-    CHECK_INT(c->given, given ? bat_document_feature(&d->document, given) : -1);
-    CHECK_INT(c->faired, faired ? bat_document_feature(&d->document, faired) : -1);
-    CHECK_NEAR(c->moved_by, moved_by, 1e-15);
+    const char *const names[] = {given ? given : faired, faired};
+    check_data(d, object, (given != NULL) + (faired != NULL), names, given != NULL);
+    CHECK_NEAR(d->check.objects[object].moved_by, moved_by, 1e-15);
 }
 
 TEST(data_are_the_first_points_upstream_and_the_last_made_fair_within_the_sum_of_the_bounds)
@@ -85,7 +97,8 @@ TEST(data_are_the_first_points_upstream_and_the_last_made_fair_within_the_sum_of
     checked_design d;
     open_chain("sheet", &d);
     checked_run(&d, HUGE_VAL);
-    check_origin(&d, 0, "ducks", "second", 0.025);
+    check_data(&d, 0, 3, (const char *[]){"ducks", "first", "second"}, 1);
+    CHECK_NEAR(d.check.objects[0].moved_by, 0.025, 1e-15);
     CHECK(!d.check.objects[0].is_hull);
     CHECK_INT(d.check.objects[0].panels_of, -1);
     for (int i = 0; i < d.document.feature_count; i++) {
@@ -116,7 +129,7 @@ TEST(each_feature_that_is_checked_has_its_own_data)
     CHECK_INT(d.check.object_count, 5);
     check_origin(&d, 0, "ducks", NULL, 0);
     check_origin(&d, 1, "ducks", NULL, 0);
-    check_origin(&d, 2, "ducks", NULL, 0);
+    check_origin(&d, 2, "moved", NULL, 0);
     check_origin(&d, 3, "unused", NULL, 0);
     check_origin(&d, 4, "ducks", "first", 0.02);
     checked_close(&d);
@@ -126,7 +139,7 @@ static const char lofted[] = "  table: {points: [[0, 0, 0]]}\n"
                              "  curves: {interpolate: table}\n"
                              "  hull: {loft: table, within: 3 mm}\n"
                              "  other: {loft: table, within: 5 mm}\n"
-                             "  shifted: {move: hull, by: x}\n"
+                             "  shifted: {swap: hull}\n"
                              "  rows: {interpolate: table}\n";
 
 TEST(what_comes_of_a_table_is_a_hull_and_panels_are_those_of_a_lofting_with_several)
@@ -184,7 +197,69 @@ TEST(a_row_is_taken_for_one_given_whose_points_are_all_within_the_bounds_of_fair
     CHECK(!is_taken(&d, 3, (double[]){0, 0.02501, 0, 1, 0.5, 0, 2, 0.25, 0}));
     CHECK(!is_taken(&d, 3, (double[]){0, 0, 0, 1, 0.5, 0, 2.02, 0.25, 0.02}));
     CHECK(!is_taken(&d, 2, row));
-    d.check.objects[0].faired = -1;
+    d.check.objects[0].data.count = 1; /* only those given */
     CHECK(!is_taken(&d, 3, row));
     checked_close(&d);
+}
+
+/* Points that lie on their shapes, far from it, and at places that are no data. */
+static const char several[] =
+    "  four: {points: [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 1], [2, 1, 0]], "
+    "columns: 3}\n"
+    "  low: {points: [[0, 0], [1, 0.1], [2, 0.4], [3, 0.8]]}\n"
+    "  high: {points: [[0, 0, 2], [1, 0.3, 2], [2, 0.6, 2], [3, 0.8, 2], [4, 1, 2]]}\n"
+    "  cl: {interpolate: low}\n  ch: {interpolate: high}\n"
+    "  loose: {least-squares: high, points: 4}\n"
+    "  both: {skin: [cl, ch]}\n"
+    "  near: {skin: [cl, loose]}\n"
+    "  polygon: {bezier: low}\n"
+    "  mixed: {skin: [polygon, ch]}\n"
+    "  net: {bezier-surface: four}\n"
+    "  lifted: {move: cl, by: [0, 0, 5]}\n"
+    "  sheet: {extrude: lifted, along: [0, 0, 1]}\n"
+    "  image: {mirror: cl, keep: no}\n"
+    "  halves: {mirror: cl}\n"
+    "  other: {extrude: image, along: [0, 0, 1]}\n"
+    "  twins: {extrude: halves, along: [0, 0, 1]}\n"
+    "  shell: {offset: both, by: 0.05}\n"
+    "  faired: {fair: ch, within: 0.02}\n"
+    "  raised: {move: faired, by: [0, 0, 1]}\n"
+    "  pair: {skin: [faired, raised]}\n"
+    "  top: {skin: [raised, lifted]}\n"
+    "  way: {points: [[0, 0, 0], [0, 1, 0.5], [0, 2, 3]]}\n  rail: {interpolate: way}\n"
+    "  slid: {translational: cl, path: rail}\n"
+    "  tube: {pipe: cl, radius: 0.1}\n";
+
+static const expect_row several_rows[] = {
+    {"k.json: {check: both, within: 1e-9}", BATTEN_OK,
+     "\"ok\": true|\"from\": \"low\", \"faired\": false, \"points\": 4|\"from\": \"high\", "
+     "\"faired\": false, \"points\": 5|!\"from\": \"c"},
+    /* The second feature's points are not met: the first one's do not hide that. */
+    {"k.json: {check: near, within: 1e-9}", BATTEN_OK, "\"ok\": false"},
+    {"k.json: {check: near, within: 0.2}", BATTEN_OK, "\"ok\": true"},
+    {"k.json: {check: polygon, within: 1e-9}", BATTEN_OK, "\"ok\": true|!\"distances\""},
+    {"k.json: {check: mixed, within: 1e-9}", BATTEN_OK,
+     "\"ok\": true|\"from\": \"high\"|!\"from\": \"low\""},
+    {"k.json: {check: net, within: 1e-9}", BATTEN_OK, "\"ok\": true|\"distances\": []"},
+    {"k.json: {check: sheet, within: 1e-9}", BATTEN_OK,
+     "\"ok\": true|\"from\": \"lifted\", \"faired\": false, \"points\": 4|!\"from\": \"low\""},
+    {"k.json: {check: other, within: 1e-9}", BATTEN_OK,
+     "\"ok\": true|\"from\": \"image\"|!\"from\": \"low\""},
+    {"k.json: {check: twins, within: 1e-9}", BATTEN_OK, "\"ok\": true|\"from\": \"low\""},
+    {"k.json: {check: shell, within: 1e-9}", BATTEN_OK, "\"ok\": true|\"distances\": []"},
+    {"k.json: {check: slid, within: 1e-9}", BATTEN_OK,
+     "\"ok\": true|\"from\": \"low\"|!\"from\": \"way\""},
+    {"k.json: {check: tube, within: 1e-9}", BATTEN_OK, "\"ok\": true|\"distances\": []"},
+    /* Moved after fairing: faired points, and no place where those given would be. */
+    {"k.json: {check: pair}", BATTEN_OK,
+     "\"from\": \"high\", \"faired\": false|\"from\": \"faired\", \"faired\": true|\"from\": "
+     "\"raised\", \"faired\": true"},
+    {"k.json: {check: top, within: 1e-9}", BATTEN_OK,
+     "\"ok\": true|\"from\": \"lifted\", \"faired\": false|\"from\": \"raised\", \"faired\": "
+     "true|!\"from\": \"high\""},
+};
+
+TEST(all_points_that_lie_on_a_shape_are_measured_and_no_others)
+{
+    EXPECT_OUTPUTS(several, several_rows);
 }

@@ -232,6 +232,8 @@ static void check_bound(const case_of_bound *c)
 {
     made_check made;
     batten_object objects[2];
+    bat_data_distance distances[] = {{"a", false, 1, 0, 0, {0, 0, 0}},
+                                     {"b", false, 1, 0, 0, {0, 0, 0}}};
     make_check(&made);
     made.check.join_count = 0;
     made.check.within = 2;
@@ -242,6 +244,7 @@ static void check_bound(const case_of_bound *c)
         objects[i].kind = c->kind;
         made.check.objects[i].object = &objects[i];
         made.check.objects[i].distance_count = c->distances;
+        made.check.objects[i].distances = distances;
     }
     made.check.judged_count = c->judged;
     made.check.bounded_count = c->bounded;

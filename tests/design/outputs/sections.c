@@ -98,7 +98,7 @@ TEST(sections_of_a_hull_are_judged_by_their_row_or_where_it_is_short_by_the_near
 {
     checked_design d;
     batten_offset_table *table = NULL;
-    checked_open("  table: {points: [[0, 0, 0]]}\n  hull: {move: table, by: x}\n", "hull", &d);
+    checked_open("  table: {points: [[0, 0, 0]]}\n  hull: {skin: table}\n", "hull", &d);
     make_offsets(&table);
     checked_put(&d, "table",
                 &(batten_object){.kind = BATTEN_OBJECT_OFFSET_TABLE, .offset_table = table});
@@ -131,7 +131,7 @@ TEST(sections_of_other_surfaces_are_named_by_the_coordinate_that_stays)
         const double *points;
     } rows[] = {{4, across}, {2, across}, {3, level}, {3, lengthwise}, {3, in_space}};
     checked_design d;
-    checked_open("  rows: {points: [[0, 0, 0]]}\n  shape: {move: rows, by: x}\n", "shape", &d);
+    checked_open("  rows: {points: [[0, 0, 0]]}\n  shape: {skin: rows}\n", "shape", &d);
     for (int i = 0; i < COUNT(rows); i++)
         checked_put(&d, "rows",
                     &(batten_object){.kind = BATTEN_OBJECT_POINTS,

@@ -159,4 +159,5 @@ const bat_feature bat_feature_blend = {
          "[BD89], [Filip89]", "batten_curves_blend, batten_surfaces_blend",
          BAT_PARAMETERS(parameters), false,
          .also = "bridge curve, transition, connect, G1 G2 G3, join smoothly, blend surface"},
-    .run = run_blend};
+    .run = run_blend,
+    .displacing = "blend"};

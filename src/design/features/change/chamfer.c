@@ -83,4 +83,5 @@ const bat_feature bat_feature_chamfer = {
          "  plate: {chamfer: plan, by: [0.2 m, 0.4 m]}\n",
          "[PT97]", "batten_curve_chamfer", BAT_PARAMETERS(parameters), false,
          .also = "bevel, break corners"},
-    .run = run_chamfer};
+    .run = run_chamfer,
+    .displacing = "chamfer"};

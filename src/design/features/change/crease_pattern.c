@@ -142,4 +142,5 @@ const bat_feature bat_feature_crease_pattern = {
          BAT_PARAMETERS(parameters), false, .also = "flat sheet of a fold, origami pattern",
          .formula = "    flat curvature κ_g = κ cos α,  x′ = cos φ,  y′ = sin φ,  φ′ = κ_g",
          .promise = "Lengths and angles on the sheet are those in space."},
-    .run = run_crease_pattern};
+    .run = run_crease_pattern,
+    .displacing = "crease-pattern"};

@@ -124,4 +124,5 @@ const bat_feature bat_feature_fillet = {
          "  both: {fillet: [wall, apse], radius: 0.3 m, ends: end-start}\n",
          "[PT97]", "batten_curve_fillet", BAT_PARAMETERS(parameters), false,
          .also = "round corners, radius"},
-    .run = run_fillet};
+    .run = run_fillet,
+    .displacing = "fillet"};

@@ -93,4 +93,5 @@ const bat_feature bat_feature_fillet_surfaces = {
          "  cove: {fillet-surfaces: [deck, wall], radius: 0.3 m, sides: [left, right]}\n",
          "[PM02]", "batten_surfaces_fillet", BAT_PARAMETERS(parameters), false,
          .also = "rolling ball, rounding, blend between surfaces, constant radius fillet"},
-    .run = run_fillet_surfaces};
+    .run = run_fillet_surfaces,
+    .displacing = "fillet-surfaces"};

@@ -122,4 +122,5 @@ const bat_feature bat_feature_fold = {
          .formula =
              "    cot β± = (τ ± α′)/(κ sin α),  rulings at β± to the crease;  flat curvature κ cos α",
          .promise = "Both sheets are developable and unfold to the same plane curve."},
-    .run = run_fold};
+    .run = run_fold,
+    .displacing = "fold"};

@@ -64,4 +64,5 @@ const bat_feature bat_feature_mirror = {
          "  both: {mirror: side, plane: centre}\n",
          "", "batten_affine_mirror", BAT_PARAMETERS(parameters), false,
          .also = "symmetry, reflect, port and starboard, other half"},
-    .run = run_mirror};
+    .run = run_mirror,
+    .displacing = "!keep"};

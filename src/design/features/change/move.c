@@ -21,4 +21,5 @@ const bat_feature bat_feature_move = {
               "  mizzen: {move: mast, by: [-3 m, 0, 0]}\n",
               "", "batten_affine_translation", BAT_PARAMETERS(parameters), false,
               .also = "translate, shift, displace"},
-    .run = run_move};
+    .run = run_move,
+    .displacing = "move"};

@@ -120,4 +120,5 @@ const bat_feature bat_feature_offset = {
          .formula = "    C_d(t) = C(t) + d N(t);  S_d(u, v) = S(u, v) + d n(u, v)",
          .promise =
              "The true offset is met within the tolerance; arcs, lines and quadrics are exact."},
-    .run = run_offset};
+    .run = run_offset,
+    .displacing = "offset"};

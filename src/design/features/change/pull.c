@@ -83,4 +83,5 @@ const bat_feature bat_feature_pull = {
          .formula = "    ΔP_ij = Σ_k λ_k R_ij(u_k, v_k),  Σ_ij R_ij(u_k, v_k) ΔP_ij = Δ_k",
          .promise =
              "The places move exactly; the sum of the squared moves of control points is the least."},
-    .run = run_pull};
+    .run = run_pull,
+    .displacing = "pull"};

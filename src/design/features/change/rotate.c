@@ -28,4 +28,5 @@ const bat_feature bat_feature_rotate = {
               "  next: {rotate: rib, by: 15 deg}\n",
               "", "batten_affine_rotation", BAT_PARAMETERS(parameters), false,
               .also = "turn, spin"},
-    .run = run_rotate};
+    .run = run_rotate,
+    .displacing = "rotate"};

@@ -34,4 +34,5 @@ const bat_feature bat_feature_scale = {
               "  oval: {scale: port, by: [2, 1, 1]}\n",
               "", "batten_affine_scaling", BAT_PARAMETERS(parameters), false,
               .also = "resize, enlarge, shrink, stretch"},
-    .run = run_scale};
+    .run = run_scale,
+    .displacing = "scale"};

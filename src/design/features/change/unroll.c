@@ -344,4 +344,5 @@ const bat_feature bat_feature_unroll = {
          .also = "unfold, flatten, development, plate expansion, flat pattern, lay flat",
          .formula = "    triangles between rulings laid flat with their lengths in space",
          .promise = "Developable surfaces keep every length; else the distortion is reported."},
-    .run = run_unroll};
+    .run = run_unroll,
+    .displacing = "unroll"};

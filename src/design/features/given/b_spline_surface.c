@@ -47,4 +47,5 @@ const bat_feature bat_feature_b_spline_surface = {
          .also = "NURBS surface, control net, uniform B-spline surface",
          .formula = "    S(u, v) = Σ Σ d_ij N_{i,k}(u) N_{j,l}(v), uniform knots",
          .promise = "A point changes the surface only nearby."},
-    .run = run_b_spline_surface};
+    .run = run_b_spline_surface,
+    .displacing = "b-spline-surface"};

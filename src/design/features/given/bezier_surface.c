@@ -73,4 +73,5 @@ const bat_feature bat_feature_bezier_surface = {
          .also = "UNISURF, Bézier patch, bicubic patch, control net",
          .formula = "    S(u, v) = Σ Σ b_ij B_i^m(u) B_j^n(v)",
          .promise = "The surface lies in the convex hull of its net."},
-    .run = run_bezier_surface};
+    .run = run_bezier_surface,
+    .displacing = "bezier-surface"};

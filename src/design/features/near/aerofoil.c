@@ -151,4 +151,5 @@ const bat_feature bat_feature_aerofoil = {
              "    y = m(x) ± [k (h(x) − g0 b(x)/2) + g b(x)/2],  b(x) = x exp((1 − x)(1 − 1/blend))",
          .promise =
              "Chord, thickness and trailing edge are measured on the curve that is delivered."},
-    .run = run_aerofoil};
+    .run = run_aerofoil,
+    .displacing = "aerofoil"};

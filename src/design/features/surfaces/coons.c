@@ -284,4 +284,5 @@ const bat_feature bat_feature_coons = {
              "    second kind: with G_i times the slopes across the sides;  twists: + Σ Σ G_i(u) T_ij G_j(v)",
          .promise =
              "The sides are met exactly; slopes and curvatures of the kinds second and third are measured on what is delivered."},
-    .run = run_coons};
+    .run = run_coons,
+    .beside = "functions along slopes"};

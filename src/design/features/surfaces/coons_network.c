@@ -168,4 +168,5 @@ const bat_feature bat_feature_coons_network = {
              "    S = Σ F_i(u) d_i(v) + Σ c_j(u) F_j(v) − Σ Σ F_i(u) r_ij F_j(v) + Σ Σ G_i(u) T_ij G_j(v)  on each face",
          .promise =
              "All curves are met; with cubic blends tangents, with quintic or coons curvatures are continuous where those of the curves are."},
-    .run = run_coons_network};
+    .run = run_coons_network,
+    .beside = "across"};

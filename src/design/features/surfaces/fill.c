@@ -357,4 +357,5 @@ const bat_feature bat_feature_fill = {
              "    ∫∫ |third derivatives|² + the squared jumps of second derivatives between the surfaces → minimum over what the sides and the planes along them leave free; of a sheet ∫∫ |second derivatives|² + |third derivatives|²/100 of its height over the mean plane",
          .promise =
              "Tangent planes are the same where the surfaces meet each other and their neighbours; what is left is noted. A sheet cannot fold, and its curvature is continuous inside."},
-    .run = run_fill};
+    .run = run_fill,
+    .beside = "along slopes"};

@@ -184,4 +184,5 @@ const bat_feature bat_feature_fit_scattered = {
              "    Σ w_j |S(u_j, v_j) − Q_j|² + λ ∫∫ (S_uu² + 2 S_uv² + S_vv²) du dv → minimum",
          .promise =
              "The sum is least for these knots; with within every distance is bounded or it is refused."},
-    .run = run_fit_scattered};
+    .run = run_fit_scattered,
+    .beside = "base"};

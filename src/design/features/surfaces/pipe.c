@@ -55,4 +55,5 @@ const bat_feature bat_feature_pipe = {
          false, .also = "tube, hose, canal surface of constant radius",
          .formula = "    S(u, v) = γ(v) + r (cos u · x(v) + sin u · y(v))",
          .promise = "It is exact around and within the tolerance along."},
-    .run = run_pipe};
+    .run = run_pipe,
+    .displacing = "pipe"};

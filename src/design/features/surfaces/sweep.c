@@ -146,4 +146,5 @@ const bat_feature bat_feature_sweep = {
          .formula =
              "    S(u, v) = γ(v) + s(v) F(v) R(θ(v)) C(u),  F the moving frame, s scale, θ twist",
          .promise = "The true sweep is met within the tolerance."},
-    .run = run_sweep};
+    .run = run_sweep,
+    .displacing = "sweep"};

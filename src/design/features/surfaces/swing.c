@@ -62,4 +62,5 @@ const bat_feature bat_feature_swing = {
          .also = "swung surface, Woodward, pseudo-revolution",
          .formula = "    S(u, v) = (α Px(u) Tx(v), α Px(u) Ty(v), Pz(u))",
          .promise = "It is exact."},
-    .run = run_swing};
+    .run = run_swing,
+    .displacing = "swing"};

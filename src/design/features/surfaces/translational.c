@@ -39,4 +39,5 @@ const bat_feature bat_feature_translational = {
          "[LN12 section 12.8] [PT97 section 10.4]", "batten_surface_translational",
          BAT_PARAMETERS(parameters), false, .also = "translational sweep, moved along",
          .formula = "    S(u, v) = C(u) + D(v) − D(a)", .promise = "It is exact."},
-    .run = run_translational};
+    .run = run_translational,
+    .beside = "path"};

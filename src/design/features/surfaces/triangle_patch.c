@@ -263,4 +263,5 @@ const bat_feature bat_feature_triangle_patch = {
              "    side-vertex: P = (b2² b3² D1 + b3² b1² D2 + b1² b2² D3)/(b2² b3² + b3² b1² + b1² b2²),  D_i cubics of Hermite from corner to side",
          .promise =
              "The sides are met, with along also the tangent planes; cubics are reproduced."},
-    .run = run_triangle_patch};
+    .run = run_triangle_patch,
+    .beside = "along"};

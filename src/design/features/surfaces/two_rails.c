@@ -73,4 +73,5 @@ const bat_feature bat_feature_two_rails = {
          .formula =
              "    S(u, v) = γ1(v) + |γ2(v) − γ1(v)|/|B − A| · F(v) (C(u) − A),  A, B the ends of the section",
          .promise = "Both rails are met within the tolerance."},
-    .run = run_two_rails};
+    .run = run_two_rails,
+    .beside = "section"};

@@ -217,4 +217,5 @@ const bat_feature bat_feature_contours = {
          "[BeiChen94]", "batten_surface_contours", BAT_PARAMETERS(parameters), false,
          .also =
              "isophotes, zebra, reflection lines, highlight lines, silhouette, level curves, curvature lines, draft, parting line, waterlines"},
-    .run = run_contours};
+    .run = run_contours,
+    .displacing = "contours"};

@@ -57,4 +57,5 @@ const bat_feature bat_feature_curve_of = {
               "  rims: {curve-of: tank, v: [0, 1]}\n",
               "[PT97]", "batten_surface_isocurve", BAT_PARAMETERS(parameters), false,
               .also = "isoparametric curve, isocurve, edge of a surface, isoline"},
-    .run = run_curve_of};
+    .run = run_curve_of,
+    .displacing = "curve-of"};

@@ -96,4 +96,5 @@ const bat_feature bat_feature_edges = {
          "  rims: {edges: tank, which: free}\n",
          "[Part42]", "batten_body_view", BAT_PARAMETERS(parameters), false,
          .also = "border, boundary curves, extract edges"},
-    .run = run_edges};
+    .run = run_edges,
+    .displacing = "edges"};

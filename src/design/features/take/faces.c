@@ -142,4 +142,5 @@ const bat_feature bat_feature_faces = {
          "  sides: {faces: block}\n",
          "[Part42]", "batten_body_view", BAT_PARAMETERS(parameters), false,
          .also = "extract faces, explode, untrim"},
-    .run = run_faces};
+    .run = run_faces,
+    .displacing = "faces"};

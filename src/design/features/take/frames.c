@@ -177,4 +177,5 @@ const bat_feature bat_feature_frames = {
          "[WJZL08]", "batten_curve_frames", BAT_PARAMETERS(parameters), false,
          .also =
              "Frenet, rotation-minimising frame, RMF, Bishop frame, double reflection, parallel transport"},
-    .run = run_frames};
+    .run = run_frames,
+    .displacing = "frames"};

@@ -194,4 +194,5 @@ const bat_feature bat_feature_sections = {
          "", "batten_surface_contours", BAT_PARAMETERS(parameters), false,
          .also =
              "plane sections, frames, bulkheads, moulds, stations, waterlines, buttocks, slices, intersection with a plane"},
-    .run = run_sections};
+    .run = run_sections,
+    .displacing = "sections"};
