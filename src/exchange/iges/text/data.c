@@ -181,54 +181,18 @@ static batten_status check_data(const bat_iges_file *file, position from, size_t
     return BATTEN_OK;
 }
 
-/* Append the first 64 characters of up to `most` records of a run, the last of them the first
- * in which the terminator stands, if any: *found. */
-static batten_status append_columns(const bat_iges_file *file, const bat_iges_run *run,
-                                    size_t within, bat_list *text, size_t *count, bool *found)
-{
-    const size_t most = *count;
-    const char *from = file->input->data + run->at + within * run->stride;
-    batten_status status = BATTEN_OK;
-    *count = 0;
-    while (status == BATTEN_OK && *count < most && !*found) {
-        if (text->capacity - text->count < DATA_COLUMNS)
-            status = bat_list_reserve(file->input, text, DATA_COLUMNS);
-        if (status != BATTEN_OK)
-            break;
-        char *to = (char *)text->items + text->count;
-        characters same = {0};
-        for (size_t i = 0; i < DATA_COLUMNS; i += sizeof same) {
-            characters some;
-            memcpy(&some, from + i, sizeof some);
-            memcpy(to + i, &some, sizeof some);
-            same |= (characters)(some == (unsigned char)file->delimiters.terminator);
-        }
-        text->count += DATA_COLUMNS;
-        *found = any_of(same);
-        from += run->stride;
-        ++*count;
-    }
-    return status;
-}
-
-/* Append records from *next on, up to one in which the terminator stands: there they may end.
- */
+/* Append records from *next on, up to one in which the terminator stands: there they may end. */
 static batten_status gather(const bat_iges_file *file, position *next, bat_list *text)
 {
     const bat_iges_run *runs = file->runs.items;
     batten_status status = BATTEN_OK;
     for (bool found = false; status == BATTEN_OK && !found && next->run < file->runs.count;) {
         const bat_iges_run *run = &runs[next->run];
-        size_t count = run->count - next->within;
-        if (run->columns == DATA_COLUMNS) {
-            status = append_columns(file, run, next->within, text, &count, &found);
-        } else {
-            const bat_span columns = {file->input->data + run->at, run->columns};
-            found = memchr(columns.bytes, file->delimiters.terminator, columns.length) != NULL;
-            status = bat_iges_append(file->input, text, columns, DATA_COLUMNS);
-        }
-        next->within += count;
-        if (next->within == run->count)
+        const bat_span columns = {file->input->data + run->at + next->within * run->stride,
+                                  run->columns};
+        found = memchr(columns.bytes, file->delimiters.terminator, columns.length) != NULL;
+        status = bat_iges_append(file->input, text, columns, DATA_COLUMNS);
+        if (++next->within == run->count)
             *next = (position){next->run + 1, 0};
     }
     return status;
@@ -240,15 +204,11 @@ static batten_status read_in_place(const bat_iges_file *file, position *next,
 {
     const bat_iges_run *run = (const bat_iges_run *)file->runs.items + next->run;
     const size_t first = run->at + next->within * run->stride;
-    size_t count = run->count - next->within;
     if (run->columns < DATA_COLUMNS)
         return BATTEN_OK;
-    while (count > 0 && first + (count - 1) * run->stride + DATA_COLUMNS + BAT_IGES_BEHIND >
-                            file->input->size)
-        count--;
-    const batten_status status =
-        bat_iges_tokenise_in_place(file->input, file->delimiters, parameters,
-                                   file->input->data + first, run->stride, count, at, done);
+    const batten_status status = bat_iges_tokenise_in_place(
+        file->input, file->delimiters, parameters, file->input->data + first, run->stride,
+        run->count - next->within, at, done);
     next->within += parameters->in_place / DATA_COLUMNS;
     if (next->within == run->count)
         *next = (position){next->run + 1, 0};

@@ -83,7 +83,7 @@ static size_t end_of_string(const mending *m, size_t begin, size_t announced)
     }
     for (end = begin; end < m->text.length && !is_true_end(m, end); end++)
         continue;
-    while (end > begin && m->text.bytes[end - 1] == ' ')
+    while (m->text.bytes[end - 1] == ' ') /* there is an H in front of it */
         end--;
     batten_notes_add(
         m->file->input->notes, m->file->input->file, 0, "",

@@ -30,8 +30,7 @@ typedef struct {
 } bat_iges_parameters;
 
 enum {
-    BAT_IGES_BLOCK = 64,  /* columns of a record that hold parameters */
-    BAT_IGES_BEHIND = 32, /* characters behind them that may be looked at */
+    BAT_IGES_BLOCK = 64, /* columns of a record that hold parameters */
     /* Longer than any number that says something: a double has at most 767 significant digits.
      */
     BAT_IGES_LONGEST_NUMBER = 1100

@@ -39,17 +39,15 @@ static batten_status read_string(const bat_input *input, bat_iges_delimiters del
     return BATTEN_OK;
 }
 
-/* A number, also with a D, or none at all. */
+/* A number, also with a D, or another text; it begins with neither a blank nor a delimiter. */
 static bat_iges_token written_token(bat_span text, size_t begin, size_t end, double *value)
 {
     char copy[BAT_IGES_LONGEST_NUMBER];
     bat_iges_token token = {.begin = (uint32_t)begin, .kind = BAT_IGES_OTHER};
-    while (end > begin && text.bytes[end - 1] == ' ')
+    while (text.bytes[end - 1] == ' ')
         end--;
     token.length = (uint32_t)(end - begin);
-    if (end == begin)
-        token.kind = BAT_IGES_EMPTY;
-    if (end == begin || end - begin > sizeof copy)
+    if (token.length > sizeof copy)
         return token;
     for (size_t i = begin; i < end; i++)
         copy[i - begin] = text.bytes[i] == 'D' || text.bytes[i] == 'd' ? 'E' : text.bytes[i];
@@ -75,9 +73,9 @@ static batten_status read_token(const bat_input *input, bat_iges_delimiters deli
     return BATTEN_OK;
 }
 
-/* The columns are gone through in blocks, for each of which 64 bits say what is no digit. As
- * many characters must be there behind the text as a number is looked at in one go. */
-enum { BLOCK = BAT_IGES_BLOCK };
+/* The columns of a record are one block, of which 64 bits say what is no digit. Behind it stand as many
+ * characters as bat_number_of_digits may look at. */
+enum { BLOCK = BAT_IGES_BLOCK, BEHIND = 16 };
 
 /* Numbers that stand in a block whole, delimiters included, from *begin on up to the first
  * other token: of those bits each has one for its sign, if any, one for its point and one for
@@ -122,15 +120,12 @@ static inline bool read_block(bat_iges_delimiters delimiters, bat_iges_parameter
     return done;
 }
 
-/* Room for the tokens of a block, and one more. */
-static inline batten_status make_room(bat_input *input, bat_iges_parameters *parameters)
+/* Room for so many tokens more. */
+static batten_status make_room(bat_input *input, bat_iges_parameters *parameters, size_t count)
 {
-    bat_list *tokens = &parameters->tokens, *values = &parameters->values;
-    batten_status status = BATTEN_OK;
-    if (tokens->capacity - tokens->count <= BLOCK)
-        status = bat_list_reserve(input, tokens, BLOCK + 1);
-    if (status == BATTEN_OK && values->capacity - values->count <= BLOCK)
-        status = bat_list_reserve(input, values, BLOCK + 1);
+    batten_status status = bat_list_reserve(input, &parameters->tokens, count);
+    if (status == BATTEN_OK)
+        status = bat_list_reserve(input, &parameters->values, count);
     return status;
 }
 
@@ -171,59 +166,43 @@ static bool read_one(bat_iges_delimiters delimiters, bat_iges_parameters *parame
     return true;
 }
 
+/* The tokens of a block, up to the terminator or to one that is not read there; was there none such? */
+static bool read_record(bat_iges_delimiters delimiters, bat_iges_parameters *parameters,
+                        const char *text, size_t block, size_t *begin, bool *done)
+{
+    *begin = past_blanks_of_block(text, 0);
+    while (*begin < BLOCK && !*done) {
+        const size_t before = *begin;
+        *done = read_block(delimiters, parameters, text, block, begin);
+        if (*begin == before && !read_one(delimiters, parameters, text, block, begin, done))
+            return false;
+        *begin = past_blanks_of_block(text, *begin);
+    }
+    return true;
+}
+
 batten_status bat_iges_tokenise_in_place(bat_input *input, bat_iges_delimiters delimiters,
                                          bat_iges_parameters *parameters, const char *records,
                                          size_t stride, size_t count, size_t *at, bool *done)
 {
+    char text[BLOCK + BEHIND] = {0};
     parameters->records = records;
     parameters->stride = stride;
     *done = false;
-    for (size_t k = 0; k < count && k < UINT32_MAX / BLOCK && !*done; k++, records += stride) {
+    for (size_t k = 0; k < count && k < UINT32_MAX / BLOCK && !*done; k++) {
         size_t begin = 0;
-        batten_status status = make_room(input, parameters);
+        const batten_status status = make_room(input, parameters, BLOCK); /* a delimiter each */
         if (status != BATTEN_OK)
             return status;
-        do {
-            begin = past_blanks_of_block(records, begin);
-            if (begin < BLOCK)
-                *done = read_block(delimiters, parameters, records, BLOCK * k, &begin);
-            *at = BLOCK * k + begin;
-            if (*done)
-                break;
-            begin = past_blanks_of_block(records, begin);
-            if (begin < BLOCK &&
-                !read_one(delimiters, parameters, records, BLOCK * k, &begin, done))
-                return BATTEN_OK;
-            *at = BLOCK * k + begin;
-        } while (!*done && begin < BLOCK);
+        memcpy(text, records + k * stride, BLOCK);
+        const bool is_whole =
+            read_record(delimiters, parameters, text, BLOCK * k, &begin, done);
+        *at = BLOCK * k + begin;
+        if (!is_whole)
+            return BATTEN_OK;
         parameters->in_place = BLOCK * (k + 1);
     }
     return BATTEN_OK;
-}
-
-/* Numbers of the text from *at on, up to the first token that is none or lies in two blocks;
- * there is then room for it. */
-static batten_status read_blocks(bat_input *input, bat_iges_delimiters delimiters,
-                                 bat_iges_parameters *parameters, size_t *at, bool *done)
-{
-    const bat_span text = {parameters->text.items, parameters->text.count};
-    for (;;) {
-        batten_status status = make_room(input, parameters);
-        *at = bat_iges_past_blanks(text, *at);
-        const size_t block = *at / BLOCK * BLOCK;
-        if (status != BATTEN_OK || text.length - block < BLOCK)
-            return status;
-        size_t begin = *at - block;
-        *done = read_block(delimiters, parameters, text.bytes + block,
-                           parameters->in_place + block, &begin);
-        *at = block + begin;
-        if (*done)
-            return BATTEN_OK;
-        /* Only blanks may be left of the block. */
-        *at = bat_iges_past_blanks(text, *at);
-        if (*at < block + BLOCK)
-            return BATTEN_OK;
-    }
 }
 
 /* The token at `begin`, of any kind. */
@@ -260,10 +239,12 @@ static batten_status tokenise_text(bat_input *input, bat_iges_delimiters delimit
     batten_status status = BATTEN_OK;
     while (status == BATTEN_OK && !*done) {
         size_t end = 0;
-        status = read_blocks(input, delimiters, parameters, at, done);
-        if (status != BATTEN_OK || *done || *at == text.length)
-            return status;
-        status = read_any_token(input, delimiters, parameters, *at, &end);
+        *at = bat_iges_past_blanks(text, *at);
+        if (*at == text.length)
+            return BATTEN_OK;
+        status = make_room(input, parameters, 1);
+        if (status == BATTEN_OK)
+            status = read_any_token(input, delimiters, parameters, *at, &end);
         if (status != BATTEN_OK || end == text.length)
             return status;
         *done = text.bytes[end] == delimiters.terminator;
@@ -280,9 +261,7 @@ batten_status bat_iges_tokenise(bat_input *input, bat_iges_delimiters delimiters
         return bat_fail(BATTEN_BAD_FORMAT, "its parameters have more than %u characters",
                         UINT32_MAX);
     *done = false;
-    batten_status status = bat_list_reserve(input, &parameters->text, BAT_IGES_BEHIND);
-    if (status == BATTEN_OK)
-        status = tokenise_text(input, delimiters, parameters, &within, done);
+    const batten_status status = tokenise_text(input, delimiters, parameters, &within, done);
     *at = parameters->in_place + within;
     return status;
 }

@@ -196,6 +196,29 @@ TEST(records_that_do_not_go_on_begin_runs_of_their_own)
     }
 }
 
+/* A record without a number has none to count on from; the next has its own. */
+TEST(the_number_behind_a_record_without_one_is_read_and_not_counted)
+{
+    static const struct {
+        const char *first, *second;
+        int number;
+    } cases[] = {{"       ", "      1", 1},  {"      -", "      .", -1},
+                 {"      x", "      y", -1}, {"      0", "      1", 1},
+                 {"      7", "      8", 8},  {"9999999", "      0", 0}};
+    only_once();
+    for (int i = 0; i < COUNT(cases); i++) {
+        section s;
+        begin_section(&s, 1, false, "\n");
+        memcpy(s.text + 73, cases[i].first, 7);
+        memcpy(s.text + 81 + 73, cases[i].second, 7);
+        for (int k = 0; k < 2; k++)
+            CHECK_OK(bat_iges_add_data(&s.file, (bat_span){s.text + 81 * (size_t)k, RECORD},
+                                       5 + k, false));
+        CHECK_INT(s.file.number, cases[i].number);
+        bat_release(s.file.runs.items);
+    }
+}
+
 TEST(numbers_that_do_not_rise_give_way_to_places_with_a_note_of_the_line)
 {
     static const struct {
@@ -255,6 +278,11 @@ static const struct {
     {{"1.,", "2.;", "?", "7.;"}, 1, ""},
     {{"1.,", "2.,", "?", "7.;"}, 4, NULL},
     {{"1.,", "2.,", "3.,", "4.,"}, 2, "the parameters have no end"},
+    {{"9.;", "1.,", "3.E0,", "7.;"}, 2, NULL},
+    {{"110,4Ha;", "c,7.;", "9.;", "9.;"}, 1, "a string of 4 characters is followed by 'c'"},
+    {{"110,3Ha;b, 7.;", "9.;", "9.;", "9.;"}, 1, NULL},
+    {{"1.,3Hab;,2.,", "3.,", "4.,7.;", "9.;"}, 1, NULL},
+    {{"1.,2.,3Hab;,", "3.,", "4.,", "7. "}, 1, "the parameters have no end"},
     {{"1.,", "2.,", "3Habcd,", "7.;"}, 3, "a string of 3 characters is followed by 'd'"},
 };
 
@@ -277,7 +305,7 @@ TEST(an_entry_has_the_records_from_its_first_to_its_terminator)
 {
     only_once();
     for (int i = 0; i < COUNT(entries); i++) {
-        static char text[81 * 4 + BAT_IGES_BEHIND + 1];
+        static char text[81 * 4 + 1];
         bat_input input;
         memset(text, ' ', sizeof text);
         CHECK_OK(bat_input_begin(text, sizeof text, NULL, NULL, NULL, &input));

@@ -53,3 +53,58 @@ TEST(the_last_string_of_the_global_section_may_have_a_wrong_count)
     CHECK_BITS(batten_model_unit_metres(model), 1);
     batten_model_unref(model);
 }
+
+static const struct {
+    const char *global, *message;
+} refused[] = {
+    {"", "there is no global section"},
+    {"x,y", "the global section does not begin with its delimiters"},
+    {"1H,", "the global section does not begin with its delimiters"},
+    {"1H,,1H;", "the global section does not begin with its delimiters"},
+    {"1H,,1H;;", "the global section does not begin with its delimiters"},
+    {"1H11H;1", "the global section does not begin with its delimiters"},
+    {"1H111H;1", "the global section names '1' and ';' as delimiters"},
+    {"1HHH1H;H", "the global section names 'H' and ';' as delimiters"},
+    {"1H,,1H,,", "the global section names ',' and ',' as delimiters"},
+    {"1H,,1H9,", "the global section names ',' and '9' as delimiters"},
+    {"1H++1H;+", "the global section names '+' and ';' as delimiters"},
+    {"1Hee1H;e", "the global section names 'e' and ';' as delimiters"},
+    {"1H,,1H;,4Hname,1.", "global section: the parameters have no end"},
+    {"1H,,1H;,2Hname,x", "global section: the parameters have no end"},
+};
+
+TEST(a_global_section_that_is_none_is_refused_with_what_is_wrong)
+{
+    for (int k = 0; k < COUNT(refused); k++) {
+        iges_text file = iges_begin();
+        batten_model *model = NULL;
+        iges_add(&file, 110, 0, 0, 0, "00000000", IGES_LINE);
+        CHECK_STATUS(
+            read_text(iges_end(&file, refused[k].global), BATTEN_FORMAT_AUTO, NULL, &model),
+            BATTEN_BAD_FORMAT);
+        CHECK(strncmp(batten_message(), "t: ", 3) == 0); /* the file, and no line */
+        CHECK_TEXT(batten_message() + 3, refused[k].message);
+    }
+}
+
+TEST(a_mended_name_is_noted_word_for_word_without_a_line)
+{
+    iges_text file = iges_begin();
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    iges_add(&file, 110, 0, 0, 0, "00000000", IGES_LINE);
+    CHECK_OK(batten_notes_create(4, &notes));
+    CHECK_STATUS(read_text(iges_end(&file, global_with("5Hhull.igs  ")), BATTEN_FORMAT_AUTO,
+                           notes, &model),
+                 BATTEN_OK);
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK(batten_notes_count(notes) >= 1);
+        CHECK_TEXT(
+            batten_notes_at(notes, 0)->text,
+            "global section: a string announces 5 characters and has 8 ('hull.igs'); it is "
+            "read as it stands");
+        CHECK_INT(batten_notes_at(notes, 0)->line, 0);
+    }
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
