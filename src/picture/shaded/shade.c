@@ -3,7 +3,6 @@
 #include "base/plural.h"
 #include "numeric/box.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,60 +14,6 @@ static int longest_axis(const batten_box *box)
                             box->high.z - box->low.z};
     const int longer = range[1] > range[0] ? 1 : 0;
     return range[2] > range[longer] ? 2 : longer;
-}
-
-/* ---- range of the colours ---- */
-
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Samples of |K| over all surfaces, evenly thinned to at most `room`; notes the extremes. */
-static size_t sample_curvatures(bat_shaded *p, size_t room, double *samples)
-{
-    size_t total = 0, kept = 0;
-    for (int i = 0; i < p->solid_count; i++)
-        total += p->solids[i].tiles.count_u * p->solids[i].tiles.count_v;
-    const size_t every = total / room + 1;
-    p->least = HUGE_VAL;
-    p->greatest = -HUGE_VAL;
-    for (int i = 0; i < p->solid_count; i++) {
-        const bat_tiles *t = &p->solids[i].tiles;
-        for (size_t k = 0; k < t->count_u * t->count_v; k++) {
-            if (isnan(t->curvature[k]))
-                continue;
-            p->least = bat_min(p->least, t->curvature[k]);
-            p->greatest = bat_max(p->greatest, t->curvature[k]);
-            if (k % every == 0)
-                samples[kept++] = fabs(t->curvature[k]);
-        }
-    }
-    return kept;
-}
-
-/* The colours end where 95 of 100 samples lie inside: a few sharp places must not bleach all
- * others. */
-static batten_status choose_range(bat_shaded *p, double size)
-{
-    enum { ROOM = 60000 };
-    double *samples = bat_array(ROOM + (size_t)p->solid_count, sizeof *samples);
-    if (!samples)
-        return BATTEN_OUT_OF_MEMORY;
-    const size_t count = sample_curvatures(p, ROOM, samples);
-    qsort(samples, count, sizeof *samples, ascending);
-    /* What is developable but for roundings stays white. */
-    double range =
-        p->options->shading == BATTEN_SHADING_MEAN ? 1e-6 / size : 1e-6 / (size * size);
-    if (count > 0)
-        range = bat_max(range, samples[(size_t)(0.95 * (double)(count - 1))]);
-    bat_release(samples);
-    const double power = bat_pow(10, floor(bat_log10(range)) - 1);
-    p->scene.range = ceil(range / power) * power; /* two digits */
-    return isfinite(p->scene.range)
-               ? BATTEN_OK
-               : bat_fail(BATTEN_OVERFLOW, "curvatures up to %g are too large to show", range);
 }
 
 /* ---- from space to samples ---- */
@@ -103,28 +48,6 @@ static void move_points(void *user, size_t count, double *points)
     }
 }
 
-static double above(const bat_shaded *p)
-{
-    return *p->options->title ? 4 * p->em : 2 * p->em;
-}
-
-/* What title and legend take of the height. */
-static double around(const bat_shaded *p)
-{
-    return above(p) + (bat_has_stripes(p->options->shading) ? 3.5 * p->em : 2 * p->em);
-}
-
-/* The part of the picture that title and legend leave to the shape. */
-static bat_rectangle stage(const bat_shaded *p)
-{
-    const batten_draw_options *o = p->options;
-    const double em = p->em;
-    const double right =
-        bat_curvature_of_shading(o->shading) != BAT_CURVATURE_NONE ? 9 * em : 2 * em;
-    return (bat_rectangle){2 * em, above(p), bat_max(o->width - 2 * em - right, 8),
-                           bat_max(o->height - around(p), 8)};
-}
-
 typedef void change_points(void *user, size_t count, double *points);
 
 static void change_strokes(const bat_strokes *strokes, change_points *change, void *user)
@@ -153,64 +76,15 @@ static batten_status fit_picture(bat_shaded *p)
     projection seen = {&p->view, {HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
     change_all(p, project_points, &seen);
     const double range[2] = {seen.high[0] - seen.low[0], seen.high[1] - seen.low[1]};
-    bat_rectangle at = stage(p);
-    p->options->height = bat_size_height(p->options, at.width, range, around(p));
-    at = stage(p);
+    bat_rectangle at = bat_shaded_stage(p);
+    p->options->height = bat_size_height(p->options, at.width, range, bat_shaded_around(p));
+    at = bat_shaded_stage(p);
     bat_plot plot = bat_plot_fit(at, seen.low, seen.high);
     if (!isfinite(plot.x0) || !isfinite(plot.y0) || !(plot.scale > 0))
         return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw",
                         seen.low[0], seen.high[0]);
     change_all(p, move_points, &plot);
     return BATTEN_OK;
-}
-
-/* ---- title and legend ---- */
-
-static void write_colours(bat_canvas *canvas, const bat_shaded *p)
-{
-    enum { STEPS = 128 };
-    const double em = p->em, height = 0.5 * canvas->height, wide = 1.2 * em;
-    const double x = canvas->width - 7.5 * em, y = 0.5 * (canvas->height - height);
-    for (int i = 0; i < STEPS; i++)
-        bat_canvas_box(canvas, bat_colour_diverging(1 - 2 * (i + 0.5) / STEPS),
-                       (bat_rectangle){x, y + height * i / STEPS, wide, height / STEPS + 1});
-    bat_canvas_frame(canvas, (bat_pen){bat_grey, 0.8, BAT_SOLID},
-                     (bat_rectangle){x, y, wide, height});
-    for (int i = -2; i <= 2; i++) {
-        char text[BATTEN_NUMBER_SIZE];
-        bat_digits_text(0.5 * i * p->scene.range, 3, text);
-        bat_canvas_text(canvas, bat_ink, 0.85 * em, BAT_LEFT, x + wide + 0.5 * em,
-                        y + 0.25 * (2 - i) * height, text);
-    }
-    const char *unit = batten_unit_name(batten_model_unit_metres(p->model));
-    char text[64], number[BATTEN_NUMBER_SIZE];
-    const bool mean = p->options->shading == BATTEN_SHADING_MEAN;
-    snprintf(text, sizeof text, mean ? "H in 1/%s" : "K in 1/%s\u00b2", unit ? unit : "unit");
-    bat_canvas_bold(canvas, bat_ink, 0.85 * em, BAT_LEFT, x, y - 3.2 * em, text);
-    bat_digits_text(p->greatest, 3, number);
-    snprintf(text, sizeof text, "max %s", number);
-    bat_canvas_text(canvas, bat_grey, 0.8 * em, BAT_LEFT, x, y - 1.6 * em, text);
-    bat_digits_text(p->least, 3, number);
-    snprintf(text, sizeof text, "min %s", number);
-    bat_canvas_text(canvas, bat_grey, 0.8 * em, BAT_LEFT, x, y + height + 1.6 * em, text);
-}
-
-static void write_around(bat_canvas *canvas, const bat_shaded *p)
-{
-    const double em = p->em, middle = 0.5 * canvas->width;
-    bat_canvas_bold(canvas, bat_ink, 1.25 * em, BAT_MIDDLE, middle, 2 * em, p->options->title);
-    if (bat_curvature_of_shading(p->options->shading) != BAT_CURVATURE_NONE &&
-        p->least <= p->greatest)
-        write_colours(canvas, p);
-    if (bat_has_stripes(p->options->shading)) {
-        char text[BATTEN_NUMBER_SIZE + 80], number[BATTEN_NUMBER_SIZE];
-        bat_digits_text(p->options->stripes, 4, number);
-        const bool zebra = p->options->shading == BATTEN_SHADING_ZEBRA;
-        snprintf(text, sizeof text, "%s: %s stripes over the half turn",
-                 zebra ? "zebra" : "isophotes", number);
-        bat_canvas_text(canvas, bat_grey, 0.85 * em, BAT_MIDDLE, middle,
-                        canvas->height - 1.5 * em, text);
-    }
 }
 
 static batten_status make_picture(bat_shaded *p, char **data, size_t *size)
@@ -223,7 +97,7 @@ static batten_status make_picture(bat_shaded *p, char **data, size_t *size)
         return status;
     status = bat_shaded_fill(p, &canvas);
     if (status == BATTEN_OK) {
-        write_around(&canvas, p);
+        bat_shaded_write_around(&canvas, p);
         return bat_canvas_finish(&canvas, data, size);
     }
     bat_canvas_end(&canvas);
@@ -270,7 +144,7 @@ static batten_status prepare(bat_shaded *p)
 
     batten_status status = bat_shaded_gather(p, size);
     if (status == BATTEN_OK && bat_curvature_of_shading(o->shading) != BAT_CURVATURE_NONE)
-        status = choose_range(p, size);
+        status = bat_shaded_choose_range(p, size);
     return status == BATTEN_OK ? fit_picture(p) : status;
 }
 

@@ -65,6 +65,20 @@ void bat_shaded_count(bat_shaded *p, batten_box *box);
 /* Tile the surfaces, copy meshes, curves and points. @param size  the diagonal of the box */
 batten_status bat_shaded_gather(bat_shaded *p, double size);
 
+/* ---- shade_range.c ---- */
+
+/* Set `scene.range`, beyond which colours do not change, and the extremes of the curvature. @param size  as above */
+batten_status bat_shaded_choose_range(bat_shaded *p, double size);
+
+/* ---- shade_around.c ---- */
+
+/* What title and legend take of the height. */
+double bat_shaded_around(const bat_shaded *p);
+/* The part of the picture that title and legend leave to the shape; its height is that of the options. */
+bat_rectangle bat_shaded_stage(const bat_shaded *p);
+/* The title, and the legend of colours or stripes. */
+void bat_shaded_write_around(bat_canvas *canvas, const bat_shaded *p);
+
 /* ---- shade_fill.c ---- */
 
 /* Fill the image of a canvas, band by band. */
