@@ -1,6 +1,7 @@
 #include <batten/curvature.h>
 #include <batten/measure.h>
 
+#include "inspect/local.h"
 #include "support/test.h"
 
 TEST(an_arc_of_a_chain_has_its_curvature_tangent_and_length)
@@ -74,4 +75,47 @@ TEST(where_a_chain_stands_still_its_tangent_is_that_of_the_second_derivative)
         CHECK_NEAR(at.tangent.x, d[0], 1e-14);
         batten_chain_unref(chain);
     }
+}
+
+static void check_bend(int d, const batten_span *span, double t, bat_bend due)
+{
+    bat_bend bend = {-7, -7, -7};
+    bat_span_bend(d, span, t, &bend);
+    CHECK_NEAR(bend.speed, due.speed, 1e-14);
+    CHECK_NEAR(bend.curvature, due.curvature, 1e-14);
+    CHECK_NEAR(bend.rate, due.rate, 1e-13);
+}
+
+/* The parabola (t, t^2 / 2), t^3 / 6 as a function, a curvature of degree 3, and a stop. */
+TEST(the_bend_of_a_span_is_that_of_its_formula)
+{
+    const batten_span parabola = {.kind = BATTEN_SPAN_TENSION,
+                                  .length = 1,
+                                  .end = {1, 0.5},
+                                  .bend = {{0, 1}, {0, 1}}},
+                      cube = {.kind = BATTEN_SPAN_TENSION,
+                              .length = 1,
+                              .end = {1.0 / 6},
+                              .bend = {{0}, {1}}},
+                      stop = {.kind = BATTEN_SPAN_TENSION,
+                              .length = 1,
+                              .end = {1, 2},
+                              .bend = {{-2, -4}, {-2, -4}}},
+                      spiral = {.kind = BATTEN_SPAN_SPIRAL,
+                                .length = 1,
+                                .curvature = {0.1, 0.3, 0.5, 0.7}},
+                      arc = {.kind = BATTEN_SPAN_ARC, .length = 1, .curvature = {-0.25}};
+    for (int i = 0; i <= 8; i++) {
+        const double t = i / 8.0, s = 1 + t * t;
+        check_bend(2, &parabola, t, (bat_bend){sqrt(s), pow(s, -1.5), -3 * t * pow(s, -3)});
+        check_bend(3, &parabola, t, (bat_bend){sqrt(s), pow(s, -1.5), -3 * t * pow(s, -3)});
+        check_bend(1, &cube, t, (bat_bend){1, t, 1});
+        check_bend(2, &arc, t, (bat_bend){1, -0.25, 0});
+        check_bend(2, &spiral, t,
+                   (bat_bend){1, 0.1 + 0.3 * t + 0.25 * t * t + 0.7 / 6 * t * t * t,
+                              0.3 + 0.5 * t + 0.35 * t * t});
+        if (i < 8)
+            check_bend(2, &stop, t, (bat_bend){2 * (1 - t) * sqrt(5), 0, 0});
+    }
+    check_bend(2, &stop, 1, (bat_bend){0, 0, 0});
 }

@@ -192,3 +192,26 @@ TEST(N6_tolerances_of_continuity_must_be_numbers)
     CHECK_INT(all.count, 7);
     batten_curve_unref(circle);
 }
+
+/* y = x^2 / 2 up to 0 and y = x^2 / 4 from there: curvatures 1 and 1/2, of which the part that differs is 1/2. */
+TEST(a_part_as_large_as_the_tolerance_is_within_it)
+{
+    const double left[6] = {-1, 0.5, -0.5, 0, 0, 0}, right[6] = {0, 0, 0.5, 0, 1, 0.25};
+    static const double tolerances[] = {0.5, 0.4999999, 0};
+    batten_curve *a = NULL, *b = NULL;
+    CHECK_OK(shape_bezier(2, 2, left, &a));
+    CHECK_OK(shape_bezier(2, 2, right, &b));
+    for (int i = 0; i < COUNT(tolerances); i++) {
+        batten_curve_continuity_options options = batten_curve_continuity_defaults();
+        batten_continuity c = {0};
+        options.curvature = tolerances[i];
+        CHECK_OK(
+            batten_curves_continuity(a, BATTEN_CURVE_END, b, BATTEN_CURVE_START, &options, &c));
+        CHECK_BITS(c.curvature_part, 0.5);
+        CHECK_BITS(c.curvature_difference, 0.5);
+        CHECK_INT(c.geometric >= 2, i == 0);
+        CHECK(c.geometric >= 1);
+    }
+    batten_curve_unref(b);
+    batten_curve_unref(a);
+}

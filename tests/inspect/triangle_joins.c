@@ -165,3 +165,47 @@ TEST(three_at_one_edge_are_two_pairs_and_edges_of_no_length_meet_nothing)
     batten_triangles_unref(fan);
     batten_triangles_unref(pinch);
 }
+
+TEST(a_fold_anywhere_in_space_has_its_angle_and_determinant)
+{
+    const int at[2] = {2, 0};
+    const batten_affine turn =
+        batten_affine_rotation((batten_vec3){1, 2, 3}, (batten_vec3){1, -1, 0.3}, 0.9);
+    batten_triangles *fold = make_fold(at, true, 0.7, 0, 1), *turned = NULL;
+    CHECK_OK(batten_triangles_transform(fold, &turn, &turned));
+    const batten_triangle_join plain = only_join(fold, 1e-9), join = only_join(turned, 1e-9);
+    CHECK_NEAR(join.angle, 0.7, 1e-14);
+    CHECK_NEAR(join.coplanarity, plain.coplanarity, 1e-13);
+    batten_triangles_unref(fold);
+    batten_triangles_unref(turned);
+}
+
+/* Of degree 2: a control point beside an end of the edge falls into that end, where the plane then has no normal. */
+TEST(a_place_without_a_normal_does_not_change_the_angle)
+{
+    static const double ends[2][3] = {{0, 0, 0}, {3, 0, 0}}, apex[3] = {1, 2, 0};
+    const int at[2] = {1, 2};
+    for (int end = 0; end < 2; end++) {
+        batten_triangles *fold = make_fold(at, false, 0.7, 0, 1), *higher = NULL,
+                         *pinched = NULL;
+        double points[36];
+        int moved = 0;
+        CHECK_OK(batten_triangles_elevate(fold, 1, &higher));
+        memcpy(points, batten_triangles_points(higher), sizeof points);
+        for (int i = 0; i < 6; i++) {
+            double *p = points + 3 * i, off = 0;
+            for (int c = 0; c < 3; c++)
+                off += fabs(p[c] - (ends[end][c] + apex[c]) / 2);
+            moved += off < 1e-12;
+            if (off < 1e-12)
+                memcpy(p, ends[end], sizeof ends[end]);
+        }
+        CHECK_INT(moved, 1);
+        CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 2, 2, points, NULL, NULL},
+                                         &pinched));
+        CHECK_NEAR(only_join(pinched, 1e-9).angle, 0.7, 1e-13);
+        batten_triangles_unref(pinched);
+        batten_triangles_unref(higher);
+        batten_triangles_unref(fold);
+    }
+}

@@ -265,18 +265,20 @@ static void descend(cloud *c, batten_vec3 axes[3])
     for (int k = 0; k < 6; k++) {
         const double size = box_along(
             c, (batten_vec3){start[3 * k], start[3 * k + 1], start[3 * k + 2]}, tried);
-        if (size < best)
+        if (size < best) {
             memcpy(axes, tried, sizeof tried);
-        best = bat_min(best, size);
+            best = size;
+        }
     }
     for (int round = 0, idle = 0; round < ROUNDS && idle < 3; round++) {
         const double size = box_along(c, axes[round % 3], tried);
         /* By more than rounding: else rounds would go on for ever. */
-        const bool better = size < best * (1 - 1e-12);
-        if (better)
+        idle++;
+        if (size < best * (1 - 1e-12)) {
             memcpy(axes, tried, sizeof tried);
-        best = better ? size : best;
-        idle = better ? 0 : idle + 1;
+            best = size;
+            idle = 0;
+        }
     }
 }
 

@@ -191,11 +191,6 @@ static batten_status halve_last(climb *c)
     const int k = direction_to_halve(c, &whole, slot);
     const batten_interval span = whole.uv[k];
     const double middle = span.a + 0.5 * (span.b - span.a);
-    if (!(middle > span.a && middle < span.b)) {
-        c->within = bat_max(c->within, whole.upper);
-        c->count--;
-        return BATTEN_OK;
-    }
     halve(c, k, slot, spare, other);
     memcpy(slot, spare, c->width * sizeof *slot);
     const bool swap = highest(c, slot) > highest(c, other);

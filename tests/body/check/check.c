@@ -1,6 +1,7 @@
 #include "body/builder.h"
 #include "body/check/sheet.h"
 #include "support/bodies.h"
+#include "support/faults.h"
 #include "support/test.h"
 
 #include <batten/base.h>
@@ -108,6 +109,7 @@ static void check_noted(const batten_notes *notes, const char *entity, const cha
     int count = 0;
     for (int i = 0; i < batten_notes_count(notes); i++) {
         const batten_note *note = batten_notes_at(notes, i);
+        CHECK_INT(note->line, 0); /* a body has no lines */
         count +=
             strcmp(note->text, text) == 0 && (!entity || strcmp(note->entity, entity) == 0);
     }
@@ -367,4 +369,19 @@ TEST(a_check_that_is_cancelled_anywhere_says_so_and_leaves_the_faults_as_they_we
         CHECK_INT(faults.gaps, -7);
     }
     batten_body_unref(box);
+}
+
+TEST(a_check_reports_each_allocation_that_fails)
+{
+    changed *c = begin_change();
+    batten_body *body = NULL;
+    batten_body_faults faults;
+    c->parts.face_count = c->parts.loop_count = 1;
+    c->parts.use_count = 4;
+    c->shells[0] = (batten_body_shell){0, 1, false};
+    c->parts.is_solid = false;
+    CHECK_OK(batten_body_create(&c->parts, &body));
+    CHECK_EACH_ALLOCATION(batten_body_check(body, 1e-6, NULL, NULL, &faults));
+    batten_body_unref(body);
+    batten_body_unref(c->box);
 }

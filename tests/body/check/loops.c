@@ -199,6 +199,7 @@ TEST(G8_a_crossing_is_named_with_its_place)
     if (batten_notes_dropped(notes) == 0) {
         CHECK(batten_notes_count(notes) >= 2);
         CHECK_TEXT(batten_notes_at(notes, 0)->entity, "face 1 \"sheet\"");
+        CHECK_INT(batten_notes_at(notes, 0)->line, 0);
         CHECK_CONTAINS(batten_notes_at(notes, 0)->text,
                        "edges 2 and 8 of its loops 1 and 2 cross at (u, v) = (4, 1)");
     }

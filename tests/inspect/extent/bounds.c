@@ -339,3 +339,42 @@ TEST(boxes_of_surfaces_of_unequal_degrees_touch_them)
         batten_surface_unref(surface);
     }
 }
+
+/* The least area of a rectangle, in steps of a degree, around what is seen along an axis, times the height. */
+static double least_upright(int count, const double *points, int axis)
+{
+    double least = HUGE_VAL, low[3] = {0}, high[3] = {0};
+    for (int degree = 0; degree < 90; degree++) {
+        const double c = cos(PI * degree / 180), s = sin(PI * degree / 180);
+        for (int i = 0; i < count; i++) {
+            const double *p = points + 3 * i;
+            const double x = p[(axis + 1) % 3], y = p[(axis + 2) % 3],
+                         seen[3] = {c * x + s * y, c * y - s * x, p[axis]};
+            for (int k = 0; k < 3; k++) {
+                low[k] = i == 0 ? seen[k] : fmin(low[k], seen[k]);
+                high[k] = i == 0 ? seen[k] : fmax(high[k], seen[k]);
+            }
+        }
+        least = fmin(least, (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]));
+    }
+    return least;
+}
+
+TEST(no_box_with_an_upright_axis_is_smaller_than_the_oriented_one)
+{
+    enum { CORNERS = 6 };
+    test_random random = test_random_begin("oriented boxes of polygons");
+    for (int n = test_cases(60); n > 0; n--) {
+        double points[3 * CORNERS];
+        batten_curve *curve = NULL;
+        batten_oriented_box box;
+        for (int i = 0; i < 3 * CORNERS; i++)
+            points[i] = test_random_in(&random, -1, 1) * (i % 3 == n % 3 ? 0.2 : 1);
+        CHECK_OK(batten_curve_polyline((batten_points){3, CORNERS, points}, &curve));
+        CHECK_OK(batten_curve_oriented_box(curve, 1e-6, &box));
+        const double volume = 8 * box.half[0] * box.half[1] * box.half[2];
+        for (int axis = 0; axis < 3; axis++)
+            CHECK(volume <= least_upright(CORNERS, points, axis) * (1 + 1e-6));
+        batten_curve_unref(curve);
+    }
+}

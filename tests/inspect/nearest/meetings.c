@@ -256,3 +256,30 @@ TEST(two_places_of_one_curve_at_one_point_of_the_other_are_told_apart_by_their_p
     batten_curve_unref(round);
     batten_curve_unref(line);
 }
+
+/* The parabola y = a x^2 and the line y = -2: nearest at the apex, where the curve bends away from the line. */
+TEST(a_curve_that_bends_away_is_nearest_at_its_apex)
+{
+    static const double bends[] = {0.25, 1, 4};
+    for (int i = 0; i < 2 * COUNT(bends); i++) {
+        const double a = bends[i / 2], from = -1, to = 1.5;
+        /* Bernstein points of x and a x^2 over x = -1 .. 1.5 */
+        const double parabola[9] = {
+            from, a * from * from, 0.1, (from + to) / 2, a * from * to, 0.1,
+            to,   a * to * to,     0.1};
+        const double knots[] = {0, 0, 0, 1, 1, 1}, low[3] = {-3, -2, 0.1},
+                     high[3] = {2, -2, 0.1};
+        batten_curve *pair[2] = {NULL, NULL};
+        CHECK_OK(
+            batten_curve_create((batten_points){3, 3, parabola}, 2, NULL, knots, &pair[i % 2]));
+        CHECK_OK(batten_curve_line(3, low, high, &pair[1 - i % 2]));
+        const bat_meetings m = meet(pair[0], pair[1], 1e-9);
+        CHECK_INT(m.count, 0);
+        CHECK_NEAR(m.nearest.distance, 2, 1e-14);
+        CHECK_NEAR(m.nearest.at[i % 2], 0.4, 2e-8);
+        CHECK_NEAR(m.nearest.at[1 - i % 2], 0.6, 2e-8);
+        CHECK_NEAR(m.nearest.point[i % 2][1], 0, 1e-14);
+        batten_curve_unref(pair[0]);
+        batten_curve_unref(pair[1]);
+    }
+}
