@@ -196,9 +196,10 @@ static double stated_accuracy(const bat_step_file *file, const bat_step_instance
         double value = 0, factor = 0;
         if (bat_step_item_reference(file, record, &at, &measure) != BATTEN_OK)
             return 0;
-        const bat_step_record *of = bat_step_as(file, measure, "UNCERTAINTY_MEASURE_WITH_UNIT");
-        if (of && bat_step_argument_count(file, of) < 2)
-            of = bat_step_as(file, measure, "MEASURE_WITH_UNIT");
+        const bat_step_record *of = bat_step_as(file, measure, "UNCERTAINTY_MEASURE_WITH_UNIT"),
+                              *above = bat_step_as(file, measure, "MEASURE_WITH_UNIT");
+        if (of && above) /* the complex form: value and unit stand there */
+            of = above;
         if (of && bat_step_get_real(file, of, 0, &value) == BATTEN_OK && value > 0 &&
             bat_step_get_reference(file, of, 1, &unit) == BATTEN_OK &&
             unit_of(file, unit, &factor, &noted) == LENGTH)
