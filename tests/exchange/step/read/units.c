@@ -70,7 +70,7 @@ TEST(points_far_off_all_vertices_do_not_make_a_file_large)
     "#15=PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.0174532925),#12);\n"    \
     "#16=DIMENSIONAL_EXPONENTS(0.,0.,0.,0.,0.,0.,0.);\n"                             \
     "#17=(CONVERSION_BASED_UNIT('INCH',#18)LENGTH_UNIT()NAMED_UNIT(#16));\n"         \
-    "#18=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#10);\n"                \
+    "#18=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#10);\n"                      \
     "#19=CONVERSION_BASED_UNIT(#16,'FOOT',#20);\n"                                   \
     "#20=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(12.),#17);\n"                       \
     "#21=SI_UNIT(*,.CENTI.,.METRE.);\n#22=SI_UNIT(*,.LARGE.,.METRE.);\n"             \
