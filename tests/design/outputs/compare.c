@@ -1,7 +1,5 @@
-#include "design/evaluate.h"
 #include "design/expect.h"
-
-#include <stdlib.h>
+#include "design/picture_size.h"
 
 /* Comparisons of curves whose bending has a closed form. Of y = x^2 from -1 to 1 the energy is 4 (s - s^3 / 3) and the
  * variation 144 (s^3 / 3 - 3 s^5 / 5 + 3 s^7 / 7 - s^9 / 9) with s = 2 / sqrt 5, the largest curvature 2. */
@@ -77,28 +75,12 @@ TEST(comparisons_have_the_energies_counts_and_lengths_of_their_curves)
     EXPECT_OUTPUTS(curves, tables);
 }
 
-/* A comparison as a picture, in bytes. */
-static size_t picture_size(const char *settings)
-{
-    char text[1500];
-    batten_design *design = NULL;
-    char *data = NULL;
-    size_t size = 0;
-    snprintf(text, sizeof text,
-             "batten: 1\nunits: m\nfeatures:\n%soutputs:\n  a.svg: {compare: %s}\n", curves,
-             settings);
-    CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
-    CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
-    batten_release(data);
-    batten_design_free(design);
-    return size;
-}
-
 TEST(pictures_of_comparisons_have_combs_titles_and_a_panel_for_each_curve)
 {
-    const size_t plain = picture_size("bow");
-    CHECK(plain == picture_size("bow, comb: yes"));
-    CHECK(plain > picture_size("bow, comb: no"));
-    CHECK(plain < picture_size("bow, title: Four ways"));
-    CHECK(picture_size("[bow, upright], comb: no") > picture_size("bow, comb: no"));
+    const size_t plain = picture_size(curves, "compare: bow");
+    const size_t bare = picture_size(curves, "compare: bow, comb: no");
+    CHECK(plain == picture_size(curves, "compare: bow, comb: yes"));
+    CHECK(plain > bare);
+    CHECK(plain < picture_size(curves, "compare: bow, title: Four ways"));
+    CHECK(picture_size(curves, "compare: [bow, upright], comb: no") > bare);
 }

@@ -1,4 +1,5 @@
 #include "design/evaluate.h"
+#include "design/picture_size.h"
 
 #include <math.h>
 #include <string.h>
@@ -128,30 +129,13 @@ TEST(contours_that_cannot_be_are_refused)
     CHECK(!design);
 }
 
-/* How large a picture with these settings is, in bytes. */
-static size_t picture_size(const char *settings)
-{
-    char text[400];
-    batten_design *design = NULL;
-    char *data = NULL;
-    size_t size = 0;
-    snprintf(text, sizeof text,
-             "batten: 1\nfeatures:\n  sheet: {bilinear: [[0, 0, 0], [1, 0, 1], [1, 1, 0], "
-             "[0, 1, 1]]}\n"
-             "outputs:\n  a.svg: {picture: sheet, contours: height%s}\n",
-             settings);
-    CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
-    CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
-    batten_release(data);
-    batten_design_free(design);
-    return size;
-}
-
 TEST(pictures_of_contours_have_isolines_only_when_asked_for)
 {
-    const size_t plain = picture_size("");
-    CHECK(plain == picture_size(", isolines: 1"));
-    CHECK(plain < picture_size(", isolines: 10"));
+    static const char sheet[] =
+        "  sheet: {bilinear: [[0, 0, 0], [1, 0, 1], [1, 1, 0], [0, 1, 1]]}\n";
+    const size_t plain = picture_size(sheet, "picture: sheet, contours: height");
+    CHECK(plain == picture_size(sheet, "picture: sheet, contours: height, isolines: 1"));
+    CHECK(plain < picture_size(sheet, "picture: sheet, contours: height, isolines: 10"));
 }
 
 TEST(highlight_lines_that_end_within_the_surface_say_why)
