@@ -11,30 +11,17 @@
 
 static void add_option(batten_text *text, const option *o)
 {
-    char head[128];
-    const size_t size = sizeof head;
-    size_t used = 0;
+    const size_t begin = text->length;
     const bool has_value = o->kind == OPTION_VALUE || o->kind == OPTION_MANY;
     const bool is_long = has_value && strlen(o->value) > 24;
-    const char *parts[] = {"  --", o->name,
-                           has_value                  ? " "
-                           : o->kind == OPTION_SWITCH ? "[=no]"
-                                                      : "",
-                           !has_value ? ""
-                           : is_long  ? "WORD"
-                                      : o->value};
-    head[0] = 0;
-    for (int i = 0; i < 4; i++) {
-        const size_t length = strlen(parts[i]);
-        if (used + length + 1 < size)
-            memcpy(head + used, parts[i], length + 1);
-        used += length;
-    }
-    char letter[8] = "";
+    batten_text_add(text, "  --%s", o->name);
+    if (has_value)
+        batten_text_add(text, " %s", is_long ? "WORD" : o->value);
+    else if (o->kind == OPTION_SWITCH)
+        batten_text_add(text, "[=no]");
     if (o->letter)
-        memcpy(letter, (char[]){',', ' ', '-', o->letter, 0}, 5);
-    batten_text_add(text, "%s%s", head, letter);
-    for (size_t column = used + strlen(letter); column < 26; column++)
+        batten_text_add(text, ", -%c", o->letter);
+    for (size_t column = text->length - begin; column < 26; column++)
         batten_text_add(text, " ");
     batten_text_add(text, "  %s", o->help);
     if (is_long)

@@ -44,13 +44,11 @@ static bool read_method(const char *word, size_t length, method *out)
     batten_text name = BATTEN_TEXT, values = BATTEN_TEXT;
     batten_text_add(&name, "%s", copy);
     for (char *at = settings; at; at = settings) {
-        char *equals = strchr(at, '=');
         settings = cut_setting(at);
-        if (!equals || (settings && equals > settings))
-            equals = at + strlen(at);
+        const char *equals = strchr(at, '=');
         batten_text_add(&name, " %s", at);
-        batten_text_add(&values, ", %.*s: %s", (int)(equals - at), at,
-                        *equals ? equals + 1 : "yes");
+        batten_text_add(&values, ", %.*s: %s", (int)strcspn(at, "="), at,
+                        equals ? equals + 1 : "yes");
     }
     const bool fits = keep_method(&name, &values, out);
     batten_text_free(&name);

@@ -240,10 +240,10 @@ static const double lost = 64 * DBL_EPSILON;
 
 bat_spread bat_spread_of(int count, const double *points, size_t step)
 {
-    /* A power of two by which coordinates are at most some 1, and their squares are numbers. */
+    /* A power of two by which coordinates are at most some 1, and their squares are numbers; its inverse is one,
+     * too. */
     const double largest = largest_coordinate(count, points, step);
-    const int exponent =
-        largest > 0 ? bat_max_int(-1000, bat_min_int(1000, ilogb(largest))) : 0;
+    const int exponent = largest > 0 ? bat_max_int(DBL_MIN_EXP, ilogb(largest)) : 0;
     const double scale = ldexp(1, -exponent);
     double least = HUGE_VAL, most = 0; /* squares */
     bat_spread spread = {.largest = largest};

@@ -62,7 +62,7 @@ void bat_report_surface_fit(bat_run *run, const batten_surface_fit_report *repor
                  report->outside, report->outside_share, report->outside_at[0],
                  report->outside_at[1], report->outside_at[2]);
     if (report->empty > 0)
-        bat_remark(run, "%d cell%s between knots: there the surface only bends little",
-                   report->empty,
-                   bat_one_or_many(report->empty, " holds no point", "s hold no point"));
+        bat_remark(run, "%d %s no point: there the surface only bends little", report->empty,
+                   bat_one_or_many(report->empty, "cell between knots holds",
+                                   "cells between knots hold"));
 }

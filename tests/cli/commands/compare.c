@@ -54,6 +54,19 @@ TEST(compare_takes_settings_behind_colons)
     CHECK_CONTAINS(run.out, "\"energy\": ");
 }
 
+/* A setting without a value is 'yes', wherever the next has one. */
+TEST(compare_takes_settings_without_a_value)
+{
+    const char *points = write_points(), *picture = test_scratch("closed.svg");
+    const test_process run = RUN("batten", "compare", points, "-o", picture, "-m",
+                                 "interpolate:periodic:parameters=chord,biarcs:joint=given:"
+                                 "place=0.25:closed",
+                                 "--json");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "\"name\": \"interpolate periodic parameters=chord\"");
+    CHECK_CONTAINS(run.out, "\"name\": \"biarcs joint=given place=0.25 closed\"");
+}
+
 TEST(compare_takes_lists_in_brackets)
 {
     const char *points = write_points(), *picture = test_scratch("lists.svg");
