@@ -221,6 +221,23 @@ TEST(a_mass_floats_and_rights_itself)
     batten_release(data);
 }
 
+/* With its mass above the metacentre it capsizes; where it rests is upright all the same. */
+TEST(a_hull_that_is_top_heavy_rests_upright_and_is_not_stable)
+{
+    char *data = NULL;
+    CHECK_OK(report("a.json: {hydrostatics: half, draughts: 2, mass: 205, "
+                    "gravity: [10, 0, 5.5], heels: 5 deg}",
+                    NULL, &data));
+    const char *afloat = strstr(data, "\"afloat\"");
+    CHECK_NEAR(number(afloat, "\"draught\": "), sqrt(8), 1e-8);
+    CHECK_NEAR(number(afloat, "\"heel\": "), 0, 0);
+    CHECK_NEAR(number(afloat, "\"GMT\": "), sqrt(8) * 2 / 3 + 6.25 * 8 / (6 * sqrt(8)) - 5.5,
+               1e-8);
+    CHECK_CONTAINS(afloat, "\"stable\": false}");
+    CHECK(number(afloat, "\"GZ\": ") < 0);
+    batten_release(data);
+}
+
 /* What is asked for is in every form. */
 TEST(arms_and_lids_are_in_tables_and_json_too)
 {

@@ -11,6 +11,8 @@ static const char curves[] = "  s: {line: [[0, 0], [4, 0]]}\n"
                              "  e2: {line: [[4, 1], [4, 3]]}\n"
                              "  gap: {line: [[0, 3], [0, 0.5]]}\n"
                              "  beside: {bilinear: [[0, 0], [4, 0], [4, -2], [0, -2]]}\n"
+                             "  ds: {line: [[0, 3, 0], [0, 3, 6]]}\n"
+                             "  dn: {line: [[0, -3, 4], [0, -3, 8]]}\n"
                              "  far: {bilinear: [[0, 10], [4, 10], [4, 12], [0, 12]]}\n";
 
 TEST(sides_of_a_patch_may_run_either_way_and_have_parts)
@@ -33,4 +35,22 @@ TEST(sides_of_a_patch_may_run_either_way_and_have_parts)
          "a patch of the first kind takes no slopes from 'along'"},
     };
     EXPECT(curves, rows);
+}
+
+TEST(slopes_stand_for_the_curve_of_their_place_and_run_as_it_does)
+{
+    static const expect_row rows[] = {
+        {"{coons: [s, e, n, w], kind: second, slopes: [ds, de, dn, dw, ds]}",
+         BATTEN_BAD_ARGUMENT, "there are 5 'slopes' for 4 curves"},
+        {"{coons: [s, e, n, w], kind: first, slopes: [ds]}", BATTEN_BAD_ARGUMENT,
+         "a patch of the first kind takes no 'slopes'"},
+        {"{coons: [s, e1, e2, n, w], sides: [1, 2, 1, 1], kind: second, slopes: [ds, ds]}",
+         BATTEN_BAD_ARGUMENT,
+         "'ds' is the slope of curve 2, which shares its side with others: join them first"},
+    };
+    static const char more[] = "  de: {line: [[-4, 0], [-4, 0, 1]]}\n"
+                               "  dw: {line: [[4, 0], [4, 0, 1]]}\n";
+    char before[2000];
+    snprintf(before, sizeof before, "%s%s", curves, more);
+    EXPECT(before, rows);
 }

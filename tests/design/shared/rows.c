@@ -1,8 +1,10 @@
 #include "design/shared/rows.h"
 
+#include "design/text/document.h"
 #include "support/test.h"
 
 #include <batten/standard.h>
+#include <math.h>
 #include <string.h>
 
 TEST(a_flat_row_goes_into_its_plane_and_back)
@@ -68,4 +70,98 @@ TEST(a_curve_in_its_plane_keeps_two_coordinates)
         batten_curve_unref(plane);
         batten_curve_unref(line);
     }
+}
+
+/* ---- how far points are from each other ---- */
+
+/* Distances 5, 0, 13, 1 from each to the next. */
+static const double spread_row[5][3] = {
+    {1, 1, 0}, {4, 5, 0}, {4, 5, 0}, {4, 0, 12}, {4, 0, 13}};
+
+TEST(neighbours_are_as_far_apart_as_their_squares_say_at_any_scale)
+{
+    static const int scales[] = {0, 1019, -1000, -1074};
+    for (int s = 0; s < COUNT(scales); s++)
+        for (size_t step = 1; step <= 2; step++) {
+            double points[5 * 6] = {0};
+            for (size_t i = 0; i < 5; i++)
+                for (size_t k = 0; k < 3; k++)
+                    points[3 * step * i + k] = ldexp(spread_row[i][k], scales[s]);
+            const bat_spread spread = bat_spread_of(5, points, step);
+            CHECK_BITS(spread.least, ldexp(1, scales[s]));
+            CHECK_BITS(spread.most, ldexp(13, scales[s]));
+            CHECK_BITS(spread.largest, ldexp(13, scales[s]));
+            CHECK_INT(spread.at, 3);
+        }
+    CHECK_BITS(bat_spread_of(3, &spread_row[0][0], 1).least, 5);
+    CHECK_INT(bat_spread_of(4, &spread_row[0][0], 1).at, 0);
+    CHECK_BITS(bat_spread_of(1, &spread_row[0][0], 1).most, 0);
+    CHECK(bat_spread_of(2, (const double[]){0, 0, 0, 0, 0, 0}, 1).most == 0);
+}
+
+TEST(points_are_uneven_when_one_distance_is_more_than_a_million_times_another)
+{
+    CHECK(!bat_spread_is_uneven(&(bat_spread){.least = 2, .most = 2e6}));
+    CHECK(bat_spread_is_uneven(&(bat_spread){.least = 2, .most = 2.000001e6}));
+}
+
+/* With 2e-14 of the largest coordinate lost, and neighbours a millionth as far apart as others. */
+static const struct {
+    double points[9];
+    const char *notes[2];
+} reaches[] = {
+    {{0, 0, 0, 1, 0, 0, 1, 0, 2}, {NULL, NULL}},
+    {{0, 0, 0, 0, 0, 3, 0, 1e-6, 3},
+     {"'row': points 2 and 3 are 1e-06 apart, others up to 3; curves through such points may turn "
+      "sharply between them: 'thin-points' merges what is meant to be one",
+      NULL}},
+    {{0, 0, 0, 0, -1e10, 0, 1, 0, 0},
+     {"'row': coordinates of up to 1e+10 lose 0.00014 to rounding, more than the tolerance 0.0001; "
+      "move the points towards the origin, or ask for less",
+      NULL}},
+    {{0, 0, 0, 0, -1e9, 0, 1, -1e9, 0},
+     {"'row': points 2 and 3 are 1 apart, others up to 1e+09; curves through such points may turn "
+      "sharply between them: 'thin-points' merges what is meant to be one",
+      NULL}},
+    {{1e10, 0, 0, 0, 0, 0, 0, 0, 1},
+     {"'row': points 2 and 3 are 1 apart, others up to 1e+10; curves through such points may turn "
+      "sharply between them: 'thin-points' merges what is meant to be one",
+      "'row': coordinates of up to 1e+10 lose 0.00014 to rounding, more than the tolerance 0.0001; "
+      "move the points towards the origin, or ask for less"}},
+};
+
+TEST(points_that_rounding_or_their_spacing_endangers_are_noted_with_their_figures)
+{
+    const bat_document document = {.file_name = "", .tolerance = 1e-4};
+    for (int i = 0; i < COUNT(reaches); i++) {
+        batten_notes *notes = NULL;
+        CHECK_OK(batten_notes_create(4, &notes));
+        const bat_run run = {.name = "a", .document = &document, .notes = notes};
+        bat_note_spacing(&run, "row", 3, reaches[i].points);
+        const int count = (reaches[i].notes[0] != NULL) + (reaches[i].notes[1] != NULL);
+        CHECK_INT(batten_notes_count(notes) + batten_notes_dropped(notes), count);
+        for (int k = 0; k < count && batten_notes_dropped(notes) == 0; k++)
+            CHECK_TEXT(batten_notes_at(notes, k)->text, reaches[i].notes[k]);
+        batten_notes_free(notes);
+    }
+}
+
+TEST(the_largest_coordinate_is_from_1e_90_to_1e90_or_0)
+{
+    static const struct {
+        double coordinate;
+        bool fits;
+    } cases[] = {{0, true},    {1e-90, true}, {-1e-90, true},   {0.99e-90, false},
+                 {1e90, true}, {-1e90, true}, {1.01e90, false}, {-2e90, false}};
+    for (int i = 0; i < COUNT(cases); i++)
+        for (int k = 0; k < 6; k++) {
+            double points[6] = {0};
+            points[k] = cases[i].coordinate;
+            CHECK_STATUS(bat_points_check_size(2, points),
+                         cases[i].fits ? BATTEN_OK : BATTEN_BAD_ARGUMENT);
+        }
+    CHECK_STATUS(bat_points_check_size(1, (const double[]){0, -3e95, 0}), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE(
+        "the largest coordinate is 3e+95; from 1e-90 to 1e+90 can be worked with: choose "
+        "another unit");
 }
