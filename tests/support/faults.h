@@ -9,9 +9,18 @@
  * Each time before that it must report BATTEN_OUT_OF_MEMORY and give back all it took. The
  * first 100 allocations each have their turn, later ones in steps of an eighth.
  */
-#define CHECK_EACH_ALLOCATION(call)                                      \
+#define CHECK_EACH_ALLOCATION(call) TEST_FAULTS(call, false)
+
+/*
+ * The same for a call that keeps nothing and that looks at its result where it succeeds: goes on
+ * beyond allocations that it can do without. A failure that is passed over, so that the result is
+ * another one, is noticed by that look alone.
+ */
+#define CHECK_ALL_ALLOCATIONS(call) TEST_FAULTS(call, true)
+
+#define TEST_FAULTS(call, beyond)                                        \
     do {                                                                 \
-        test_fault fault_ = {0};                                         \
+        test_fault fault_ = {.goes_on = beyond};                         \
         do {                                                             \
             test_fault_arm(&fault_);                                     \
             fault_.status = (call);                                      \
@@ -19,8 +28,9 @@
     } while (0)
 
 typedef struct test_fault {
-    long at;  /* which allocation of the call fails, from 1 */
-    int live; /* blocks before the call */
+    bool goes_on; /* beyond a success without the allocation that failed */
+    long at;      /* which allocation of the call fails, from 1 */
+    int live;     /* blocks before the call */
     batten_status status;
 } test_fault;
 

@@ -139,3 +139,26 @@ TEST(points_and_endless_curves_have_no_path)
         batten_curve_unref(curves[i]);
     }
 }
+
+TEST(a_part_that_continues_beyond_the_seam_is_two_ranges)
+{
+    static const struct {
+        double from, to;
+        int count;
+        batten_interval ranges[2];
+    } rows[] = {
+        {2, 3, 1, {{2, 3}}},     {2.5, 6, 1, {{2.5, 6}}},         /* up to the seam */
+        {6, 7, 1, {{2, 3}}},     {5, 6.5, 2, {{5, 6}, {2, 2.5}}}, /* from it, and over it */
+        {7, 9.5, 1, {{3, 5.5}}},
+    };
+    const bat_arcs_path p = {.domain = {2, 6}, .closed = true, .smooth_seam = true};
+    for (int i = 0; i < COUNT(rows); i++) {
+        const bat_arcs_part part = {.from = rows[i].from, .to = rows[i].to};
+        batten_interval ranges[2];
+        CHECK_INT(bat_arcs_ranges(&p, &part, ranges), rows[i].count);
+        for (int k = 0; k < rows[i].count; k++) {
+            CHECK_NEAR(ranges[k].a, rows[i].ranges[k].a, 0);
+            CHECK_NEAR(ranges[k].b, rows[i].ranges[k].b, 0);
+        }
+    }
+}
