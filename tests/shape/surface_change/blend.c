@@ -283,3 +283,30 @@ TEST(the_report_of_a_blend_has_the_curvature_that_jumps_at_both_ends)
         batten_surface_unref(a);
     }
 }
+
+/* (u^2, v, z): it comes to rest where it begins. */
+static batten_surface *make_resting(double x, double z)
+{
+    const double slow[] = {0, 0, 0, 1, 1, 1}, knots[] = {0, 0, 1, 1};
+    const double points[] = {x, 0, z, x, 1, z, x, 0, z, x, 1, z, x + 1, 0, z, x + 1, 1, z};
+    const batten_axis u = {2, 3, slow, false}, v = {1, 2, knots, false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &u, &v, points, NULL, &surface));
+    return surface;
+}
+
+TEST(G5_a_surface_that_rests_at_its_edge_is_refused_by_its_number)
+{
+    batten_surface *a = make_resting(0, 0), *b = make_resting(5, 1), *made = NULL;
+    const batten_surface *const pair[2] = {a, b};
+    batten_surface_blend_end ends[2];
+    set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 1);
+    CHECK_STATUS(batten_surfaces_blend(pair, ends, 1e-6, NULL, &made), BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("surface 2 stands still across its edge: its mean speed there is 0");
+    set_ends(ends, BATTEN_EDGE_U0, BATTEN_EDGE_U1, 1);
+    CHECK_STATUS(batten_surfaces_blend(pair, ends, 1e-6, NULL, &made), BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("surface 1 stands still across its edge");
+    CHECK(!made);
+    batten_surface_unref(a);
+    batten_surface_unref(b);
+}
