@@ -232,9 +232,11 @@ batten_status bat_network_redraw(const bat_network_curve *curve, int node_count,
     batten_status status = find_breaks(curve, node_count, parameters, &breaks, &count);
     for (int i = 0; status == BATTEN_OK && i + 1 < count; i++)
         status = add_stretch(&c, breaks[i], breaks[i + 1]);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
+        c.breaks[0] = breaks[0].u; /* where the first stretch was too short, too */
         status = batten_curve_from_bezier(3, (batten_pieces){3, c.count, c.breaks}, c.points,
                                           NULL, out);
+    }
     bat_release(breaks);
     bat_release(c.points);
     bat_release(c.breaks);
