@@ -4,6 +4,7 @@
  * @file
  * How smoothly curves go over into each other, and making them do so.
  */
+#include <batten/body.h>
 #include <batten/coons.h>
 
 #ifdef __cplusplus
@@ -92,6 +93,105 @@ typedef struct batten_continuities {
 BATTEN_API batten_status batten_curve_continuity(const batten_curve *curve,
                                                  const batten_curve_continuity_options *options,
                                                  batten_continuities *out);
+
+/* ---- the joins of a whole model ---- */
+
+/** The largest of a measure, and where; NaN where it is not known. */
+typedef struct batten_join_worst {
+    double value;
+    batten_vec3 at;
+} batten_join_worst;
+
+/**
+ * Where two shapes meet, and how smoothly. Of curves at one point, of surfaces everywhere along an edge: there
+ * angles are those between tangent planes, curvatures and rates those of the sections square to the edge, by
+ * the linkage curve theorem enough for all directions.
+ */
+typedef struct batten_join {
+    int shape[2]; /**< which curves, surfaces or faces; the same twice at a seam */
+    int side
+        [2];  /**< of curves 0 the start, 1 the end; of surfaces 0 u low, 1 u high, 2 v low, 3 v
+                       high; of faces -1 */
+    int part; /**< of surfaces: which of the two edges runs along a part of the other; -1: all
+                       meets all */
+    int edge; /**< of a body: which edge; else -1 */
+    int parametric; /**< of curves: the highest C^k, k <= 3; else -1 */
+    int geometric;  /**< the highest k <= 3 with G^k everywhere within the bounds; -1: a gap */
+    batten_join_worst gap;       /**< model units */
+    batten_join_worst angle;     /**< radians, 0 .. pi */
+    batten_join_worst curvature; /**< difference of the curvatures over the larger one */
+    batten_join_worst rate;      /**< difference of their rates by length over the larger one */
+    double curvature_difference; /**< the largest, 1 / length */
+    double rate_difference;      /**< the largest, 1 / length^2 */
+} batten_join;
+
+/** Release with batten_joins_release. */
+typedef struct batten_joins {
+    int count;
+    batten_join *at; /**< in order of shapes and sides */
+    bool left_out;   /**< there are more than 10,000 */
+} batten_joins;
+
+/**
+ * All places where ends of curves meet, found without being told which: those within `options->gap`.
+ *
+ * @param count  number of curves
+ * @param curves  [count], of one dimension
+ * @param options  what counts as equal; NULL for the defaults, the gap then a millionth of the size of all
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  release with batten_joins_release
+ * @return BATTEN_OK; NOT_COMPATIBLE when curves of several dimensions meet; BAD_ARGUMENT (options), CANCELLED,
+ * INCOMPLETE, OUT_OF_MEMORY
+ *
+ * Cost: count log count, and as batten_curves_continuity for each join.
+ */
+BATTEN_API batten_status batten_curves_joins(int count, const batten_curve *const *curves,
+                                             const batten_curve_continuity_options *options,
+                                             const batten_job *job, batten_joins *out);
+/**
+ * All common edges of surfaces, found without being told which: edges that run along each other within
+ * `options->gap` from end to end, or one of them along a part of the other. Seams of closed surfaces are among
+ * them; edges that are collapsed to a pole are not.
+ *
+ * Each is visited at 8 steps of every span and 32 at least; from the largest value found of each measure its
+ * greatest is followed between these places. Where a surface is singular only the gap is known.
+ *
+ * @param count  number of surfaces
+ * @param surfaces  [count], of one dimension
+ * @param options  what counts as equal; NULL for the defaults, the gap then a millionth of the size of all
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  release with batten_joins_release
+ * @return BATTEN_OK; BAD_ARGUMENT (options), CANCELLED, INCOMPLETE, OUT_OF_MEMORY
+ *
+ * Cost: count log count, and some 40 places of each join: of each two evaluations to order 3 and a foot on a
+ * curve.
+ * Source: [PW92] for the direction across.
+ */
+BATTEN_API batten_status batten_surfaces_joins(int count, const batten_surface *const *surfaces,
+                                               const batten_curve_continuity_options *options,
+                                               const batten_job *job, batten_joins *out);
+/**
+ * How smoothly faces continue across each edge that two of them share, or that is the seam of one.
+ *
+ * Both surfaces are looked at in the feet of the places of the edge, from its parameters where it has some;
+ * places as of batten_surfaces_joins. Of a seam without parameters only the gap is known. Edges without a curve,
+ * with one use, and with more than two are left out.
+ *
+ * @param body  any body
+ * @param options  what counts as equal; NULL for the defaults; a gap of 0: the tolerance of the body
+ * @param job  threads, progress, cancelling; NULL for one thread and no questions
+ * @param[out] out  in order of edges; `shape` are faces; release with batten_joins_release
+ * @return BATTEN_OK; BAD_ARGUMENT (options), CANCELLED, INCOMPLETE, OUT_OF_MEMORY
+ *
+ * Cost: some 40 places of each edge, with two feet on a surface each.
+ * Source: [PW92] for the direction across.
+ */
+BATTEN_API batten_status batten_body_joins(const batten_body *body,
+                                           const batten_curve_continuity_options *options,
+                                           const batten_job *job, batten_joins *out);
+
+/** Release joins, and empty them. */
+BATTEN_API void batten_joins_release(batten_joins *joins);
 
 typedef enum batten_match_kind {
     BATTEN_MATCH_GEOMETRIC, /**< G^k: tangent, curvature */

@@ -1,9 +1,9 @@
 /* How smoothly curves join: gap, angle, curvature and its rate, and what rounding hides. */
+#include "inspect/continuity.h"
 #include "inspect/affine/side.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include <batten/continuity.h>
 
 #include <float.h>
 #include <string.h>
@@ -176,8 +176,8 @@ static void compare(int d, const bat_side *l, const bat_side *r, double size,
     out->geometric = meets ? geometric_order(l, r, o, out) : -1;
 }
 
-static batten_status take_options(const batten_curve_continuity_options *given,
-                                  batten_curve_continuity_options *out)
+batten_status bat_continuity_bounds(const batten_curve_continuity_options *given,
+                                    batten_curve_continuity_options *out)
 {
     *out = batten_curve_continuity_defaults();
     const batten_status status = BAT_TAKE_OPTIONS(batten_curve_continuity_options, given, out);
@@ -202,7 +202,7 @@ batten_status batten_curves_continuity(const batten_curve *first, batten_curve_e
                                        batten_continuity *out)
 {
     batten_curve_continuity_options o;
-    batten_status status = take_options(options, &o);
+    batten_status status = bat_continuity_bounds(options, &o);
     if (status == BATTEN_OK && first->dimension != second->dimension)
         status = bat_fail(BATTEN_NOT_COMPATIBLE, "the curves have %d and %d dimensions",
                           first->dimension, second->dimension);
@@ -241,7 +241,7 @@ batten_status batten_curve_continuity(const batten_curve *curve,
                                       batten_continuities *out)
 {
     batten_curve_continuity_options o;
-    batten_status status = take_options(options, &o);
+    batten_status status = bat_continuity_bounds(options, &o);
     if (status != BATTEN_OK)
         return status;
     const int breaks = batten_curve_spans(curve, NULL);

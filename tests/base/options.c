@@ -154,6 +154,9 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     ROW(batten_surface_coons, batten_surface_coons, (sides, o, NULL, &surface)) \
     ROW(batten_surface_fill, batten_surface_fill, (0, &side, o, NULL, &surface)) \
     ROW(batten_curve_continuity, batten_curve_continuity, (s->line, o, &joins)) \
+    ROW(batten_curves_joins, batten_curve_continuity, (1, &line, o, NULL, &all_joins)) \
+    ROW(batten_surfaces_joins, batten_curve_continuity, (1, &plane, o, NULL, &all_joins)) \
+    ROW(batten_body_joins, batten_curve_continuity, (s->body, o, NULL, &all_joins)) \
     ROW(batten_arcs_from_chain, batten_arcs, (s->chain, o, NULL, &chain)) \
     ROW(batten_mesh_from_body, batten_mesh, (s->body, o, NULL, NULL, NULL, &mesh)) \
     ROW(batten_mesh_from_triangles, batten_mesh, (s->triangles, o, NULL, NULL, &mesh)) \
@@ -183,6 +186,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
     batten_curves curves = {0}; \
     batten_continuities joins = {0}; \
     batten_continuity join = {0}; \
+    batten_joins all_joins = {0}; \
     batten_fairness fairness = {0}; \
     batten_developable strip = {0}; \
     batten_unrolled unrolled = {0}; \
@@ -193,6 +197,7 @@ static const batten_rows no_rows = {2, 0, (const int[]){0}, dots};
 
 /* Whatever a call made all the same. */
 #define RELEASE_OUTPUTS \
+    batten_joins_release(&all_joins); \
     (void)plane, (void)rails, (void)no_curves, (void)net, (void)cloud, (void)along, (void)side, (void)sides; \
     (void)join, (void)fairness, (void)size, (void)strip, (void)unrolled, (void)fold, (void)triangles; \
     batten_surfaces_release(&surfaces); \

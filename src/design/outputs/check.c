@@ -38,7 +38,7 @@ static batten_status read_bounds(const bat_run *run, bat_fair_bounds *curves,
 {
     const batten_fairness_options standard = batten_fairness_defaults();
     *curves = (bat_fair_bounds){standard.angle, standard.curvature};
-    *edges = (bat_fair_bounds){BAT_EDGE_ANGLE, 0.05};
+    *edges = (bat_fair_bounds){BAT_EDGE_ANGLE, BAT_EDGE_CURVATURE};
     if (bat_has(run, "angle"))
         curves->angle = edges->angle = bat_number(run, "angle");
     if (bat_has(run, "curvature"))
@@ -94,17 +94,20 @@ const bat_feature bat_feature_check = {
          "require within the bound of fairing; of hulls, whose data are a table of offsets, how\n"
          "far edges are from the centre plane. Where ends of curves or whole edges of surfaces\n"
          "meet within the tolerance of the design: the gap g0, the angle g1 by which the direction\n"
-         "turns, in radians, the difference g2 of the curvatures as a part of the larger one, and\n"
-         "for curves the difference g3 of the rates of curvature. For bodies: edges of one face,\n"
-         "of two and of more, faces turned against each other, gaps between edges, vertices and\n"
-         "faces, loops that cross, shells that are open or inside out. For meshes: edges of one\n"
-         "triangle, of more than two, triangles turned against each other. With 'within' the gaps,\n"
-         "and the distances of edges from their faces, must not be larger, and none of the other\n"
-         "defects may occur except the free edges of sheets; so meshes must be closed. The verdict\n"
-         "says for what it is made: a curve, a family of curves, a hull or a free surface. Not\n"
-         "fair are corners and cusps of curves, creases where edges of surfaces meet (both beyond\n"
-         "'angle'), jumps of curvature (beyond 'curvature'), inflections in excess, and surfaces\n"
-         "that fold over. As JSON, with all digits, when the file ends in .json.",
+         "turns, in radians, the difference g2 of the curvatures as a part of the larger one, the\n"
+         "difference g3 of the rates of curvature, the order G0 to G3, and of several edges of\n"
+         "surfaces, or of faces of a body, the worst of each with its place; of surfaces\n"
+         "curvatures are those across the edge, within 0.1 degree and 5 percent. For bodies: edges\n"
+         "of one face, of two and of more, faces turned against each other, gaps between edges,\n"
+         "vertices and faces, loops that cross, shells that are open or inside out. For meshes:\n"
+         "edges of one triangle, of more than two, triangles turned against each other. With\n"
+         "'within' the gaps, and the distances of edges from their faces, must not be larger, and\n"
+         "none of the other defects may occur except the free edges of sheets; so meshes must be\n"
+         "closed. The verdict says for what it is made: a curve, a family of curves, a hull or a\n"
+         "free surface. Not fair are corners and cusps of curves, creases where edges of surfaces\n"
+         "meet (both beyond 'angle'), jumps of curvature (beyond 'curvature'), inflections in\n"
+         "excess, and surfaces that fold over. As JSON, with all digits, when the file ends in\n"
+         ".json.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"

@@ -151,12 +151,12 @@ static void judge_lofts(bat_check *check)
  * lower of the next, all along. */
 static bool is_declared(const bat_check *check, const bat_join *join)
 {
-    const bat_checked *a = check->objects + join->object[0],
-                      *b = check->objects + join->object[1];
+    const bat_checked *a = check->objects + join->of.shape[0],
+                      *b = check->objects + join->of.shape[1];
     const int v_low = 2, v_high = 3; /* sides, as of bat_side_name */
-    const int low = bat_min_int(join->side[0], join->side[1]),
-              high = bat_max_int(join->side[0], join->side[1]);
-    return a != b && a->panels_of >= 0 && a->panels_of == b->panels_of && join->part < 0 &&
+    const int low = bat_min_int(join->of.side[0], join->of.side[1]),
+              high = bat_max_int(join->of.side[0], join->of.side[1]);
+    return a != b && a->panels_of >= 0 && a->panels_of == b->panels_of && join->of.part < 0 &&
            low == v_low && high == v_high;
 }
 
@@ -170,14 +170,15 @@ static void judge_join(bat_check *check, bat_join *join)
         check->judged_count++;
         return;
     }
-    if (check->objects[join->object[0]].object->kind != BATTEN_OBJECT_SURFACE ||
-        !isfinite(join->g1))
+    if (check->objects[join->of.shape[0]].object->kind != BATTEN_OBJECT_SURFACE ||
+        !isfinite(join->of.angle.value))
         return;
     check->judged_count++;
-    u->largest_crease = bat_max(u->largest_crease, join->g1);
-    if (join->g1 > check->edge_bounds.angle)
+    u->largest_crease = bat_max(u->largest_crease, join->of.angle.value);
+    if (join->of.angle.value > check->edge_bounds.angle)
         u->creases++;
-    else if (join->g1 <= BAT_EDGE_ANGLE && join->g2 > check->edge_bounds.curvature)
+    else if (join->of.angle.value <= BAT_EDGE_ANGLE &&
+             join->of.curvature.value > check->edge_bounds.curvature)
         u->edge_jumps++;
 }
 

@@ -4,6 +4,7 @@
 #include "design/shared/rows.h"
 #include "design/shared/solids.h"
 #include "design/text/document.h"
+#include <batten/continuity.h>
 #include <batten/curvature.h>
 #include <batten/measure.h>
 #include <batten/text.h>
@@ -73,19 +74,11 @@ typedef struct {
     bat_edge edges[4];
 } bat_checked;
 
-/* Where two ends of curves meet, or two edges of surfaces, one of them all along its length.
- * NaN is what cannot be told: at a cusp, at a pole; g3 of surfaces. */
+/* Where two ends of curves or two edges of surfaces meet, or two faces of a body. */
 typedef struct {
-    int object[2];
-    int side[2]; /* see bat_side_name */
-    int part;    /* which of both edges runs along a part of the other; -1: all meets all */
-    double g0;   /* the gap */
-    double g1;   /* by how much tangents or tangent planes turn, in radians */
-    double g2;   /* difference of the curvatures (of surfaces across the edge), over the larger
-                    one */
-    double g3;   /* difference of the rates of curvature of curves, 1 / length^2 */
-    int parametric, geometric; /* of curves: C and G of the join; -1 of surfaces */
-    bool is_knuckle;           /* between panels of one lofting: declared to be sharp */
+    batten_join of;  /* `shape`: objects of the check, of a body the same one twice */
+    int face[2];     /* of a body; else -1 */
+    bool is_knuckle; /* between panels of one lofting: declared to be sharp */
 } bat_join;
 
 /* What keeps a result from being fair, over all that was judged. */
@@ -101,6 +94,8 @@ typedef struct {
 
 /* Edges of surfaces that turn by less are smooth, unless a bound is stated: 0.1 degrees. */
 #define BAT_EDGE_ANGLE (0.1 * BAT_PI / 180)
+/* Those whose curvatures differ by a smaller part of the larger one have no jump. */
+#define BAT_EDGE_CURVATURE 0.05
 
 /* What turns by more is a corner, steps by a larger part of the curvature a jump. */
 typedef struct {
@@ -116,9 +111,8 @@ typedef struct {
     int object_count;
     bat_checked *objects;
     int join_count;
-    bat_join *joins;     /* in the order of objects and sides */
-    bool joins_left_out; /* there are more */
-    int bounded_count;   /* distances of points given that were measured */
+    bat_join *joins;   /* in the order of objects, edges and sides */
+    int bounded_count; /* distances of points given that were measured */
     bool
         ok; /* no point given is farther than the bound, which was measured when there is one */
     int judged_count; /* curves, sections, and edges of surfaces that meet, that were judged */
@@ -164,6 +158,14 @@ batten_status bat_check_add_sections(bat_check *check, bat_checked *checked);
 batten_status bat_joins_find(bat_check *check);
 /* "start", "end" of a curve; "u low", "u high", "v low", "v high" of a surface. */
 const char *bat_side_name(const batten_object *object, int side);
+
+/* ---- report_joins.c ---- */
+
+/* Each join of curves and surfaces, how many joins have G0, G1 ..., and the worst of all. */
+void bat_joins_text(const bat_check *check, batten_text *out);
+/* The values of the keys "joins" and "worst_joins". */
+void bat_joins_json(const bat_check *check, batten_text *out);
+void bat_worst_joins_json(const bat_check *check, batten_text *out);
 
 /* ---- report.c, report_json.c ---- */
 

@@ -1,27 +1,9 @@
 /* The report of a check as a text for people: four digits, the same in every locale. */
 #include "base/plural.h"
 #include "design/outputs/corrections.h"
-#include "design/outputs/fairness.h"
+#include "design/outputs/report_parts.h"
 
 #include <string.h>
-
-static void add_rounded(batten_text *out, double value)
-{
-    if (value == 0 || !isfinite(value)) {
-        batten_text_number(out, value);
-        return;
-    }
-    const double places = 3 - floor(bat_log10(fabs(value)));
-    const double scale = bat_pow(10, fabs(places));
-    batten_text_number(out, places >= 0 ? round(value * scale) / scale
-                                        : round(value / scale) * scale);
-}
-
-static void add_length(batten_text *out, const bat_check *check, double value)
-{
-    add_rounded(out, value);
-    batten_text_add(out, " %s", bat_check_unit(check));
-}
 
 static void add_plural(batten_text *out, int count, const char *what)
 {
@@ -36,9 +18,9 @@ static void text_loft(batten_text *out, const bat_check *check, const batten_lof
     batten_text_add(out, "    ");
     add_plural(out, l->correction_count, "point");
     batten_text_add(out, " moved, at most ");
-    add_length(out, check, l->max_move);
+    bat_report_length(out, check, l->max_move);
     batten_text_add(out, ", in the mean ");
-    add_length(out, check, l->rms_move);
+    bat_report_length(out, check, l->rms_move);
     batten_text_add(out, "\n");
     for (int k = 0; k < bat_min_int(l->correction_count, MOST_CORRECTIONS); k++) {
         const bat_correction c = bat_loft_correction_at(l, k);
@@ -48,7 +30,7 @@ static void text_loft(batten_text *out, const bat_check *check, const batten_lof
     }
     batten_text_add(out, "    %d of %d sections with inflections in excess, of bulges above ",
                     l->cuts_in_excess, l->cut_count);
-    add_length(out, check, l->height);
+    bat_report_length(out, check, l->height);
     batten_text_add(out, "\n");
 }
 
@@ -62,14 +44,14 @@ static void text_feature(batten_text *out, const bat_check *check,
         add_plural(out, f->moved_count, f->control_points ? "control point" : "point");
         batten_text_add(out, f->control_points ? " moved, the curve by at most "
                                                : " moved, at most ");
-        add_length(out, check, f->max_move);
+        bat_report_length(out, check, f->max_move);
         batten_text_add(out, " (curve %d, %spoint %d)\n", f->worst_set + 1,
                         f->control_points ? "control " : "", f->worst_index + 1);
         batten_text_add(out, "    inflections in excess: %d before, %d after; energy ",
                         f->before.excess_inflections, f->after.excess_inflections);
-        add_rounded(out, f->before.energy);
+        bat_report_rounded(out, f->before.energy);
         batten_text_add(out, " before, ");
-        add_rounded(out, f->after.energy);
+        bat_report_rounded(out, f->after.energy);
         batten_text_add(out, " after\n");
         if (f->suspect_count) {
             batten_text_add(out, "    ");
@@ -81,13 +63,13 @@ static void text_feature(batten_text *out, const bat_check *check,
         text_loft(out, check, r->loft);
     if (r->skin) {
         batten_text_add(out, "    sections moved by at most ");
-        add_length(out, check, r->skin->error);
+        bat_report_length(out, check, r->skin->error);
         batten_text_add(out, "; %d inner knot%s along them, the exact union has %d\n",
                         r->skin->knot_count, bat_plural(r->skin->knot_count),
                         r->skin->exact_knot_count);
     } else if (r->has_error && !r->loft) {
         batten_text_add(out, "    error at most ");
-        add_length(out, check, r->error_max);
+        bat_report_length(out, check, r->error_max);
         batten_text_add(out, "\n");
     }
 }
@@ -103,7 +85,7 @@ static void text_fairness(batten_text *out, const batten_fairness *f)
     if (isinf(f->max_curvature))
         batten_text_add(out, "without bound");
     else
-        add_rounded(out, f->max_curvature);
+        bat_report_rounded(out, f->max_curvature);
     batten_text_add(out, ", energy ");
     if (f->corners) {
         batten_text_add(out, "infinite: ");
@@ -113,7 +95,7 @@ static void text_fairness(batten_text *out, const batten_fairness *f)
     } else if (f->energy_error > KNOWN * f->energy) {
         batten_text_add(out, "not known (infinite, or nearly so)");
     } else {
-        add_rounded(out, f->energy);
+        bat_report_rounded(out, f->energy);
     }
     if (f->curvature_jumps > 0) {
         batten_text_add(out, ", ");
@@ -129,12 +111,12 @@ static void text_distances(batten_text *out, const bat_check *check, const bat_c
         batten_text_add(out, "    distance from the %d point%s %s '%s': at most ", d->count,
                         bat_plural(d->count), d->is_faired ? "after fairing," : "given,",
                         d->feature);
-        add_length(out, check, d->max);
+        bat_report_length(out, check, d->max);
         batten_text_add(out, " (rms ");
-        add_rounded(out, d->rms);
+        bat_report_rounded(out, d->rms);
         batten_text_add(out, "), at ");
         for (int k = 0; k < 3; k++) {
-            add_rounded(out, d->worst[k]);
+            bat_report_rounded(out, d->worst[k]);
             batten_text_add(out, k < 2 ? ", " : "\n");
         }
     }
@@ -142,7 +124,7 @@ static void text_distances(batten_text *out, const bat_check *check, const bat_c
         const double at[3] = {c->fold.point.x, c->fold.point.y, c->fold.point.z};
         batten_text_add(out, "    it folds over near ");
         for (int k = 0; k < 3; k++) {
-            add_rounded(out, at[k]);
+            bat_report_rounded(out, at[k]);
             batten_text_add(out, k < 2 ? ", " : "\n");
         }
     }
@@ -150,7 +132,7 @@ static void text_distances(batten_text *out, const bat_check *check, const bat_c
         if (c->edges[i].is_near) {
             batten_text_add(out, "    the edge '%s' is at the centre plane within ",
                             c->edges[i].name);
-            add_length(out, check, c->edges[i].gap);
+            bat_report_length(out, check, c->edges[i].gap);
             batten_text_add(out, "\n");
         }
 }
@@ -179,11 +161,11 @@ static void text_family(batten_text *out, const bat_checked *c, const char *fami
         if (strcmp(s->family, family) != 0 || !s->found || s->excess == 0)
             continue;
         batten_text_add(out, "      %s at ", s->name);
-        add_rounded(out, s->at);
+        bat_report_rounded(out, s->at);
         batten_text_add(out, ": ");
         add_plural(out, s->visible, "visible inflection");
         batten_text_add(out, ", %d in excess; largest curvature ", s->excess);
-        add_rounded(out, s->fairness.max_curvature);
+        bat_report_rounded(out, s->fairness.max_curvature);
         batten_text_add(out, "\n");
     }
 }
@@ -193,9 +175,9 @@ static void text_triangle_joins(batten_text *out, const bat_check *check, const 
     batten_text_add(out, "; at ");
     add_plural(out, c->triangle_joins, "inner edge");
     batten_text_add(out, " gaps of at most ");
-    add_length(out, check, c->triangle_gap);
+    bat_report_length(out, check, c->triangle_gap);
     batten_text_add(out, ", normals turn by at most ");
-    add_rounded(out, c->triangle_angle);
+    bat_report_rounded(out, c->triangle_angle);
     batten_text_add(out, " rad");
 }
 
@@ -231,34 +213,6 @@ static void text_object(batten_text *out, const bat_check *check, const bat_chec
         text_family(out, c, families[k]);
 }
 
-static void text_join(batten_text *out, const bat_check *check, const bat_join *join)
-{
-    for (int k = 0; k < 2; k++) {
-        const batten_object *object = check->objects[join->object[k]].object;
-        batten_text_add(out, "%s%s%s, %s", k ? " and " : "  ",
-                        join->part == 1 - k ? "a part of " : "", object->name,
-                        bat_side_name(object, join->side[k]));
-    }
-    batten_text_add(out, ": gap ");
-    add_length(out, check, join->g0);
-    if (isfinite(join->g1)) {
-        batten_text_add(out, ", turning by ");
-        add_rounded(out, join->g1);
-        batten_text_add(out, " rad, ");
-        if (isfinite(join->g2)) {
-            batten_text_add(out, "curvatures differ by ");
-            add_rounded(out, join->g2);
-            batten_text_add(out, " of the larger");
-        } else {
-            batten_text_add(out, "curvatures not known at a %s",
-                            join->parametric >= 0 ? "cusp" : "pole");
-        }
-    }
-    if (join->parametric >= 0)
-        batten_text_add(out, ": C%d, G%d", join->parametric, join->geometric);
-    batten_text_add(out, "%s\n", join->is_knuckle ? ": a declared knuckle" : "");
-}
-
 /* What is judged: the demands on a hull are others than those on a curve. */
 static const char *purpose_of(const bat_check *check)
 {
@@ -287,7 +241,7 @@ static bool text_reason(batten_text *out, const char **separator, int count, con
 static void text_turn(batten_text *out, int count, double turn)
 {
     batten_text_add(out, count > 1 ? ", the sharpest of " : " of ");
-    add_rounded(out, turn * 180 / BAT_PI);
+    bat_report_rounded(out, turn * 180 / BAT_PI);
     batten_text_add(out, " degrees");
 }
 
@@ -343,7 +297,7 @@ static void text_solids(batten_text *out, const bat_check *check, int bodies, in
     if (bodies) {
         batten_text_add(out, "; bodies%s %s within ", meshes ? " and meshes" : "",
                         check->ok ? "hold together" : "do not hold together");
-        add_length(out, check, check->within);
+        bat_report_length(out, check, check->within);
     } else if (meshes == 1) {
         batten_text_add(out, "; the mesh is %s", check->ok ? "closed" : "not closed");
     } else {
@@ -368,12 +322,12 @@ static void text_bound(batten_text *out, const bat_check *check)
     }
     if (!check->bounded_count) {
         batten_text_add(out, "; there are no points to measure against ");
-        add_length(out, check, check->within);
+        bat_report_length(out, check, check->within);
         return;
     }
     batten_text_add(out, "; the points given %s ",
                     check->ok ? "lie within" : "lie farther than");
-    add_length(out, check, check->within);
+    bat_report_length(out, check, check->within);
     batten_text_add(out, check->ok ? " of the shape" : " from the shape");
 }
 
@@ -389,10 +343,7 @@ void bat_report_text(const bat_check *check, batten_text *out)
     batten_text_add(out, "\nThe result\n");
     for (int i = 0; i < check->object_count; i++)
         text_object(out, check, &check->objects[i]);
-    if (check->join_count)
-        batten_text_add(out, "\nWhat meets\n");
-    for (int i = 0; i < check->join_count; i++)
-        text_join(out, check, &check->joins[i]);
+    bat_joins_text(check, out);
     text_verdict(out, check);
     if (isfinite(check->within))
         text_bound(out, check);

@@ -1,25 +1,7 @@
 /* The report of a check as JSON, with all digits. */
 #include "base/plural.h"
 #include "design/outputs/corrections.h"
-#include "design/outputs/fairness.h"
-
-static void json_number(batten_text *out, const char *key, double value)
-{
-    batten_text_add(out, "\"%s\": ", key);
-    if (isfinite(value))
-        batten_text_number(out, value);
-    else
-        batten_text_add(out, "null");
-}
-
-static void json_point(batten_text *out, const char *key, const double *p)
-{
-    batten_text_add(out, "\"%s\": [", key);
-    for (int k = 0; k < 3; k++) {
-        batten_text_number(out, p[k]);
-        batten_text_add(out, k < 2 ? ", " : "]");
-    }
-}
+#include "design/outputs/report_parts.h"
 
 static void json_fairness(batten_text *out, const batten_fairness *f)
 {
@@ -29,24 +11,24 @@ static void json_fairness(batten_text *out, const batten_fairness *f)
         "\"curvature_extrema\": %d, ",
         f->fair ? "true" : "false", f->inflections, f->excess_inflections,
         f->curvature_extrema);
-    json_number(out, "jumps", f->jumps);
+    bat_report_number(out, "jumps", f->jumps);
     batten_text_add(out, ", ");
-    json_number(out, "energy", f->energy);
+    bat_report_number(out, "energy", f->energy);
     batten_text_add(out, ", ");
-    json_number(out, "variation", f->variation);
+    bat_report_number(out, "variation", f->variation);
     batten_text_add(out, ", ");
-    json_number(out, "max_curvature", f->max_curvature);
+    bat_report_number(out, "max_curvature", f->max_curvature);
     batten_text_add(
         out,
         ", \"corners\": %d, \"curvature_jumps\": %d, \"halts\": %d, \"cusps\": %d, \"unbounded\": %d, ",
         f->corners, f->curvature_jumps, f->halts, f->cusps, f->unbounded);
-    json_number(out, "energy_error", f->energy_error);
+    bat_report_number(out, "energy_error", f->energy_error);
     batten_text_add(out, ", ");
-    json_number(out, "variation_error", f->variation_error);
+    bat_report_number(out, "variation_error", f->variation_error);
     batten_text_add(out, ", ");
-    json_number(out, "largest_turn", f->largest_turn);
+    bat_report_number(out, "largest_turn", f->largest_turn);
     batten_text_add(out, ", ");
-    json_number(out, "largest_jump", f->largest_jump);
+    bat_report_number(out, "largest_jump", f->largest_jump);
     batten_text_add(out, "}");
 }
 
@@ -54,18 +36,18 @@ static void json_moves(batten_text *out, const batten_feature_result *r)
 {
     const batten_fair_report *f = r->fairing;
     batten_text_add(out, ", \"moved\": {");
-    json_number(out, "max", f->max_move);
+    bat_report_number(out, "max", f->max_move);
     batten_text_add(out, ", ");
-    json_number(out, "rms", f->rms_move);
+    bat_report_number(out, "rms", f->rms_move);
     batten_text_add(out, ", \"count\": %d, \"set\": %d, \"index\": %d, \"control_points\": %s}",
                     f->moved_count, f->worst_set, f->worst_index,
                     f->control_points ? "true" : "false");
     batten_text_add(out,
                     ", \"excess_inflections\": {\"before\": %d, \"after\": %d}, \"energy\": {",
                     f->before.excess_inflections, f->after.excess_inflections);
-    json_number(out, "before", f->before.energy);
+    bat_report_number(out, "before", f->before.energy);
     batten_text_add(out, ", ");
-    json_number(out, "after", f->after.energy);
+    bat_report_number(out, "after", f->after.energy);
     batten_text_add(out, "}, \"suspects\": %d", f->suspect_count);
 }
 
@@ -73,16 +55,16 @@ static void json_skin(batten_text *out, const batten_surface_skin_report *s)
 {
     static const char *const cures[] = {"none", "stretched", "rescaled", "polynomial"};
     batten_text_add(out, ", \"skin\": {");
-    json_number(out, "deviation", s->error);
+    bat_report_number(out, "deviation", s->error);
     batten_text_add(out, ", \"worst_section\": %d, \"exact_knots\": %d, \"knots\": %d, ",
                     s->worst_section, s->exact_knot_count, s->knot_count);
-    json_number(out, "span_ratio", s->span_ratio);
+    bat_report_number(out, "span_ratio", s->span_ratio);
     batten_text_add(out, ", ");
-    json_number(out, "normal_jump", s->normal_jump);
+    bat_report_number(out, "normal_jump", s->normal_jump);
     batten_text_add(out, ", ");
-    json_number(out, "speed_jump", s->speed_jump);
+    bat_report_number(out, "speed_jump", s->speed_jump);
     batten_text_add(out, ", ");
-    json_number(out, "crease", s->crease);
+    bat_report_number(out, "crease", s->crease);
     batten_text_add(out, ", \"cure\": \"%s\", \"reversed\": %d, \"turned\": %d, ",
                     cures[s->cure], s->reversed_count, s->turned_count);
     batten_text_add(out, "\"crossings\": %d, \"disorders\": %d}", s->crossing_count,
@@ -92,21 +74,21 @@ static void json_skin(batten_text *out, const batten_surface_skin_report *s)
 static void json_error(batten_text *out, const batten_feature_result *r)
 {
     batten_text_add(out, ", \"error\": {");
-    json_number(out, "max", r->error_max);
+    bat_report_number(out, "max", r->error_max);
     batten_text_add(out, ", ");
-    json_number(out, "rms", r->error_rms);
+    bat_report_number(out, "rms", r->error_rms);
     batten_text_add(out, "}");
 }
 
 static void json_loft(batten_text *out, const batten_loft_report *l)
 {
     batten_text_add(out, ", \"loft\": {");
-    json_number(out, "max", l->max_move);
+    bat_report_number(out, "max", l->max_move);
     batten_text_add(out, ", ");
-    json_number(out, "rms", l->rms_move);
+    bat_report_number(out, "rms", l->rms_move);
     batten_text_add(out, ", \"station\": %d, \"point\": %d, ", l->worst_station,
                     l->worst_index);
-    json_number(out, "height", l->height);
+    bat_report_number(out, "height", l->height);
     batten_text_add(out,
                     ", \"sections\": %d, \"in_excess\": %d, \"excess_inflections\": %d, "
                     "\"rounds\": %d, \"faired_error\": ",
@@ -146,11 +128,11 @@ static void json_distances(batten_text *out, const bat_checked *c)
         batten_text_json(out, d->feature);
         batten_text_add(out, ", \"faired\": %s, \"points\": %d, ",
                         d->is_faired ? "true" : "false", d->count);
-        json_number(out, "max", d->max);
+        bat_report_number(out, "max", d->max);
         batten_text_add(out, ", ");
-        json_number(out, "rms", d->rms);
+        bat_report_number(out, "rms", d->rms);
         batten_text_add(out, ", ");
-        json_point(out, "at", d->worst);
+        bat_report_point(out, "at", d->worst);
         batten_text_add(out, "}");
     }
     batten_text_add(out, "]");
@@ -162,7 +144,7 @@ static void json_surface(batten_text *out, const bat_checked *c)
     batten_text_add(out, ",\n     \"edges\": [");
     for (int i = 0; i < c->edge_count; i++) {
         batten_text_add(out, "%s{\"name\": \"%s\", ", i ? ", " : "", c->edges[i].name);
-        json_number(out, "gap", c->edges[i].gap);
+        bat_report_number(out, "gap", c->edges[i].gap);
         batten_text_add(out, ", \"at_centre\": %s}", c->edges[i].is_near ? "true" : "false");
     }
     batten_text_add(out, "],\n     \"sections\": [");
@@ -172,7 +154,7 @@ static void json_surface(batten_text *out, const bat_checked *c)
                         s->family);
         batten_text_json(out, s->name);
         batten_text_add(out, ", ");
-        json_number(out, "at", s->at);
+        bat_report_number(out, "at", s->at);
         if (s->found) {
             batten_text_add(out, ", ");
             batten_text_add(out, "\"visible_inflections\": %d, \"visible_excess\": %d, ",
@@ -189,9 +171,9 @@ static void json_triangles(batten_text *out, const bat_checked *c)
     batten_text_add(out, ", \"count\": %d, \"degree\": %d, \"inner_edges\": %d, ",
                     batten_triangles_count(c->object->triangles),
                     batten_triangles_degree(c->object->triangles), c->triangle_joins);
-    json_number(out, "gap", c->triangle_gap);
+    bat_report_number(out, "gap", c->triangle_gap);
     batten_text_add(out, ", ");
-    json_number(out, "angle", c->triangle_angle);
+    bat_report_number(out, "angle", c->triangle_angle);
 }
 
 static void json_object(batten_text *out, const bat_checked *c)
@@ -215,31 +197,6 @@ static void json_object(batten_text *out, const bat_checked *c)
     else if (c->distance_count)
         json_distances(out, c);
     batten_text_add(out, "}");
-}
-
-static void json_joins(batten_text *out, const bat_check *check)
-{
-    static const char *const keys[] = {"g0", "g1", "g2", "g3"};
-    for (int i = 0; i < check->join_count; i++) {
-        const bat_join *join = &check->joins[i];
-        const double values[] = {join->g0, join->g1, join->g2, join->g3};
-        for (int k = 0; k < 2; k++) {
-            const batten_object *object = check->objects[join->object[k]].object;
-            batten_text_add(out, k ? ", \"b\": " : "%s\n    {\"a\": ", i ? "," : "");
-            batten_text_json(out, object->name);
-            batten_text_add(out, ", \"%s\": \"%s\"", k ? "side_b" : "side_a",
-                            bat_side_name(object, join->side[k]));
-        }
-        for (int k = 0; k < 4; k++) {
-            batten_text_add(out, ", ");
-            json_number(out, keys[k], values[k]);
-        }
-        if (join->part >= 0)
-            batten_text_add(out, ", \"part\": \"%c\"", join->part ? 'b' : 'a');
-        if (check->objects[join->object[0]].object->kind == BATTEN_OBJECT_CURVE)
-            batten_text_add(out, ", \"c\": %d, \"g\": %d", join->parametric, join->geometric);
-        batten_text_add(out, "%s}", join->is_knuckle ? ", \"knuckle\": true" : "");
-    }
 }
 
 static void json_message(batten_text *out, const batten_note *note)
@@ -270,7 +227,7 @@ void bat_report_json(const bat_check *check, batten_text *out)
                     : bat_check_is_fair(check) ? "true"
                                                : "false",
                     bat_check_unit(check));
-    json_number(out, "within", check->within);
+    bat_report_number(out, "within", check->within);
     batten_text_add(out, ",\n  \"features\": [");
     for (int k = 0, count = 0; k < d->feature_count; k++)
         if (check->upstream[d->order[k]]) {
@@ -285,7 +242,9 @@ void bat_report_json(const bat_check *check, batten_text *out)
     batten_text_add(
         out, "\n  ],\n  \"creases\": %d, \"edge_jumps\": %d, \"folds\": %d,\n  \"joins\": [",
         check->unfairness.creases, check->unfairness.edge_jumps, check->unfairness.folds);
-    json_joins(out, check);
+    bat_joins_json(check, out);
+    batten_text_add(out, "],\n  \"worst_joins\": [");
+    bat_worst_joins_json(check, out);
     batten_text_add(out, "],\n  \"messages\": [");
     json_messages(out, check->run->notes);
     batten_text_add(out, "]\n}\n");

@@ -32,10 +32,10 @@ static const bat_join *join_of(checked_design *d, const double first[5], double 
     checked_run(d, HUGE_VAL);
     CHECK_INT(d->check.join_count, 1);
     const bat_join *join = d->check.joins;
-    CHECK(join->object[0] == 0 && join->object[1] == 1 && join->part == -1);
-    CHECK_TEXT(bat_side_name(d->check.objects[0].object, join->side[0]), "v low");
-    CHECK_TEXT(bat_side_name(d->check.objects[1].object, join->side[1]), "v low");
-    CHECK_NEAR(join->g0, 0, 1e-12);
+    CHECK(join->of.shape[0] == 0 && join->of.shape[1] == 1 && join->of.part == -1);
+    CHECK_TEXT(bat_side_name(d->check.objects[0].object, join->of.side[0]), "v low");
+    CHECK_TEXT(bat_side_name(d->check.objects[1].object, join->of.side[1]), "v low");
+    CHECK_NEAR(join->of.gap.value, 0, 1e-12);
     return join;
 }
 
@@ -47,8 +47,8 @@ TEST(where_a_closed_edge_meets_itself_the_place_that_agrees_best_counts)
         for (int k = 0; k < 2; k++) {
             checked_design d;
             const bat_join *join = join_of(&d, rises[i], k ? 0.5 : 2, rises[i], k ? 2 : 0.5);
-            CHECK_NEAR(join->g1, 0, 1e-9);
-            CHECK_NEAR(join->g2, 0, 1e-6);
+            CHECK_NEAR(join->of.angle.value, 0, 1e-9);
+            CHECK_NEAR(join->of.curvature.value, 0, 1e-6);
             CHECK_INT(d.check.unfairness.creases + d.check.unfairness.edge_jumps, 0);
             checked_close(&d);
         }
@@ -59,8 +59,8 @@ TEST(curvatures_across_a_closed_edge_differ_by_a_share_of_the_larger)
     static const double low[] = {1, 1, 1, 1, 2}, high[] = {4, 4, 4, 4, 8};
     checked_design d;
     const bat_join *join = join_of(&d, low, 2, high, 0.5);
-    CHECK_NEAR(join->g1, 0, 1e-9);
-    CHECK_NEAR(join->g2, 0.75, 1e-6);
+    CHECK_NEAR(join->of.angle.value, 0, 1e-9);
+    CHECK_NEAR(join->of.curvature.value, 0.75, 1e-6);
     CHECK_INT(d.check.unfairness.edge_jumps, 1);
     CHECK_INT(d.check.unfairness.creases, 0);
     checked_close(&d);

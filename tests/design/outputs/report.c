@@ -117,11 +117,18 @@ static const char objects_and_joins[] =
     "  sheer, start and ch\"ine, end: gap 0 in, turning by 0.5 rad, curvatures not known at a "
     "cusp: C2, G3\n"
     "  bottom, v high and side, v low: gap 0 in, turning by 0.25 rad, curvatures differ by 0.125 "
-    "of the larger: a declared knuckle\n"
+    "of the larger: G0, turning most at (1, 0, 0): a declared knuckle\n"
     "  bottom, u low and a part of side, u high: gap 0 in, turning by 0.25 rad, curvatures not "
-    "known at a pole\n"
-    "  a part of bottom, u high and side, u low: gap 0 in, turning by 0.75 rad, curvatures differ "
-    "by 0.5 of the larger\n"
+    "known at a pole: G1\n"
+    "  a part of bottom, u high and side, u low: gap 0.0625 in, turning by 0.75 rad, curvatures "
+    "differ by 0.5 of the larger: G2, rates differing most at (9, 1, 2)\n"
+    "  3 common edges: 1 G0, 1 G1, 1 G2\n"
+    "    widest gap 0.0625 in at (4, 0, 0): a part of bottom, u high and side, u low\n"
+    "    largest turn 0.75 rad at (5, 0, 0): a part of bottom, u high and side, u low\n"
+    "    where they turn less than the bound, curvatures differ by up to 0.5 of the larger at (6, "
+    "7, 8): a part of bottom, u high and side, u low\n"
+    "    where curvatures agree, too, their rates differ by up to 0.875 of the larger at (9, 1, "
+    "2): a part of bottom, u high and side, u low\n"
     "\nVerdict: fair as a hull.\n";
 
 TEST(a_text_has_each_figure_of_features_objects_and_joins_in_its_place)

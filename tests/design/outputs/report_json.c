@@ -43,17 +43,17 @@ static const expect_row of_objects[] = {
      "7.2878949|, \"max_curvature\": 2, \"corners\": 0, \"curvature_jumps\": 0, \"halts\": 0, "
      "\"cusps\": 0, \"unbounded\": 0, \"energy_error\": |, \"variation_error\": |, "
      "\"largest_turn\": 0, \"largest_jump\": 0}|\n  ],\n  \"creases\": 0, \"edge_jumps\": 0, "
-     "\"folds\": 0,\n  \"joins\": [],\n  \"messages\": []\n}\n"},
+     "\"folds\": 0,\n  \"joins\": [],\n  \"worst_joins\": [],\n  \"messages\": []\n}\n"},
     {"k.json: {check: [corner, 'odd\"name']}", BATTEN_OK,
      "\"fair\": false, |\"name\": \"corner\", \"type\": \"curve\", \"fairness\": {\"fair\": "
      "false, |\"energy\": null, \"variation\": null, \"max_curvature\": 0, \"corners\": 1, "
      "|\"largest_turn\": 1.5707963|\"continuity\": {\"knots\": 1, \"c\": 0, \"g\": "
      "0}|},\n    {\"name\": \"odd\\\"name\", |\"joins\": [\n    {\"a\": \"corner\", \"side_a\": "
      "\"end\", \"b\": \"odd\\\"name\", \"side_b\": \"start\", \"g0\": 0, \"g1\": 0, \"g2\": "
-     "0, \"g3\": 0, \"c\": |, \"g\": 3}]"},
+     "0, \"g3\": 0, \"c\": |, \"g\": 3, \"at\": |]}]"},
     /* Two halves of one parabola join in all derivatives. */
     {"k.json: {check: parts}", BATTEN_OK,
-     "\"side_a\": \"end\", |\"side_b\": \"start\", |\"g\": 3}]"},
+     "\"side_a\": \"end\", |\"side_b\": \"start\", |\"g\": 3, \"at\": |]}]"},
     /* An edge of a unit square under a right angle, all along both. */
     {"k.json: {check: [flat, wall]}", BATTEN_OK,
      "\"fair\": false, |\"distances\": [],\n     \"edges\": [],\n     \"sections\": "
@@ -216,7 +216,7 @@ TEST(all_figures_of_a_lofting_and_its_knuckles_are_in_its_report)
     check_figure(at, "faired_error", l->faired_error);
     CHECK_INT(count_words(json, "\"from\": ["), l->correction_count);
     /* The chine is an edge of two panels on each side; surfaces have no C nor G. */
-    CHECK_INT(count_words(json, ", \"knuckle\": true}"), 1);
+    CHECK_INT(count_words(json, ", \"knuckle\": true, "), 1);
     CHECK_INT(count_words(json, "\"c\": "), 0);
     batten_release(json);
     batten_design_free(design);
@@ -281,16 +281,26 @@ static const char made_meetings[] =
     "[],\n     \"sections\": []}\n  ],\n  \"creases\": 2, \"edge_jumps\": 3, \"folds\": 4,\n  "
     "\"joins\": [\n"
     "    {\"a\": \"sheer\", \"side_a\": \"end\", \"b\": \"ch\\\"ine\", \"side_b\": \"start\", "
-    "\"g0\": 0.5, \"g1\": null, \"g2\": null, \"g3\": null, \"c\": 0, \"g\": 1},\n"
+    "\"g0\": 0.5, \"g1\": null, \"g2\": null, \"g3\": null, \"c\": 0, \"g\": 1, \"at\": [1, 2, "
+    "3]},\n"
     "    {\"a\": \"sheer\", \"side_a\": \"start\", \"b\": \"ch\\\"ine\", \"side_b\": \"end\", "
-    "\"g0\": 0, \"g1\": 0.5, \"g2\": null, \"g3\": 8, \"c\": 2, \"g\": 3},\n"
+    "\"g0\": 0, \"g1\": 0.5, \"g2\": null, \"g3\": 8, \"c\": 2, \"g\": 3, \"at\": [4, 5, 6]},\n"
     "    {\"a\": \"bottom\", \"side_a\": \"v high\", \"b\": \"side\", \"side_b\": \"v low\", "
-    "\"g0\": 0, \"g1\": 0.25, \"g2\": 0.125, \"g3\": null, \"knuckle\": true},\n"
+    "\"g0\": 0, \"g1\": 0.25, \"g2\": 0.125, \"g3\": 32, \"g\": 0, \"knuckle\": true, "
+    "\"curvature_jump\": 16, \"rate_part\": 0.75, \"g0_at\": [0, 0, 0], \"g1_at\": [1, 0, 0], "
+    "\"g2_at\": [2, 0, 0], \"g3_at\": [3, 0, 0]},\n"
     "    {\"a\": \"bottom\", \"side_a\": \"u low\", \"b\": \"side\", \"side_b\": \"u high\", "
-    "\"g0\": 0, \"g1\": 0.25, \"g2\": null, \"g3\": null, \"part\": \"a\"},\n"
+    "\"g0\": 0, \"g1\": 0.25, \"g2\": null, \"g3\": null, \"part\": \"a\", \"g\": 1, "
+    "\"curvature_jump\": null, \"rate_part\": null, \"g0_at\": [7, 0, 0], \"g1_at\": [8, 0, "
+    "0]},\n"
     "    {\"a\": \"bottom\", \"side_a\": \"u high\", \"b\": \"side\", \"side_b\": \"u low\", "
-    "\"g0\": 0, \"g1\": 0.75, \"g2\": 0.5, \"g3\": null, \"part\": \"b\"}],\n  "
-    "\"messages\": []\n}\n";
+    "\"g0\": 0.0625, \"g1\": 0.75, \"g2\": 0.5, \"g3\": 128, \"part\": \"b\", \"g\": 2, "
+    "\"curvature_jump\": 64, \"rate_part\": 0.875, \"g0_at\": [4, 0, 0], \"g1_at\": [5, 0, 0], "
+    "\"g2_at\": [6, 7, 8], \"g3_at\": [9, 1, 2]}],\n  \"worst_joins\": [\n"
+    "    {\"worst\": \"gap\", \"join\": 5, \"value\": 0.0625, \"at\": [4, 0, 0]},\n"
+    "    {\"worst\": \"angle\", \"join\": 5, \"value\": 0.75, \"at\": [5, 0, 0]},\n"
+    "    {\"worst\": \"curvature\", \"join\": 5, \"value\": 0.5, \"at\": [6, 7, 8]},\n"
+    "    {\"worst\": \"rate\", \"join\": 5, \"value\": 0.875, \"at\": [9, 1, 2]}],\n  \"messages\": []\n}\n";
 
 TEST(each_figure_of_features_objects_and_joins_stands_under_its_name)
 {

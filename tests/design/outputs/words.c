@@ -177,7 +177,7 @@ TEST(reports_say_what_was_done_and_what_holds)
         {"k.txt: {check: both}", BATTEN_OK, "What meets\n|open|axis|gap 0"},
         {"k.txt: {check: three}", BATTEN_OK, "1 triangle of degree 1"},
         {"k.json: {check: made}", BATTEN_OK,
-         "\"ok\": true, \"fair\": true, \"unit\": \"m\", \"within\": null,\n  \"features\": [\n    {\"name\": \"ducks\", \"operation\": \"points\"},\n    {\"name\": \"made\", \"operation\": \"interpolate\"}\n  ],\n|\"inflections\": 1, \"excess_inflections\": 0, \"curvature_extrema\": 2, \"jumps\": 0|\"distances\": [{\"from\": \"made\", \"faired\": false, \"points\": 4|\"joins\": [],\n  \"messages\": ["},
+         "\"ok\": true, \"fair\": true, \"unit\": \"m\", \"within\": null,\n  \"features\": [\n    {\"name\": \"ducks\", \"operation\": \"points\"},\n    {\"name\": \"made\", \"operation\": \"interpolate\"}\n  ],\n|\"inflections\": 1, \"excess_inflections\": 0, \"curvature_extrema\": 2, \"jumps\": 0|\"distances\": [{\"from\": \"made\", \"faired\": false, \"points\": 4|\"joins\": [],\n  \"worst_joins\": [],\n  \"messages\": ["},
         {"k.json: {check: noisy, within: 0.001}", BATTEN_OK, "\"ok\": false|\"within\": 0.001"},
         {"k.json: {check: both}", BATTEN_OK,
          "\"joins\": [\n    {\"a\": \"open\", \"side_a\": \"start\", \"b\": \"axis\", \"side_b\": \"start\", \"g0\": 0"},
