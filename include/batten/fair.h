@@ -393,6 +393,15 @@ typedef struct batten_loft_correction {
     batten_loft_reason reason;
 } batten_loft_correction;
 
+/** How far a panel that is straight across is from a plate bent from flat sheet: the warps, angles
+ * between the normals at both ends, of 81 rulings at equal steps along its lower line, which lead to where
+ * on the upper line the warp is least. The panel itself is straight along its frames, not along these. */
+typedef struct batten_loft_warp {
+    int panel;                    /**< which surface, from below and 0 */
+    double median, most, largest; /**< of half, 90 of 100 and all rulings at most, radians */
+    double at[2];                 /**< x on the lower and on the upper line, of the largest */
+} batten_loft_warp;
+
 typedef struct batten_loft_report {
     int cut_count;
     batten_loft_cut *cuts;     /**< release with batten_loft_report_release */
@@ -412,8 +421,10 @@ typedef struct batten_loft_report {
     double enough;   /**< with NOT_COMPATIBLE: a bound that would do; 0 when none was found */
     int panel_count; /**< surfaces: one more than knuckles */
     int ruled_count; /**< of these, without points between their lines: straight across */
+    int warp_count;  /**< ruled_count, or 0 of one smooth surface */
+    batten_loft_warp *warps; /**< [warp_count], from below */
 } batten_loft_report;
-/** Release the cuts, the corrections and the faired table of a report. */
+/** Release the cuts, the corrections, the warps and the faired table of a report. */
 BATTEN_API void batten_loft_report_release(batten_loft_report *report);
 
 /**

@@ -151,14 +151,6 @@ static batten_status set_knots(bat_hull_rails *r)
 
 /* ---- fairing ---- */
 
-/* The numbers of a line of which one coordinate is made fair. */
-typedef struct {
-    const batten_loft_options *options;
-    double within, height;
-    double *t, *values, *knots;
-    bat_straight_run *runs;
-} line_numbers;
-
 static bool is_constant(int count, const double *values)
 {
     int k = 1;
@@ -184,87 +176,94 @@ static void take_values(const bat_hull_rails *r, int rail, int axis, double *val
     }
 }
 
-/* One coordinate, y or z, of a rail. `bound` of it alone. */
-static batten_status fair_coordinate(bat_hull_rails *r, int rail, int axis, double bound,
-                                     const line_numbers *numbers)
+/* One coordinate, y or z, of a rail, in the memory that its line has. */
+static batten_status fair_coordinate(bat_hull_rails *r, const batten_loft_options *options,
+                                     int rail, int axis)
 {
     const int n = r->of.station_count;
     bat_hull_rail *made = r->rails + rail;
-    bat_loft_line line = {.count = r->inner_count + BAT_LOFT_SUPPORT,
-                          .knots = numbers->knots,
-                          .datum_count = n,
-                          .t = numbers->t,
-                          .values = numbers->values,
-                          .within = bound,
-                          .length = fabs(made->x[1] - made->x[0]),
-                          .height = numbers->height};
-    take_values(r, rail, axis, numbers->values);
+    bat_loft_line *line = r->lines + 2 * rail + axis;
     if (axis == 0) {
-        line.one_side = r->of.least > -numbers->within; /* as of a patch */
-        line.pinned[0] = is_stem(r->of.stations);
-        line.pinned[1] = is_stem(r->of.stations + n - 1);
+        line->one_side = r->of.least > -options->within; /* as of a patch */
+        line->pinned[0] = is_stem(r->of.stations);
+        line->pinned[1] = is_stem(r->of.stations + n - 1);
     }
     batten_status status =
-        bat_required_within(1, n, numbers->t, numbers->values, bound, &line.changes);
-    made->needed[axis] = line.changes;
+        bat_required_within(1, n, line->t, line->values, line->within, &line->changes);
+    made->needed[axis] = line->changes;
     if (status == BATTEN_OK)
-        status = bat_hull_find_runs(r, numbers->options, rail, axis, &line, numbers->runs);
+        status = bat_hull_find_runs(r, options, rail, axis, line);
     if (status == BATTEN_OK)
-        status = bat_loft_line_fair(&line, made->yz[axis], &made->found[axis]);
+        status = bat_loft_line_fair(line, made->yz[axis], &made->found[axis]);
     return status;
 }
 
 /* Both coordinates share the bound, unless one of them is the same at all stations. */
-static batten_status fair_rail(bat_hull_rails *r, int rail, const line_numbers *numbers)
+static void share_bound(bat_loft_line lines[2], double within)
 {
-    const int n = r->of.station_count;
+    const bool constant = is_constant(lines[0].datum_count, lines[0].values) ||
+                          is_constant(lines[1].datum_count, lines[1].values);
+    lines[0].within = lines[1].within = within * (constant ? 1 : sqrt(0.5));
+}
+
+static batten_status take_line(bat_hull_rails *r, int rail, int axis, bat_loft_line *line)
+{
+    const size_t n = (size_t)r->of.station_count;
     bat_hull_rail *made = r->rails + rail;
+    double *t = bat_arena_array(&r->of.arena, n, sizeof *t);
+    double *values = bat_arena_array(&r->of.arena, n, sizeof *values);
+    made->yz[axis] = bat_arena_array(&r->of.arena, (size_t)line->count, sizeof *made->yz[axis]);
+    if (!t || !values || !made->yz[axis])
+        return BATTEN_OUT_OF_MEMORY;
+    for (int k = 0; k < r->of.station_count; k++)
+        t[k] = bat_hull_rail_u(r, rail, k);
+    take_values(r, rail, axis, values);
+    line->t = t;
+    line->values = values;
+    return BATTEN_OK;
+}
+
+static batten_status fair_rail(bat_hull_rails *r, const batten_loft_options *options, int rail,
+                               const bat_loft_line *like)
+{
+    bat_hull_rail *made = r->rails + rail;
+    bat_loft_line *lines = r->lines + 2 * rail;
     batten_status status = BATTEN_OK;
-    bool constant = false;
     made->x[0] = bat_hull_rail_point(r, rail, 0)->x;
-    made->x[1] = bat_hull_rail_point(r, rail, n - 1)->x;
-    for (int axis = 0; axis < 2; axis++) {
-        take_values(r, rail, axis, numbers->values);
-        constant |= is_constant(n, numbers->values);
-        made->yz[axis] = bat_arena_array(
-            &r->of.arena, (size_t)r->inner_count + BAT_LOFT_SUPPORT, sizeof *made->yz[axis]);
-        if (!made->yz[axis])
-            return BATTEN_OUT_OF_MEMORY;
+    made->x[1] = bat_hull_rail_point(r, rail, r->of.station_count - 1)->x;
+    for (int axis = 0; axis < 2 && status == BATTEN_OK; axis++) {
+        lines[axis] = *like;
+        lines[axis].length = fabs(made->x[1] - made->x[0]);
+        status = take_line(r, rail, axis, lines + axis);
     }
-    for (int k = 0; k < n; k++)
-        numbers->t[k] = bat_hull_rail_u(r, rail, k);
-    const double bound = numbers->within * (constant ? 1 : sqrt(0.5));
+    if (status == BATTEN_OK)
+        share_bound(lines, options->within);
     for (int axis = 0; axis < 2 && status == BATTEN_OK; axis++)
-        status = fair_coordinate(r, rail, axis, bound, numbers);
+        status = fair_coordinate(r, options, rail, axis);
     return status;
 }
 
 static batten_status fair_rails(bat_hull_rails *r, const batten_loft_options *options,
                                 double height)
 {
-    const size_t n = (size_t)r->of.station_count, d = sizeof(double);
-    const line_numbers numbers = {
-        options,
-        options->within,
-        height,
-        bat_arena_array(&r->of.arena, n, d),
-        bat_arena_array(&r->of.arena, n, d),
-        bat_arena_array(&r->of.arena, (size_t)r->inner_count + 2 * BAT_LOFT_SUPPORT, d),
-        bat_arena_array(&r->of.arena, (size_t)options->straight_count,
-                        sizeof(bat_straight_run))};
-    batten_status status = bat_arena_status(&r->of.arena);
-    if (status != BATTEN_OK)
-        return status;
-    bat_loft_knots(r->inner_count, r->inner, numbers.knots);
+    const int count = r->inner_count + BAT_LOFT_SUPPORT;
+    double *knots =
+        bat_arena_array(&r->of.arena, (size_t)count + BAT_LOFT_SUPPORT, sizeof *knots);
+    r->lines = bat_arena_array(&r->of.arena, (size_t)r->count, 2 * sizeof *r->lines);
+    if (!knots || !r->lines)
+        return BATTEN_OUT_OF_MEMORY;
+    bat_loft_knots(r->inner_count, r->inner, knots);
+    const bat_loft_line like = {
+        .count = count, .knots = knots, .datum_count = r->of.station_count, .height = height};
+    batten_status status = BATTEN_OK;
     for (int rail = 0; rail < r->count && status == BATTEN_OK; rail++)
-        status = fair_rail(r, rail, &numbers);
+        status = fair_rail(r, options, rail, &like);
     return status;
 }
 
 /* From the line below to that of a rail: at station k and, `part` of the way, towards the next;
  * of the points given, and of the lines. */
-static double agreement(const bat_hull_rails *r, const bat_loft_line *line, int rail, int k,
-                        double part)
+static double agreement(const bat_hull_rails *r, int rail, int k, double part)
 {
     double given[2] = {0, 0}, faired[2] = {0, 0};
     for (int side = 0; side < 2; side++) {
@@ -277,13 +276,12 @@ static double agreement(const bat_hull_rails *r, const bat_loft_line *line, int 
         given[0] += sign * ((1 - part) * a->y + part * b->y);
         given[1] += sign * ((1 - part) * a->z + part * b->z);
         for (int x = 0; x < 2; x++)
-            faired[x] += sign * bat_loft_line_at(line, r->rails[i].yz[x], u, 0);
+            faired[x] += sign * bat_loft_line_at(r->lines, r->rails[i].yz[x], u, 0);
     }
     return given[0] * faired[0] + given[1] * faired[1];
 }
 
-static batten_status check_places(const bat_hull_rails *r, const bat_loft_line *line, int rail,
-                                  double within)
+static batten_status check_places(const bat_hull_rails *r, int rail, double within)
 {
     /* Cubics in pieces of a station or half of one: between places eight to a station they hardly
      * turn back. */
@@ -292,7 +290,7 @@ static batten_status check_places(const bat_hull_rails *r, const bat_loft_line *
         for (int i = 0; i < (k + 1 < r->of.station_count ? PLACES : 1); i++) {
             const batten_table_point *a = bat_hull_rail_point(r, rail - 1, k),
                                      *b = bat_hull_rail_point(r, rail, k);
-            if (!(agreement(r, line, rail, k, (double)i / PLACES) > 0))
+            if (!(agreement(r, rail, k, (double)i / PLACES) > 0))
                 return bat_fail(
                     BATTEN_BAD_ARGUMENT,
                     "the lines '%.60s' and '%.60s' are %.3g apart at %s, and "
@@ -308,15 +306,9 @@ static batten_status check_places(const bat_hull_rails *r, const bat_loft_line *
 /* Neighbours that the bound lets change places make a panel that is turned over. */
 static batten_status refuse_turned(const bat_hull_rails *r, double within)
 {
-    const int count = r->inner_count + BAT_LOFT_SUPPORT;
-    double *knots = bat_array((size_t)count + BAT_LOFT_SUPPORT, sizeof *knots);
-    batten_status status = knots ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    const bat_loft_line line = {.count = count, .knots = knots};
-    if (knots)
-        bat_loft_knots(r->inner_count, r->inner, knots);
+    batten_status status = BATTEN_OK;
     for (int rail = 1; rail < r->count && status == BATTEN_OK; rail++)
-        status = check_places(r, &line, rail, within);
-    bat_release(knots);
+        status = check_places(r, rail, within);
     return status;
 }
 

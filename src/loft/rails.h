@@ -14,6 +14,7 @@ typedef struct {
     int inner_count;
     double *inner;        /* knots along u that all have */
     bat_hull_rail *rails; /* [count] */
+    bat_loft_line *lines; /* [count][2]: what y and z of a rail were made of */
 } bat_hull_rails;
 
 /* All of them faired. Release with bat_hull_rails_free, also after a failure. */
@@ -42,11 +43,10 @@ static inline double bat_hull_rail_u(const bat_hull_rails *rails, int rail, int 
 /* BAD_ARGUMENT, NOT_FOUND when a straight run is on none of the rails. */
 batten_status bat_hull_check_runs(const bat_hull_rails *rails,
                                   const batten_loft_options *options);
-/* The runs [straight_count] on which a coordinate, 0 for y and 1 for z, of a rail with these knots is
- * straight. BAD_ARGUMENT when two of them make one. */
-batten_status bat_hull_find_runs(const bat_hull_rails *rails,
-                                 const batten_loft_options *options, int rail, int axis,
-                                 bat_loft_line *line, bat_straight_run *runs);
+/* The runs on which a coordinate, 0 for y and 1 for z, of a rail is straight, from its knots, in the
+ * arena. BAD_ARGUMENT when two of them make one. */
+batten_status bat_hull_find_runs(bat_hull_rails *rails, const batten_loft_options *options,
+                                 int rail, int axis, bat_loft_line *line);
 /* What messages call a rail. */
 const char *bat_hull_rail_name(const bat_hull_rails *rails, int rail);
 

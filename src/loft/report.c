@@ -1,11 +1,14 @@
 /* What a lofting reports of its panels: the cuts, and how far the points are from the surfaces. */
 #include "loft/report.h"
+#include "base/sort.h"
 #include "loft/faired.h"
+#include "loft/planks.h"
 
 void batten_loft_report_release(batten_loft_report *report)
 {
     bat_release(report->cuts);
     bat_release(report->corrections);
+    bat_release(report->warps);
     batten_offset_table_unref(report->faired);
     *report = (batten_loft_report){0};
 }
@@ -64,6 +67,48 @@ static batten_status report_moves(const bat_hull_panels *panels,
     return status == BATTEN_OK ? bat_loft_correct(panels, table, report) : status;
 }
 
+/* ---- planks ---- */
+
+/* Half of the rulings, and 90 of 100, are no more warped than those in the order of their warp. */
+enum { MEDIAN = (BAT_PLANK_RULINGS - 1) / 2, MOST = (BAT_PLANK_RULINGS - 1) * 9 / 10 };
+
+static void sum_up_warp(const bat_hull_rails *rails, int panel, const bat_plank_ruling *rulings,
+                        batten_loft_warp *out)
+{
+    double warps[BAT_PLANK_RULINGS];
+    const bat_plank_ruling *worst = rulings;
+    for (int i = 0; i < BAT_PLANK_RULINGS; i++) {
+        warps[i] = bat_plank_warp(rulings + i);
+        if (warps[i] > bat_plank_warp(worst))
+            worst = rulings + i;
+    }
+    bat_sort_doubles(BAT_PLANK_RULINGS, warps);
+    *out = (batten_loft_warp){panel, warps[MEDIAN], warps[MOST], warps[BAT_PLANK_RULINGS - 1],
+                              .at = {0, 0}};
+    const double along[2] = {worst->u, worst->w};
+    for (int side = 0; side < 2; side++) {
+        const double *x = rails->rails[panel + side].x;
+        out->at[side] = (1 - along[side]) * x[0] + along[side] * x[1];
+    }
+}
+
+static batten_status report_warps(const bat_hull_panels *panels, batten_loft_report *report)
+{
+    batten_status status = BATTEN_OK;
+    report->warps = bat_array((size_t)panels->count, sizeof *report->warps);
+    if (!report->warps)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int p = 0; p < panels->count && panels->has_rails && status == BATTEN_OK; p++) {
+        bat_plank_ruling rulings[BAT_PLANK_RULINGS];
+        if (!bat_hull_is_plank(&panels->rails, p))
+            continue;
+        status = bat_plank_find_rulings(&panels->rails, p, rulings);
+        if (status == BATTEN_OK)
+            sum_up_warp(&panels->rails, p, rulings, report->warps + report->warp_count++);
+    }
+    return status;
+}
+
 batten_status bat_loft_fill_report(const bat_hull_panels *panels,
                                    const batten_offset_table *table, batten_loft_report *out)
 {
@@ -77,6 +122,8 @@ batten_status bat_loft_fill_report(const bat_hull_panels *panels,
         report.ruled_count += bat_hull_is_ruled(panels->at + p);
     }
     batten_status status = report_cuts(panels, &report);
+    if (status == BATTEN_OK)
+        status = report_warps(panels, &report);
     if (status == BATTEN_OK)
         status = report_moves(panels, table, &report);
     if (status == BATTEN_OK)

@@ -98,10 +98,13 @@ static bool is_straight_in(const batten_loft_straight *run, int axis)
            run->view == (axis == 0 ? BATTEN_LOFT_IN_PLAN : BATTEN_LOFT_IN_PROFILE);
 }
 
-batten_status bat_hull_find_runs(const bat_hull_rails *r, const batten_loft_options *options,
-                                 int rail, int axis, bat_loft_line *line,
-                                 bat_straight_run *runs)
+batten_status bat_hull_find_runs(bat_hull_rails *r, const batten_loft_options *options,
+                                 int rail, int axis, bat_loft_line *line)
 {
+    bat_straight_run *runs =
+        bat_arena_array(&r->of.arena, (size_t)options->straight_count, sizeof *runs);
+    if (!runs)
+        return BATTEN_OUT_OF_MEMORY;
     line->runs = runs;
     for (int k = 0; k < options->straight_count; k++) {
         const batten_loft_straight *run = options->straight + k;

@@ -111,3 +111,52 @@ TEST(a_report_adds_up_its_panels_and_names_the_place_of_the_largest_move)
     batten_loft_report_release(&report);
     batten_offset_table_unref(table);
 }
+
+/* ---- planks ---- */
+
+/* A boat whose bottom is a plane and whose side has a twisted bow. */
+static batten_offset_table *make_plank_boat(void)
+{
+    enum { PLACES = 9 };
+    static const batten_table_line lines[LINES] = {
+        {"keel", false, 0}, {"chine", false, 0}, {"sheer", false, 0}};
+    batten_table_point points[PLACES][LINES];
+    batten_table_station stations[PLACES];
+    batten_offset_table *table = NULL;
+    for (int i = 0; i < PLACES; i++) {
+        const double s = i / 8., bow = s * s * s;
+        points[i][0] = (batten_table_point){6 * s, 0, 0, 0};
+        points[i][1] = (batten_table_point){6 * s, 1 - 0.9 * bow, 0.1, 1};
+        points[i][2] = (batten_table_point){6 * s, 1.2 - 0.3 * bow, 1, 2};
+        stations[i] = (batten_table_station){"", 6 * s, LINES, points[i]};
+    }
+    CHECK_OK(batten_offset_table_create(1, LINES, lines, PLACES, stations, &table));
+    return table;
+}
+
+TEST(warps_of_planks_are_told_with_their_place)
+{
+    static const char *const chine[] = {"chine"};
+    batten_offset_table *table = make_plank_boat();
+    batten_loft_options options = batten_loft_defaults(1e-3);
+    batten_loft_report report;
+    batten_surface *panels[2] = {NULL};
+    options.knuckle_count = 1;
+    options.knuckles = chine;
+    CHECK_OK(batten_hull_loft(table, &options, NULL, &report, panels));
+    CHECK_INT(report.warp_count, 2);
+    for (int k = 0; k < 2; k++) {
+        const batten_loft_warp *w = report.warps + k;
+        CHECK_INT(w->panel, k);
+        CHECK(w->median <= w->most && w->most <= w->largest);
+        for (int side = 0; side < 2; side++)
+            CHECK(w->at[side] >= 0 && w->at[side] <= 6);
+        CHECK(fabs(w->at[1] - w->at[0]) <= 0.12 * 6 + 1e-12);
+    }
+    CHECK(report.warps[0].largest > 0.01); /* the twist of the bow's bottom */
+    batten_loft_report_release(&report);
+    CHECK(!report.warps);
+    for (int k = 0; k < 2; k++)
+        batten_surface_unref(panels[k]);
+    batten_offset_table_unref(table);
+}

@@ -80,6 +80,22 @@ static void json_error(batten_text *out, const batten_feature_result *r)
     batten_text_add(out, "}");
 }
 
+/* Warps in radians. */
+static void json_plank(batten_text *out, const batten_loft_warp *w)
+{
+    batten_text_add(out, "{\"panel\": %d, ", w->panel + 1);
+    bat_report_number(out, "median", w->median);
+    batten_text_add(out, ", ");
+    bat_report_number(out, "of_90", w->most);
+    batten_text_add(out, ", ");
+    bat_report_number(out, "largest", w->largest);
+    batten_text_add(out, ", ");
+    bat_report_number(out, "x_below", w->at[0]);
+    batten_text_add(out, ", ");
+    bat_report_number(out, "x_above", w->at[1]);
+    batten_text_add(out, "}");
+}
+
 static void json_loft(batten_text *out, const batten_loft_report *l)
 {
     batten_text_add(out, ", \"loft\": {");
@@ -99,6 +115,11 @@ static void json_loft(batten_text *out, const batten_loft_report *l)
         const bat_correction c = bat_loft_correction_at(l, k);
         batten_text_add(out, k ? ", " : "");
         bat_correction_as_json(&c, out);
+    }
+    batten_text_add(out, l->warp_count > 0 ? "], \"planks\": [" : "");
+    for (int k = 0; k < l->warp_count; k++) {
+        batten_text_add(out, k ? ", " : "");
+        json_plank(out, l->warps + k);
     }
     batten_text_add(out, "]}");
 }

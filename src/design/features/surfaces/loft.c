@@ -63,6 +63,21 @@ static void note_beyond(const bat_run *run, const batten_offset_table *table)
     }
 }
 
+/* Whether planks can be cut from sheet. */
+static void remark_warps(const bat_run *run, const batten_loft_report *found)
+{
+    const double degree = BAT_PI / 180;
+    for (int k = 0; k < found->warp_count; k++) {
+        const batten_loft_warp *w = found->warps + k;
+        bat_remark(run,
+                   "between its lines panel %d has plates with a warp of %.2f degrees in the "
+                   "median, %.2f in 90 of 100 rulings, at most %.2f from x = %.4g below to "
+                   "x = %.4g above",
+                   w->panel + 1, w->median / degree, w->most / degree, w->largest / degree,
+                   w->at[0], w->at[1]);
+    }
+}
+
 static void report_loft(const bat_run *run, const batten_loft_report *found)
 {
     int named = 0;
@@ -87,6 +102,7 @@ static void report_loft(const bat_run *run, const batten_loft_report *found)
     if (found->panel_count > 1)
         bat_note(run, "%d panels from the keel up, %d of them straight across",
                  found->panel_count, found->ruled_count);
+    remark_warps(run, found);
 }
 
 /* The names of an argument; in the arena, which the caller frees. */
