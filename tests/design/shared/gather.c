@@ -16,7 +16,8 @@ static const char *const extras[] = {
 enum { MOST = 8000 };
 
 /* What an example only prepares may be dear: a side of a prism will do for the hull that floats. */
-static const char dear[] = "  table: {read: offsets.csv}\n  hull: {loft: table, within: 3 mm}\n",
+static const char dear[] =
+    "  table: {read: offsets.csv}\n  hull: {loft: table, within: 3 mm}\n",
                   cheap[] =
                       "  hull: {bilinear: [[-3, 0, 0], [3, 0, 0], [3, 1, 1], [-3, 1, 1]]}\n";
 
@@ -92,4 +93,49 @@ TEST(G0_an_input_is_used_refused_or_remarked_upon)
                 dropped += try_parameter(feature, feature->parameters[k].name);
     }
     CHECK_INT(dropped, 0);
+}
+
+/* ---- what is not wanted ---- */
+
+static const char inputs[] = "  s: {line: [[0, 0], [4, 0]]}\n"
+                             "  t: {line: [[0, 1], [4, 1]]}\n"
+                             "  nose: {points: [[0, 0]]}\n"
+                             "  ducks: {points: [[0, 0], [1, 2], [3, 1], [4, 0]]}\n"
+                             "  made: {interpolate: ducks}\n"
+                             "  ball: {sphere: 1}\n"
+                             "  round: {mesh: ball, chord: 0.5}\n"
+                             "  net: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 1]]}\n"
+                             "  sail: {bezier-triangle: net}\n"
+                             "  two: {collect: [s, t]}\n"
+                             "  three: {collect: [s, t, ducks]}\n"
+                             "  four: {collect: [ducks, s, ball, t]}\n";
+
+static const expect_row of_kinds[] = {
+    {"{coons: [s, nose]}", BATTEN_BAD_ARGUMENT, "'coons' takes curves, and 'nose' is a point"},
+    {"{coons: [s, ducks]}", BATTEN_BAD_ARGUMENT, "'coons' takes curves, and 'ducks' is points"},
+    {"{coons: [s, ball]}", BATTEN_BAD_ARGUMENT,
+     "'coons' takes curves, and 'ball' is a surface"},
+    {"{coons: [s, round]}", BATTEN_BAD_ARGUMENT, "'coons' takes curves, and 'round' is a mesh"},
+    {"{coons: [s, sail]}", BATTEN_BAD_ARGUMENT,
+     "'coons' takes curves, and 'sail' is triangles"},
+    {"{coons: ducks}", BATTEN_BAD_ARGUMENT,
+     "curves are needed, and 'ducks' has none; 'interpolate' ('batten fit') makes curves through "
+     "its points"},
+    {"{coons: [ball, ducks]}", BATTEN_BAD_ARGUMENT,
+     "curves are needed, and 'ball' has none; 'interpolate' ('batten fit')"},
+    {"{interpolate: s}", BATTEN_BAD_ARGUMENT,
+     "points or tables of offsets are needed, and 's' has none"},
+    /* Of a curve through points these are taken. */
+    {"{interpolate: made, degree: 1}", BATTEN_OK, "degree 1;count 4;passes;silent"},
+    {"{divide: three, count: 2}", BATTEN_OK,
+     "objects 2;notes 'divide' takes curves: 1 of the 3 objects of 'three' is not used ('ducks' is "
+     "points)"},
+    {"{divide: four, count: 2}", BATTEN_OK,
+     "objects 2;notes 2 of the 4 objects of 'four' are not used ('ducks' is points)"},
+    {"{divide: two, count: 2}", BATTEN_OK, "objects 2;silent"},
+};
+
+TEST(objects_of_other_kinds_are_named_with_what_is_wanted)
+{
+    EXPECT(inputs, of_kinds);
 }

@@ -1,5 +1,6 @@
 #include "design/shared/rows.h"
 
+#include "design/expect.h"
 #include "design/text/document.h"
 #include "support/test.h"
 
@@ -164,4 +165,22 @@ TEST(the_largest_coordinate_is_from_1e_90_to_1e90_or_0)
     CHECK_MESSAGE(
         "the largest coordinate is 3e+95; from 1e-90 to 1e+90 can be worked with: choose "
         "another unit");
+}
+
+/* Heights above the corners of a square from one feature, above its middle from another. */
+TEST(points_of_all_features_and_of_all_stations_are_gathered)
+{
+    static const char points[] =
+        "  corners: {points: [[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0]]}\n"
+        "  middle: {points: [[1, 1, 1]]}\n  far: {points: [[1, 0.5, 1e95]]}\n"
+        "  s: {line: [[0, 0], [1, 0]]}\n";
+    static const expect_row rows[] = {
+        {"{scattered-surface: [corners, middle]}", BATTEN_OK, "box 0 0 0 2 2 1"},
+        {"{scattered-surface: [middle, corners]}", BATTEN_OK, "box 0 0 0 2 2 1"},
+        {"{scattered-surface: [middle, corners, far]}", BATTEN_BAD_ARGUMENT,
+         "the largest coordinate is 1e+95"},
+        {"{scattered-surface: [corners, s]}", BATTEN_BAD_ARGUMENT,
+         "'scattered-surface' takes points or tables of offsets, and 's' is a curve"},
+    };
+    EXPECT(points, rows);
 }

@@ -1,3 +1,4 @@
+#include "design/expect.h"
 #include "design/feature.h"
 #include "support/test.h"
 
@@ -159,4 +160,42 @@ TEST(points_of_no_size_that_numbers_have_are_refused)
         CHECK_MESSAGE("choose another unit");
         batten_design_free(design);
     }
+}
+
+/* ---- planes and functions ---- */
+
+static const char of_planes[] =
+    "  x: {points: [[7, 0, 1], [7, 1, 3], [7, 3, 2], [7, 4, 5], [7, 6, 4]]}\n"
+    "  y: {points: [[0, 7, 1], [1, 7, 3], [3, 7, 2], [4, 7, 5], [6, 7, 4]]}\n"
+    "  z: {points: [[0, 1, 7], [1, 3, 7], [3, 2, 7], [4, 5, 7], [6, 4, 7]]}\n"
+    "  back: {points: [[0, 1], [2, 3], [1, 2]]}\n"
+    "  twice: {points: [[0, 1], [2, 3], [2, 4]]}\n"
+    "  skew: {points: [[0, 0, 0], [1, 0, 1], [2, 1, 0]]}\n";
+
+static const expect_row placed[] = {
+    {"{interpolate: @, as: function}", BATTEN_OK, "domain 0 6;passes;count 5"},
+    {"{tension: @, as: function, amount: 2}", BATTEN_OK, "domain 0 6;spans 4;passes"},
+    {"{biarcs: @}", BATTEN_OK, "passes"},
+    {"{interpolate: @, periodic: yes}", BATTEN_OK, "closed 1;passes"},
+};
+
+TEST(plane_curves_and_functions_stand_in_the_plane_of_their_points)
+{
+    static const char *const names[] = {"x", "y", "z"};
+    expect_each(of_planes, names, COUNT(names), placed, COUNT(placed));
+}
+
+TEST(points_that_are_no_function_or_in_no_plane_are_refused_with_their_numbers)
+{
+    static const expect_row refused[] = {
+        {"{minimax: back}", BATTEN_NOT_INCREASING,
+         "a function needs rising abscissae: point 3 is at 1, point 2 before it at 2"},
+        {"{minimax: twice}", BATTEN_NOT_INCREASING,
+         "a function needs rising abscissae: point 3 is at 2, point 2 before it at 2"},
+        {"{minimax: skew}", BATTEN_NOT_COMPATIBLE,
+         "the points must lie in a plane x, y or z = constant for 'minimax'"},
+        {"{biarcs: skew}", BATTEN_NOT_COMPATIBLE,
+         "the points must lie in a plane x, y or z = constant for 'biarcs'"},
+    };
+    EXPECT(of_planes, refused);
 }
