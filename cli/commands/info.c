@@ -34,21 +34,23 @@ static void add_pair(batten_text *text, const char *key, const int *pair, int co
     batten_text_add(text, "]");
 }
 
-static const char *plural_of(const char *word)
+/* "faces", "vertices" */
+static void add_plural(batten_text *text, const char *word)
 {
-    static const char *const words[][2] = {{"face", "faces"},         {"edge", "edges"},
-                                           {"vertex", "vertices"},    {"shell", "shells"},
-                                           {"triangle", "triangles"}, {"piece", "pieces"}};
-    for (size_t k = 0; k < sizeof words / sizeof words[0]; k++)
-        if (strcmp(word, words[k][0]) == 0)
-            return words[k][1];
-    return word;
+    if (strcmp(word, "vertex") == 0)
+        batten_text_add(text, "vertices");
+    else
+        batten_text_add(text, "%ss", word);
 }
 
 /* "53 faces" */
 static void add_count(batten_text *text, const char *word, int count)
 {
-    batten_text_add(text, "%d %s", count, count == 1 ? word : plural_of(word));
+    batten_text_add(text, "%d ", count);
+    if (count == 1)
+        batten_text_add(text, "%s", word);
+    else
+        add_plural(text, word);
 }
 
 static void add_text(batten_text *text, const char *key, const char *value)
@@ -114,8 +116,11 @@ static void add_json(batten_text *text, const batten_object *object, const facts
     batten_text_add(text, "], \"domain\": [");
     json_domains(text, f);
     batten_text_add(text, "]");
-    for (int k = 0; k < 4 && f->counted[k]; k++)
-        batten_text_add(text, ", \"%s\": %d", plural_of(f->counted[k]), f->counts[k]);
+    for (int k = 0; k < 4 && f->counted[k]; k++) {
+        batten_text_add(text, ", \"");
+        add_plural(text, f->counted[k]);
+        batten_text_add(text, "\": %d", f->counts[k]);
+    }
     if (f->has_faces)
         batten_text_add(text, ", \"coloured_faces\": %d", f->coloured_faces);
     if (f->mesh_checked)

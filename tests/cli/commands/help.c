@@ -67,6 +67,10 @@ static const line_row topics[] = {
      0, "=  \n  \n  \n", ""},
     {"$BATTEN build --help | head -1", 0,
      "=usage: batten build DESIGN [-o DIR] [--set NAME=VALUE] [--only FEATURE]\n", ""},
+    /* A plural finds the word; of three letters or with a double s the s is the word's own. */
+    {"$BATTEN help cuts | tail -n +2 > cuts; $BATTEN help cut | tail -n +2 | diff cuts -", 0,
+     "=", ""},
+    {"$BATTEN help cut", 0, "  split    ", ""},
     {"$BATTEN --version", 0, "batten ", ""},
     {"$BATTEN help elipse", 2, "", "there is no topic 'elipse'; did you mean 'ellipse'; see"},
     {"$BATTEN help skins", 0, "'skins' is found in:\n\n|Or did you mean 'skin'?\n", ""},

@@ -101,6 +101,40 @@ TEST(names_that_info_shows_name_objects)
     }
 }
 
+/* One point each; a name of one letter is a name, and what an object has not is not said. */
+static const batten_object looks[] = {
+    {.name = "plain", .kind = BATTEN_OBJECT_POINTS},
+    {.name = "both", .layer = "L", .group = "G", .kind = BATTEN_OBJECT_POINTS},
+    {.name = "orange", .has_colour = true, .colour = {1, 0.5, 0}, .kind = BATTEN_OBJECT_POINTS},
+    {.name = "all",
+     .layer = "L",
+     .group = "G",
+     .is_hidden = true,
+     .has_colour = true,
+     .kind = BATTEN_OBJECT_POINTS},
+};
+
+TEST(info_shows_layer_group_colour_and_what_is_hidden)
+{
+    static const double point[] = {1, 2, 3};
+    const char *path = test_scratch("looks.step");
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < COUNT(looks); i++) {
+        batten_object object = looks[i];
+        object.point_count = 1;
+        object.points = point;
+        CHECK_OK(batten_model_add(model, &object));
+    }
+    CHECK_OK(batten_write_file(model, path, NULL, NULL));
+    batten_model_unref(model);
+    const test_process run = RUN("batten", "info", path);
+    CHECK_CONTAINS(run.out, "\nplain: points, 1\n    box 1 2 3  to  1 2 3\nboth: points, 1\n");
+    CHECK_CONTAINS(run.out, "\n    layer L  group G\n");
+    CHECK_CONTAINS(run.out, "\n    colour #ff8000\n");
+    CHECK_CONTAINS(run.out, "\n    layer L  group G  colour #000000  hidden\n");
+}
+
 TEST(an_instance_within_an_instance_comes_without_those_beside_it)
 {
     static const double points[] = {1, 2, 3};
