@@ -92,31 +92,6 @@ TEST(measures_of_surfaces_and_meshes_are_those_of_geometry)
     EXPECT_OUTPUTS(shapes, rows);
 }
 
-TEST(classes_of_cubics_are_those_of_their_control_points)
-{
-    static const expect_row rows[] = {
-        {"c.txt: {classify: wave}", BATTEN_OK,
-         "wave: 1 span, |one inflection, margin 0.5; inflection at 0.5\n"},
-        {"c.txt: {classify: loop}", BATTEN_OK,
-         "a loop, |lambda 6, mu 6 (loop); crosses itself at 0.0669873 and 0.933013\n"},
-        {"c.txt: {classify: cusp}", BATTEN_OK,
-         "a cusp, margin 0, lambda 2, mu 2 (cusp); cusp at 0.5\n"},
-        {"c.txt: {classify: bow}", BATTEN_OK, "no inflection, cusp or loop|(regular)"},
-        {"c.txt: {classify: square}", BATTEN_OK,
-         "square: 4 spans, |  span 1: a straight line|  span 4: a straight line"},
-        {"c.txt: {classify: quart}", BATTEN_OK,
-         "degree 4, plane, 1 inflection, margin 0.5; on the whole curve 2 inflections; inflection at 0.640388\n"},
-        {"c.txt: {classify: [bow, loop]}", BATTEN_OK, "bow: 1 span|\nloop: 1 span"},
-        {"c.txt: {classify: ring}", BATTEN_UNSUPPORTED, "ring: "},
-        {"c.json: {classify: [loop, quart]}", BATTEN_OK,
-         "{\n  \"curves\": [\n    {\"name\": \"loop\", \"spans\": [\n      {\"segment\": \"loop\", \"whole\": \"loop\", |\"inflections\": [], \"crossing\": [0.066987298107|, 0.93301270189|\"cusp\": null, \"lambda\": 6, \"mu\": 6, \"region\": \"loop\"|]}]},\n    {\"name\": \"quart\"|{\"degree\": 4, \"dimension\": 2, \"complete\": true, \"repeated\": false|\"segment_counts\": {\"inflections\": 1, \"undulations\": 0|\"whole_counts\": {\"inflections\": 2|\"complex\": 0, \"infinite\": 3|\"inside\": false, \"multiplicity\": 1, \"t\": -0.390388203202|\"inside\": true, \"multiplicity\": 1, \"t\": 0.64038820320220"},
-        {"c.json: {classify: cusp}", BATTEN_OK,
-         "\"segment\": \"cusp\"|\"crossing\": []|\"cusp\": 0.5"},
-        {"c.json: {classify: wave}", BATTEN_OK, "\"inflections\": [0.5]|\"cusp\": null"},
-    };
-    EXPECT_OUTPUTS(shapes, rows);
-}
-
 TEST(tables_matches_and_comparisons_have_the_numbers_of_their_curves)
 {
     static const expect_row rows[] = {

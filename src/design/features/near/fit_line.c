@@ -8,7 +8,7 @@ static const batten_parameter parameters[] = {
     BAT_EACH,
 };
 
-/* A foot's parameter goes from 0 at the first to 1 at the last. */
+/* A foot's parameter goes from 0 at the outermost on one side to 1 at that on the other, whatever rounding says. */
 static void take_feet(const batten_fitted_line *line, const bat_data *data, double *feet)
 {
     for (int i = 0; i < data->count; i++) {
@@ -53,10 +53,10 @@ const bat_feature bat_feature_fit_line = {
     .shown =
         {"fit-line", "The straight line nearest to points",
          "Distances are measured at right angles to the line, so the line does not depend on the\n"
-         "axes: for edges that should be straight, keels, axes of holes. It runs from the foot of\n"
-         "the perpendicular from the first point to that from the last. Every point counts,\n"
-         "outliers most. Points that spread equally in several directions, such as the corners of\n"
-         "a square, have no nearest line and are refused; so are points that all coincide.",
+         "axes: for edges that should be straight, keels, axes of holes. It runs as the points do,\n"
+         "between the outermost feet of the perpendiculars from them. Every point counts, outliers\n"
+         "most. Points that spread equally in several directions, such as the corners of a square,\n"
+         "have no nearest line and are refused; so are points that all coincide.",
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 11 cm], [2 m, 19 cm], [3 m, 31 cm]]}\n"
          "  keel: {fit-line: marks}\n",

@@ -51,7 +51,7 @@ static batten_status make_least_squares(bat_run *run, const bat_data *data, bat_
     options.knots = (batten_knot_choice)bat_word(run, "knots");
     options.closed = bat_yes(run, "closed");
     options.hold_start = options.hold_end = bat_yes(run, "hold-ends") && !options.closed;
-    options.corrections = data->dimension > 1 ? bat_count(run, "corrections") : 0;
+    options.corrections = data->abscissae ? 0 : bat_count(run, "corrections");
     options.robust = (batten_robust)bat_word(run, "robust");
     batten_fit_report report;
     double *weights = NULL;

@@ -8,6 +8,7 @@ static const char data[] =
     "  ring: {points: [[6, 2, 3], [4, 2, 7], [1, 2, 8], [-2, 2, 7]]}\n"
     "  square: {polyline: [[0, 0], [1, 0], [1, 1]]}\n"
     "  bent: {polyline: [[0, 0], [1, 0], [2, 1]]}\n"
+    "  degree: {polyline: [[0, 0], [1, 0], [1.9998476951563913, 0.01745240643728351]]}\n"
     "  quarter: {arc: 2, angle: 90 deg}\n"
     /* Of curvature 0.5 + s, s from 0 to 2. */
     "  spiral: {points: [[0, 0], [0.4901704417553, 0.082435272261], [0.8767747088654, "
@@ -40,6 +41,8 @@ static const expect_row of_arcs[] = {
      "radius inf, largest corner 90 degrees"},
     {"{arcs: bent, within: 0.001, joined: plain}", BATTEN_OK,
      "notes largest corner 45 degrees"},
+    {"{arcs: degree, within: 1e-9, joined: plain}", BATTEN_OK,
+     "notes largest corner 1 degree;"},
     {"{arcs: quarter, within: 0.001}", BATTEN_OK,
      "notes 1 arc and 0 lines; notes least radius 2, largest corner 0 degrees"},
     {"{arcs: line, within: 0.001}", BATTEN_OK, "notes 0 arcs and 1 line,; length 5"},
