@@ -1,4 +1,6 @@
 #include "picture/scenes.h"
+#include "picture/sheet/sheet.h"
+#include <batten/invariants.h>
 
 static batten_curve *bezier(const double *points)
 {
@@ -119,4 +121,63 @@ TEST(regions_have_the_areas_of_their_closed_forms)
     for (int k = 0; k < COUNT(rows); k++) /* lines and words cover a part */
         CHECK_NEAR((double)counts[k] / regular, rows[k].area, 0.15 * rows[k].area);
     batten_release(data);
+}
+
+/* The colour of the region of a cubic, by what batten_cubic_look_up says of its segment. */
+static uint32_t colour_of(double lambda, double mu)
+{
+    batten_cubic_place place;
+    CHECK_OK(batten_cubic_look_up(lambda, mu, &place));
+    switch (place.segment) {
+    case BATTEN_CUBIC_LOOP:
+        return 0xD4DCF8;
+    case BATTEN_CUBIC_TWO_INFLECTIONS:
+        return 0xFDD7B8;
+    case BATTEN_CUBIC_ONE_INFLECTION:
+        return 0xFFF3C7;
+    default: /* green where both lengths are between 0 and 1 */
+        return lambda > 0 && mu > 0 ? 0xC7E8C7 : 0xEDF2ED;
+    }
+}
+
+/* All over the plane: pixels of the colour of a region, away from the others, are of its cubics. */
+TEST(every_region_has_the_colour_of_its_cubics)
+{
+    static const double ranges[][2] = {{-2, 3.6}, {-5, 6}, {0.5, 2}, {-0.6, 1.2}};
+    static const uint32_t colours[] = {0xC7E8C7, 0xEDF2ED, 0xFFF3C7, 0xFDD7B8, 0xD4DCF8};
+    for (int i = 0; i < test_cases(COUNT(ranges)) && i < COUNT(ranges); i++) {
+        batten_draw_options options = batten_draw_defaults();
+        batten_draw_cubic_plane_options plane = batten_draw_cubic_plane_defaults();
+        char *data = NULL;
+        size_t size = 0;
+        options.width = options.height = 500;
+        plane.low = ranges[i][0];
+        plane.high = ranges[i][1];
+        plane.glyphs = false;
+        CHECK_OK(batten_draw_cubic_plane(NULL, &plane, &options, &data, &size));
+        const scene_image image = scene_decode(data, size);
+        batten_release(data);
+        /* Letters of 500 x 0.0165; the frame leaves 5 and 1 of them beside it, 1 and 7.5 above and below. */
+        const double em = 0.0165 * 500, low[2] = {plane.low, plane.low},
+                     high[2] = {plane.high, plane.high};
+        const bat_plot plot =
+            bat_plot_fit((bat_rectangle){5 * em, em, 500 - 6 * em, 500 - 9.5 * em}, low, high);
+        int seen = 0, wrong = 0;
+        for (int y = 0; y < 500; y += 2)
+            for (int x = 0; x < 500; x += 2) {
+                const double lambda = plot.x0 + (x + 0.5 - plot.frame.x) / plot.scale,
+                             mu = plot.y0 +
+                                  (plot.frame.y + plot.frame.height - y - 0.5) / plot.scale;
+                bool is_fill = false;
+                for (int k = 0; k < COUNT(colours); k++)
+                    is_fill |= scene_pixel(&image, x, y) == colours[k];
+                if (!is_fill || lambda < plane.low || lambda > plane.high || mu < plane.low ||
+                    mu > plane.high)
+                    continue;
+                seen++;
+                wrong += scene_pixel(&image, x, y) != colour_of(lambda, mu);
+            }
+        CHECK(seen > 12000);
+        CHECK(wrong < seen / 400); /* beside the boundaries of curved regions */
+    }
 }

@@ -358,3 +358,36 @@ TEST(options_that_make_no_sense_are_refused)
     }
     batten_model_unref(model);
 }
+
+TEST(views_and_combs_that_are_no_numbers_are_refused_each)
+{
+    batten_model *model = scene_empty();
+    scene_add_curve(model, "circle", scene_circle(1));
+    const batten_draw_options usual = batten_draw_defaults();
+    batten_draw_options rows[] = {usual, usual, usual};
+    static const char *const messages[] = {"azimuth inf, elevation 0 and comb scale 0",
+                                           "azimuth 0, elevation inf and comb scale 0",
+                                           "azimuth 0, elevation 0 and comb scale inf"};
+    for (int i = 0; i < COUNT(rows); i++) {
+        char *data = NULL, due[80];
+        size_t size = 0;
+        rows[i].azimuth = i == 0 ? INFINITY : 0;
+        rows[i].elevation = i == 1 ? INFINITY : 0;
+        rows[i].comb_scale = i == 2 ? INFINITY : 0;
+        snprintf(due, sizeof due, "%s must be finite", messages[i]);
+        CHECK_STATUS(batten_draw(model, &rows[i], &data, &size), BATTEN_NOT_FINITE);
+        CHECK_TEXT(batten_message(), due);
+    }
+    static const int isolines[] = {0, 1001, -5};
+    for (int i = 0; i < COUNT(isolines); i++) {
+        char *data = NULL, due[80];
+        size_t size = 0;
+        batten_draw_options options = usual;
+        options.isolines = isolines[i];
+        snprintf(due, sizeof due, "%d isolines are asked for; from 1 to 1000 are drawn",
+                 isolines[i]);
+        CHECK_STATUS(batten_draw(model, &options, &data, &size), BATTEN_BAD_ARGUMENT);
+        CHECK_TEXT(batten_message(), due);
+    }
+    batten_model_unref(model);
+}

@@ -117,6 +117,39 @@ TEST(the_teeth_of_one_wild_curve_do_not_make_the_others_small)
     batten_model_unref(wild);
 }
 
+/* Options that cannot be are refused before anything is drawn. */
+TEST(options_of_a_caller_that_knows_other_ones_are_refused)
+{
+    batten_model *model = wave(1);
+    const batten_panel panel = {"", model, 0, NULL};
+    batten_draw_options options = batten_draw_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    options.size = 1;
+    CHECK_STATUS(batten_draw_panels(1, &panel, &options, &data, &size), BATTEN_BAD_ARGUMENT);
+    CHECK(data == NULL);
+    batten_model_unref(model);
+}
+
+TEST(sixty_four_panels_are_drawn)
+{
+    if (test_cases(10) < 10)
+        SKIP("its allocations are those of fewer panels");
+    batten_model *model = wave(1);
+    batten_panel panels[64];
+    batten_draw_options options = batten_draw_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    options.width = options.height = 300;
+    for (int i = 0; i < COUNT(panels); i++)
+        panels[i] = (batten_panel){"", model, 0, NULL};
+    CHECK_OK(batten_draw_panels(COUNT(panels), panels, &options, &data, &size));
+    const scene_image image = scene_decode(data, size);
+    CHECK(image.width == 300 && image.height == 300);
+    batten_release(data);
+    batten_model_unref(model);
+}
+
 TEST(panels_that_cannot_be_are_refused)
 {
     batten_model *model = wave(1), *empty = scene_empty();
@@ -125,7 +158,9 @@ TEST(panels_that_cannot_be_are_refused)
     char *data = NULL;
     size_t size = 0;
     CHECK_STATUS(batten_draw_panels(0, panels, &options, &data, &size), BATTEN_BAD_ARGUMENT);
+    CHECK_TEXT(batten_message(), "0 panels; there may be 1 to 64");
     CHECK_STATUS(batten_draw_panels(65, panels, &options, &data, &size), BATTEN_BAD_ARGUMENT);
+    CHECK_TEXT(batten_message(), "65 panels; there may be 1 to 64");
     CHECK_STATUS(batten_draw_panels(2, panels, &options, &data, &size), BATTEN_BAD_ARGUMENT);
     CHECK(data == NULL);
     batten_model_unref(model);
