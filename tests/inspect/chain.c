@@ -2,6 +2,7 @@
 #include <batten/measure.h>
 
 #include "inspect/local.h"
+#include "numeric/quadrature.h"
 #include "support/test.h"
 
 TEST(an_arc_of_a_chain_has_its_curvature_tangent_and_length)
@@ -118,4 +119,84 @@ TEST(the_bend_of_a_span_is_that_of_its_formula)
             check_bend(2, &stop, t, (bat_bend){2 * (1 - t) * sqrt(5), 0, 0});
     }
     check_bend(2, &stop, 1, (bat_bend){0, 0, 0});
+}
+
+static bat_span_sums sums_of(int d, const batten_span *span)
+{
+    bat_ruler ruler;
+    bat_span_sums sums = {-7, -7, -7};
+    bat_gauss(BAT_RULER_NODES, ruler.nodes, ruler.weights);
+    bat_span_integrate(d, span, &ruler, &sums);
+    return sums;
+}
+
+/* (t, t^2 / 2) from 0 to T: with s = sin(atan(T)) the energy is s - s^3 / 3, and the variation nine times
+ * s^3 / 3 - 3 s^5 / 5 + 3 s^7 / 7 - s^9 / 9. */
+TEST(length_energy_and_variation_of_a_parabola_are_those_of_its_formula)
+{
+    static const double ends[] = {0.5, 1, 4, 40};
+    for (int i = 0; i < 2 * COUNT(ends); i++) {
+        const double T = ends[i / 2], s = T / sqrt(1 + T * T);
+        const batten_span span = {.kind = BATTEN_SPAN_TENSION,
+                                  .length = T,
+                                  .end = {T, T * T / 2},
+                                  .bend = {{0, 1}, {0, 1}}};
+        const bat_span_sums sums = sums_of(2 + i % 2, &span);
+        const double length = (T * sqrt(1 + T * T) + asinh(T)) / 2, energy = s - s * s * s / 3,
+                     variation = 9 * (pow(s, 3) / 3 - 3 * pow(s, 5) / 5 + 3 * pow(s, 7) / 7 -
+                                      pow(s, 9) / 9);
+        CHECK_NEAR(sums.length, length, 1e-12 * length);
+        CHECK_NEAR(sums.energy, energy, 1e-12 * energy);
+        CHECK_NEAR(sums.variation, variation, 1e-12 * variation);
+    }
+}
+
+/* y'' = sinh(t (1 - x)) / sinh(t): the energy is (sinh(2 t) / (4 t) - 1 / 2) / sinh(t)^2, and so on. */
+TEST(a_span_in_tension_is_measured_where_it_bends)
+{
+    static const double tensions[] = {0.5, 8, 60, 70, 1000, 100000};
+    for (int i = 0; i < COUNT(tensions); i++) {
+        const double t = tensions[i];
+        const batten_span span = {
+            .kind = BATTEN_SPAN_TENSION, .length = 1, .tension = t, .bend = {{1}, {0}}};
+        const bat_span_sums sums = sums_of(1, &span);
+        const double over = t < 300 ? 1 / (sinh(t) * sinh(t)) : 0,
+                     whole = t < 300 ? sinh(2 * t) * over / (4 * t) : 1 / (2 * t);
+        CHECK_NEAR(sums.length, 1, 1e-12);
+        CHECK_NEAR(sums.energy, whole - over / 2, 2e-12 * whole);
+        CHECK_NEAR(sums.variation, t * t * (whole + over / 2), 2e-12 * t * t * whole);
+    }
+}
+
+/* Curvatures along arc length: 3 of an arc, 1 + 2 s of a clothoid. */
+TEST(spans_by_length_have_exact_sums)
+{
+    const batten_span arc = {.kind = BATTEN_SPAN_ARC, .length = 2, .curvature = {-3}},
+                      clothoid = {.kind = BATTEN_SPAN_SPIRAL, .length = 3, .curvature = {1, 2}};
+    const bat_span_sums a = sums_of(2, &arc), c = sums_of(2, &clothoid);
+    CHECK_BITS(a.length, 2);
+    CHECK_NEAR(a.energy, 18, 1e-13);
+    CHECK_BITS(a.variation, 0);
+    CHECK_BITS(c.length, 3);
+    CHECK_NEAR(c.energy, (343 - 1) / 6.0, 1e-12);
+    CHECK_NEAR(c.variation, 12, 1e-13);
+}
+
+/* Spans of each kind one after another; with the bound on the error. */
+TEST(the_length_of_a_chain_is_the_sum_of_its_spans)
+{
+    const batten_span spans[] = {{.kind = BATTEN_SPAN_ARC, .length = 2, .start = {0, 0}},
+                                 {.kind = BATTEN_SPAN_TENSION,
+                                  .length = 1,
+                                  .start = {2, 0},
+                                  .end = {3, 0.5},
+                                  .bend = {{0, 1}, {0, 1}}}};
+    batten_chain *chain = NULL;
+    double length = 0, error = 0;
+    CHECK_OK(
+        batten_chain_create(&(batten_chain_parts){2, 2, spans, NULL, false}, 1e-9, &chain));
+    CHECK_OK(batten_chain_length(chain, &error, &length));
+    CHECK_NEAR(length, 2 + (sqrt(2) + asinh(1)) / 2, 1e-12);
+    CHECK(error > 1e-13 && error < 1e-11);
+    batten_chain_unref(chain);
 }

@@ -175,3 +175,49 @@ TEST(shells_that_are_turned_inside_out_are_told)
     batten_body_unref(both);
     batten_body_unref(sheets);
 }
+
+/* A box with a ball in it; of the box one plane lies far beside its edges when `broken`. */
+static batten_body *box_around_ball(bool box_turned, bool ball_turned, bool broken)
+{
+    batten_body *box = test_box((batten_vec3){-3, -3, -3}, (batten_vec3){3, 3, 3}),
+                *body = NULL;
+    batten_body_parts parts = *batten_body_view(box);
+    batten_body_face faces[7];
+    batten_body_use uses[24];
+    const batten_body_shell shells[2] = {{0, 6, true}, {6, 1, true}};
+    const batten_affine aside = batten_affine_translation(-4, 0, 0);
+    batten_surface *ball = NULL, *moved = NULL;
+    CHECK_OK(batten_surface_sphere(&hand_world, 1, &ball));
+    CHECK_OK(batten_surface_transform(parts.faces[0].surface, &aside, &moved));
+    memcpy(faces, parts.faces, 6 * sizeof *faces);
+    for (int f = 0; f < 6; f++)
+        faces[f].reversed = faces[f].reversed != box_turned;
+    for (int u = 0; u < 24; u++) {
+        uses[u] = parts.uses[box_turned ? u / 4 * 4 + 3 - u % 4 : u];
+        uses[u].reversed = uses[u].reversed != box_turned;
+    }
+    if (broken)
+        faces[0].surface = moved;
+    faces[6] = (batten_body_face){
+        .surface = ball, .reversed = !ball_turned, .first = parts.loop_count, .name = ""};
+    parts.faces = faces;
+    parts.face_count = 7;
+    parts.uses = uses;
+    parts.shells = shells;
+    parts.shell_count = 2;
+    CHECK_OK(batten_body_create(&parts, &body));
+    batten_surface_unref(moved);
+    batten_surface_unref(ball);
+    batten_body_unref(box);
+    return body;
+}
+
+TEST(a_shell_with_a_face_that_cannot_be_measured_is_not_judged_and_others_are)
+{
+    for (int i = 0; i < 8; i++) {
+        const bool box_turned = i & 1, ball_turned = i & 2, broken = i & 4;
+        batten_body *body = box_around_ball(box_turned, ball_turned, broken);
+        CHECK_INT(turned_in(body), (box_turned && !broken) + ball_turned);
+        batten_body_unref(body);
+    }
+}

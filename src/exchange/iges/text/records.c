@@ -112,7 +112,7 @@ static batten_status read_records(bat_iges_file *file)
 
 #define FIELD 8
 
-/* The integer of a field of 8 columns; blanks are 0. */
+/* The integer of a field of 8 columns; blanks are 0. False, and the value as it was, when there is none. */
 static bool read_field(bat_span record, int field, int *value)
 {
     const size_t begin = (size_t)(FIELD * field), end = begin + FIELD;
@@ -139,7 +139,8 @@ static bool read_field(bat_span record, int field, int *value)
 static int read_loosely(bat_span record, int field)
 {
     int value = 0;
-    return read_field(record, field, &value) ? value : 0;
+    read_field(record, field, &value);
+    return value;
 }
 
 /* Two digits of the status, from column `at` of its field on; blanks are zeros. */

@@ -329,3 +329,25 @@ TEST(an_entry_has_the_records_from_its_first_to_its_terminator)
         bat_release(file.runs.items);
     }
 }
+
+TEST(an_entry_for_which_there_is_no_memory_says_so)
+{
+    only_once();
+    static char text[81 * 4 + 1];
+    static const char *const records[4] = {"1.,", "2.,", "3.,7.;", "9.;"};
+    bat_input input;
+    bat_iges_parameters parameters;
+    CHECK_OK(bat_input_begin(text, sizeof text, NULL, NULL, NULL, &input));
+    bat_iges_file file = {
+        .input = &input, .delimiters = {',', ';'}, .runs = {.size = sizeof(bat_iges_run)}};
+    fill_records(&file, text, records);
+    bat_iges_number_data(&file);
+    bat_iges_parameters_begin(&parameters);
+    test_fail_allocation(1);
+    const batten_status status =
+        bat_iges_read_parameters(&file, &(bat_iges_entry){.data = 1}, &parameters);
+    test_fail_allocation(0);
+    CHECK_INT(status, BATTEN_OUT_OF_MEMORY);
+    bat_iges_parameters_end(&parameters);
+    bat_release(file.runs.items);
+}

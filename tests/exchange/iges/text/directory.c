@@ -167,3 +167,19 @@ TEST(delimiters_are_printed_characters_that_no_number_has)
         bat_iges_end(&file);
     }
 }
+
+/* Level, colour and subscript are of no account for the shape: what is no integer is 0. */
+TEST(a_field_that_others_can_do_without_is_0_when_it_is_no_integer)
+{
+    only_once();
+    static const char *const bad[] = {"    x", " 1 2", "1.5", "--3", "3-"};
+    for (int i = 0; i < COUNT(bad); i++) {
+        char field[9];
+        snprintf(field, sizeof field, "%8s", bad[i]);
+        CHECK_INT(entry_of(bent(0, 32, field)).level, 0);
+        CHECK_INT(entry_of(bent(1, 16, field)).colour, 0);
+        CHECK_INT(entry_of(bent(1, 64, field)).subscript, 0);
+        CHECK(!entry_of(bent(1, 64, field)).is_broken);
+        CHECK(entry_of(bent(0, 48, field)).is_broken);
+    }
+}
