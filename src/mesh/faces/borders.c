@@ -7,37 +7,33 @@
 /* When finer samples alone have not helped for some rounds, corners are spread. */
 enum { SPREAD_ROUND = 4, MOST_ROUNDS = 12 };
 
-/* Edges of different curves between the same two vertices must not be one edge of the mesh. */
+/* Edges of different curves between the same two vertices must not be one edge of the mesh. Samples inside an edge
+ * are vertices of its own, so that only edges without any can be twins. */
 static batten_status find_twins(const bat_meshing *m, bat_pairs *splits)
 {
     bat_pairs seen;
     batten_status status = bat_pairs_begin(&seen, (size_t)m->point_count + 16);
-    int *owner = NULL;
     if (status != BATTEN_OK)
         return status;
-    size_t count = 0;
-    for (int e = 0; e < m->parts->edge_count; e++)
-        count += (size_t)bat_max_int(m->edges[e].count, 1);
-    owner = bat_array(count, 2 * sizeof *owner);
+    int *owner = bat_array((size_t)m->parts->edge_count, sizeof *owner);
     if (!owner)
         status = BATTEN_OUT_OF_MEMORY;
-    for (int e = 0; status == BATTEN_OK && e < m->parts->edge_count; e++)
-        for (int i = 0; status == BATTEN_OK && i + 1 < m->edges[e].count; i++) {
-            const int a = m->edges[e].vertex[i], b = m->edges[e].vertex[i + 1];
-            const int known = seen.count;
-            int index = 0, split;
-            status = bat_pairs_add(&seen, bat_min_int(a, b), bat_max_int(a, b), &index);
-            if (status != BATTEN_OK)
-                break;
-            if (index == known) {
-                owner[2 * index] = e;
-                owner[2 * index + 1] = i;
-                continue;
-            }
-            status = bat_pairs_add(splits, owner[2 * index], owner[2 * index + 1], &split);
-            if (status == BATTEN_OK)
-                status = bat_pairs_add(splits, e, i, &split);
+    for (int e = 0; status == BATTEN_OK && e < m->parts->edge_count; e++) {
+        const int *ends = m->edges[e].vertex, known = seen.count;
+        int index = 0, split;
+        if (m->edges[e].count != 2)
+            continue;
+        status = bat_pairs_add(&seen, bat_min_int(ends[0], ends[1]),
+                               bat_max_int(ends[0], ends[1]), &index);
+        if (status == BATTEN_OK && index == known) {
+            owner[index] = e;
+            continue;
         }
+        if (status == BATTEN_OK)
+            status = bat_pairs_add(splits, owner[index], 0, &split);
+        if (status == BATTEN_OK)
+            status = bat_pairs_add(splits, e, 0, &split);
+    }
     bat_release(owner);
     bat_pairs_end(&seen);
     return status;
