@@ -138,6 +138,32 @@ TEST(a_station_of_few_points_needs_what_its_neighbours_do)
     release_hull(&h);
 }
 
+/* From the side the profile has one inflection and the sheer none; from above the sheer has one. */
+TEST(edges_need_the_inflections_that_their_points_have_from_the_side_and_from_above)
+{
+    const double *const shape[STATIONS] = {round_side, round_side, round_side, round_side,
+                                           round_side};
+    static const int counts[STATIONS] = {6, 6, 6, 6, 6};
+    static const double keel[STATIONS] = {0.16, 0.15, 0.06, 0.01, 0.0},
+                        breadth[STATIONS] = {0.2, 0.25, 0.7, 0.95, 1};
+    static hull h;
+    double at[40];
+    int needed[40];
+    make_hull(shape, counts, MOST, &h);
+    for (int k = 0; k < STATIONS; k++) {
+        h.points[k][0].z = keel[k];
+        h.points[k][MOST - 1].y = breadth[k];
+    }
+    h.loft.within = 0.001;
+    CHECK_OK(find_cuts(&h));
+    CHECK_INT(list_cuts(&h, BAT_CUT_PROFILE, at, needed), 1);
+    CHECK_INT(needed[0], 1);
+    CHECK_INT(list_cuts(&h, BAT_CUT_SHEER, at, needed), 2);
+    CHECK_INT(needed[0], 0);
+    CHECK_INT(needed[1], 1);
+    release_hull(&h);
+}
+
 TEST(a_stem_is_no_cut)
 {
     const double *const shape[STATIONS] = {round_side, round_side, round_side, round_side,

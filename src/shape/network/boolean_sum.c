@@ -46,11 +46,10 @@ static void find_point(const bat_network_side *u, const bat_network_side *v,
 static void keep_rims(const bat_network_side *u, const bat_network_side *v, double *points)
 {
     const size_t across = (size_t)v->count;
-    for (int end = 0; end < 2; end++) {
-        const size_t a = end ? (size_t)u->count - 1 : 0, b = end ? across - 1 : 0;
-        const double *guide = v->rows + (end ? 3 * (size_t)(v->curves - 1) * across : 0);
-        const double *profile =
-            u->rows + (end ? 3 * (size_t)(u->curves - 1) * (size_t)u->count : 0);
+    for (size_t end = 0; end < 2; end++) {
+        const size_t a = end * ((size_t)u->count - 1), b = end * (across - 1);
+        const double *guide = v->rows + 3 * end * (size_t)(v->curves - 1) * across;
+        const double *profile = u->rows + 3 * end * (size_t)(u->curves - 1) * (size_t)u->count;
         memcpy(points + 3 * a * across, guide, 3 * across * sizeof *points);
         for (size_t i = 0; i < (size_t)u->count; i++)
             memcpy(points + 3 * (i * across + b), profile + 3 * i, 3 * sizeof *points);

@@ -85,6 +85,33 @@ TEST(curves_close_within_the_gap_unless_two_others_begin_at_their_ends)
     }
 }
 
+/* The lower square is open by 0.01, the upper one by 0.02; as profiles and as guides. */
+TEST(the_widest_seam_is_reported_with_its_curve_in_either_family)
+{
+    tower narrow, wide;
+    batten_surface_gordon_options options = batten_surface_gordon_defaults();
+    options.tolerance = 1e-3;
+    options.gap = 0.05;
+    begin_tower(&narrow, 0.01, 3);
+    begin_tower(&wide, 0.02, 3);
+    const batten_curve *const squares[2] = {narrow.profiles[0], wide.profiles[1]};
+    const batten_curve_row rings = {2, squares},
+                           posts = {3, (const batten_curve *const *)narrow.along};
+    for (int guides = 0; guides < 2; guides++) {
+        batten_surface *surface = NULL;
+        batten_surface_gordon_report report;
+        CHECK_OK(batten_surface_gordon(guides ? posts : rings, guides ? rings : posts, &options,
+                                       NULL, &report, &surface));
+        CHECK(report.closed_u == !guides && report.closed_v == guides);
+        CHECK_NEAR(report.seam, 0.02, 1e-12);
+        CHECK_INT(report.seam_is_guide, guides);
+        CHECK_INT(report.seam_curve, 1);
+        batten_surface_unref(surface);
+    }
+    end_tower(&narrow);
+    end_tower(&wide);
+}
+
 TEST(networks_that_close_report_every_lack_of_memory)
 {
     tower t;
