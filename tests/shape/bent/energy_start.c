@@ -3,6 +3,7 @@
 #include <batten/fair.h>
 #include <batten/interpolate.h>
 
+#include "shape/bent/energy.h"
 #include "support/test.h"
 
 static double energy_of(const batten_fairness *f, batten_energy energy)
@@ -139,5 +140,59 @@ TEST(points_in_a_plane_of_space_have_the_curve_of_the_plane)
         CHECK_NEAR(placed.after, plane.after, 1e-6 * plane.after);
         batten_curve_unref(a);
         batten_curve_unref(b);
+    }
+}
+
+/* What failed is given back, so that a test may try again. */
+static batten_status make_starts(const bat_energy_spline *t, bat_energy_starts *out)
+{
+    const batten_status status = bat_energy_starts_make(t, out);
+    if (status != BATTEN_OK)
+        bat_energy_starts_release(out);
+    return status;
+}
+
+static const struct {
+    bool start, end, curved, closed; /* what is given */
+    bool chains, curves;             /* which of the others meet it */
+} ends[] = {
+    {false, false, false, false, true, true},  {true, false, false, false, true, false},
+    {false, true, false, false, true, false},  {true, true, false, false, true, false},
+    {false, false, true, false, false, false}, {true, false, true, false, false, false},
+    {false, false, false, true, true, true},
+};
+
+TEST(a_curve_is_a_rival_where_it_meets_the_tangents_and_curvatures_that_are_given)
+{
+    static const double points[] = {0, 0, 1, 0.7, 2.2, 0.4, 3, -0.5}, along[] = {1, 0.5};
+    if (test_cases(10) < 10)
+        return; /* without memory some of the curves are left out */
+    for (int i = 0; i < COUNT(ends); i++) {
+        batten_curve_minimum_energy_options options = batten_curve_minimum_energy_defaults();
+        double copy[COUNT(points)];
+        memcpy(copy, points, sizeof copy);
+        options.energy = BATTEN_ENERGY_BENDING;
+        options.closed = ends[i].closed;
+        options.start_tangent = ends[i].start ? along : NULL;
+        options.end_tangent = ends[i].end ? along : NULL;
+        options.end_curvature = ends[i].curved ? along : NULL;
+        const bat_energy_spline t = {.options = &options,
+                                     .d = 2,
+                                     .count = 4,
+                                     .given = points,
+                                     .unit = 1,
+                                     .points = copy};
+        bat_energy_starts starts = {0};
+        CHECK_OK(make_starts(&t, &starts));
+        int found[2] = {0, 0};
+        for (int k = 0; k < starts.count; k++) {
+            const bat_energy_start *s = &starts.at[k];
+            CHECK(s->is_rival == (s->chain ? ends[i].chains : ends[i].curves));
+            CHECK(k == 0 || s->energy >= starts.at[k - 1].energy * 0.99);
+            found[s->chain != NULL]++;
+        }
+        CHECK(found[0] > 0 && found[1] > 0);
+        bat_energy_starts_release(&starts);
+        CHECK_INT(starts.count, 0);
     }
 }
