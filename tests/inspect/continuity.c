@@ -215,3 +215,18 @@ TEST(a_part_as_large_as_the_tolerance_is_within_it)
     batten_curve_unref(b);
     batten_curve_unref(a);
 }
+
+TEST(curves_of_different_dimensions_have_no_continuity)
+{
+    const double plane[4] = {0, 0, 1, 0}, space[6] = {1, 0, 0, 2, 0, 0};
+    batten_curve *a = NULL, *b = NULL;
+    batten_continuity c = {.geometric = 7};
+    CHECK_OK(batten_curve_line(2, plane, plane + 2, &a));
+    CHECK_OK(batten_curve_line(3, space, space + 3, &b));
+    CHECK_STATUS(batten_curves_continuity(a, BATTEN_CURVE_END, b, BATTEN_CURVE_START, NULL, &c),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_TEXT(batten_message(), "the curves have 2 and 3 dimensions");
+    CHECK_INT(c.geometric, 7);
+    batten_curve_unref(b);
+    batten_curve_unref(a);
+}

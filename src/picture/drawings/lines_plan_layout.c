@@ -166,7 +166,7 @@ batten_status bat_lines_lay_out(bat_lines_sheet *s, const bat_canvas *canvas)
                         canvas->width, canvas->height);
     s->ratio = usual_ratio(points / largest);
     s->scale = points / s->ratio;
-    if (!isfinite(s->ratio) || !(s->scale > 0))
+    if (!(s->scale > 0))
         return bat_fail(BATTEN_OVERFLOW, "a hull of length %g is too large to draw",
                         s->hull.high[0] - s->hull.low[0]);
     place_views(s, inside, em, best);

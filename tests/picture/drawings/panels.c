@@ -117,6 +117,36 @@ TEST(the_teeth_of_one_wild_curve_do_not_make_the_others_small)
     batten_model_unref(wild);
 }
 
+/* Waves with their data over 0 .. 4, and one line in five that runs far off to one side: half of 4 more is shown there. */
+TEST(a_curve_that_runs_off_does_not_make_the_first_one_small)
+{
+    batten_model *first = wave(0.1);
+    int width[3];
+    for (int k = 0; k < 3; k++) {
+        const double ends[] = {k == 0 ? 0 : k == 1 ? -100 : 0, 0, 0, k == 2 ? 100 : 4, 0, 0};
+        batten_model *other = scene_empty();
+        scene_add_curve(other, "line", scene_curve(3, 1, 2, ends));
+        const batten_panel panels[] = {{"", first, 0, NULL},
+                                       {"", first, 0, NULL},
+                                       {"", first, 0, NULL},
+                                       {"", first, 0, NULL},
+                                       {"", other, 0, NULL}};
+        batten_draw_options options = batten_draw_defaults();
+        char *data = NULL;
+        size_t size = 0;
+        options.width = 600;
+        options.height = 500;
+        CHECK_OK(batten_draw_panels(COUNT(panels), panels, &options, &data, &size));
+        const scene_image image = scene_decode(data, size);
+        batten_release(data);
+        width[k] = ink_width(&image, 0, 100);
+        batten_model_unref(other);
+    }
+    for (int k = 1; k < 3; k++)
+        CHECK(width[k] > 0.6 * width[0] && width[k] < 0.9 * width[0]);
+    batten_model_unref(first);
+}
+
 /* Options that cannot be are refused before anything is drawn. */
 TEST(options_of_a_caller_that_knows_other_ones_are_refused)
 {
