@@ -290,6 +290,25 @@ BATTEN_API batten_status batten_hull_waterline(const batten_hull *hull,
                                                double tolerance, batten_interval *along,
                                                batten_interval *across);
 
+/**
+ * The wet area of the cross section at a place along the ship, across the x of the hull: a point of
+ * the curve of sectional areas for a draught, of Bonjean's curves for a place. Where the hull ends
+ * flat, as at a transom, that of the section just inside.
+ *
+ * @param hull  any hull
+ * @param flotation  as batten_hull_hydrostatics
+ * @param x  model units; beyond the ends the area is 0
+ * @param precision  1e-10 to 0.1, a part of the breadth times the depth of the hull
+ * @param[out] area  model units squared; as it was when the function fails
+ * @return BATTEN_OK; BAD_ARGUMENT; TOLERANCE_NOT_MET; OUT_OF_MEMORY
+ *
+ * Cost: some hundred points for each Bezier patch that the section crosses, a few thousand where
+ * it leaves the water or turns.
+ */
+BATTEN_API batten_status batten_hull_section_area(const batten_hull *hull,
+                                                  const batten_flotation *flotation, double x,
+                                                  double precision, double *area);
+
 /** What a hull carries, and how it may move. */
 typedef struct batten_loading {
     double volume;       /**< to be displaced: the mass over the density */

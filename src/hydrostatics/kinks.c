@@ -142,3 +142,50 @@ batten_status bat_find_kinks(const bat_patch *patch, batten_direction constant,
     bat_sort_doubles((size_t)*count, kinks);
     return status;
 }
+
+/* ---- their last digits ---- */
+
+static batten_status count_crossings(const bat_patch *patch, batten_direction constant,
+                                     const bat_water *water, double t, int *count)
+{
+    bat_row row;
+    double heights[BATTEN_MAX_DEGREE + 1], roots[BATTEN_MAX_DEGREE];
+    bat_patch_row(patch, constant, t, &row);
+    bat_row_heights(&row, water->n, water->d, heights);
+    return bat_row_roots(row.degree, heights, roots, count);
+}
+
+/* Where the number of crossings changes in `around`; its middle where it is the same at both ends. */
+static batten_status find_change(const bat_patch *patch, batten_direction constant,
+                                 const bat_water *water, batten_interval around, double *kink)
+{
+    int low = 0, high = 0, count = 0;
+    batten_status status = count_crossings(patch, constant, water, around.a, &low);
+    if (status == BATTEN_OK)
+        status = count_crossings(patch, constant, water, around.b, &high);
+    *kink = 0.5 * (around.a + around.b);
+    while (status == BATTEN_OK && low != high && *kink > around.a && *kink < around.b) {
+        status = count_crossings(patch, constant, water, *kink, &count);
+        *(count == low ? &around.a : &around.b) = *kink;
+        *kink = 0.5 * (around.a + around.b);
+    }
+    return status;
+}
+
+batten_status bat_sharpen_kinks(const bat_patch *patch, batten_direction constant,
+                                const bat_water *water, double kinks[BAT_MOST_KINKS],
+                                int *count)
+{
+    int kept = 1;
+    batten_status status = BATTEN_OK;
+    for (int i = 1, next; i + 1 < *count && status == BATTEN_OK; i = next) {
+        for (next = i + 1; next + 1 < *count && kinks[next] - kinks[next - 1] < 4 * TURN_WIDTH;)
+            next++;
+        const batten_interval around = {bat_max(0, kinks[i] - 2 * TURN_WIDTH),
+                                        bat_min(1, kinks[next - 1] + 2 * TURN_WIDTH)};
+        status = find_change(patch, constant, water, around, &kinks[kept++]);
+    }
+    kinks[kept++] = 1;
+    *count = kept;
+    return status;
+}

@@ -11,4 +11,10 @@ enum { BAT_MOST_TURNS = 40, BAT_MOST_KINKS = 2 * BATTEN_MAX_DEGREE + BAT_MOST_TU
 batten_status bat_find_kinks(const bat_patch *patch, batten_direction constant,
                              const bat_water *water, double kinks[BAT_MOST_KINKS], int *count);
 
+/* Kinks to the last digit where the number of crossings changes, which turns are found to 1e-9 without; those
+ * that are nearer to each other become one. */
+batten_status bat_sharpen_kinks(const bat_patch *patch, batten_direction constant,
+                                const bat_water *water, double kinks[BAT_MOST_KINKS],
+                                int *count);
+
 #endif

@@ -139,27 +139,10 @@ static batten_status sum_band(const region *r, band *b)
 
 /* ---- one patch ---- */
 
-/* Rows run in the direction in which the height changes more, so that most cross the water once.
- */
-static batten_direction steep_direction(const bat_patch *patch, const double n[3])
-{
-    double change[2] = {0, 0};
-    const int rows = patch->degree[0] + 1, columns = patch->degree[1] + 1;
-    for (int i = 0; i < rows; i++)
-        for (int j = 0; j < columns; j++) {
-            const double *p = patch->points + 4 * (i * columns + j);
-            const double *last[2] = {i > 0 ? p - (ptrdiff_t)4 * columns : p, j > 0 ? p - 4 : p};
-            for (int k = 0; k < 2; k++)
-                change[k] +=
-                    fabs(bat_dot(3, n, p) / p[3] - bat_dot(3, n, last[k]) / last[k][3]);
-        }
-    return change[1] / rows >= change[0] / columns ? BATTEN_V : BATTEN_U;
-}
-
 static region region_of(const bat_patch *patch, const bat_water *water)
 {
     region r = {.patch = patch, .water = water};
-    const batten_direction along = steep_direction(patch, water->n);
+    const batten_direction along = bat_patch_steep(patch, water->n);
     r.constant = (batten_direction)!along;
     r.sign = along == BATTEN_V ? patch->sign : -patch->sign;
     r.count = bat_min_int(MOST_NODES, 2 * bat_max_int(patch->degree[0], patch->degree[1]));

@@ -1,0 +1,135 @@
+/* Wet areas of cross sections, against closed forms. */
+#include "hydrostatics/hulls.h"
+#include "support/test.h"
+
+#include <batten/standard.h>
+
+static const double PI = 3.14159265358979323846;
+
+static double area_within(const batten_hull *hull, batten_flotation at, double x,
+                          double precision)
+{
+    double area = NAN;
+    CHECK_OK(batten_hull_section_area(hull, &at, x, precision, &area));
+    return area;
+}
+
+static double area_at(const batten_hull *hull, batten_flotation at, double x)
+{
+    return area_within(hull, at, x, 1e-10);
+}
+
+static const double turns[][2] = {{0, 0}, {0.1, 0.2}, {-0.15, 0.3}, {0.2, -0.1}, {0, -0.25}};
+
+TEST(sections_of_a_box_are_as_wide_as_it_and_as_high_as_the_water)
+{
+    batten_hull *hull = box_hull();
+    for (int k = 0; k < 5; k++)
+        for (int i = 0; i <= 8; i++) {
+            const oblique_box box = box_at(turns[k][0], turns[k][1]);
+            const double x = 0.5 * i, rise = tan(turns[k][0]) / cos(turns[k][1]);
+            CHECK_NEAR(area_at(hull, box.at, x), 2 * (0.9 - (x - 2) * rise), 1e-10);
+        }
+    batten_hull_free(hull);
+}
+
+TEST(sections_of_a_box_beyond_its_deck_and_its_ends)
+{
+    batten_hull *hull = box_hull();
+    CHECK_NEAR(area_at(hull, (batten_flotation){9, 0.1, 0.2}, 1.5), 4, 1e-10);
+    CHECK_NEAR(area_at(hull, (batten_flotation){-1, 0, 0}, 1.5), 0, 0);
+    CHECK_NEAR(area_at(hull, (batten_flotation){1, 0, 0}, 4.001), 0, 0);
+    CHECK_NEAR(area_at(hull, (batten_flotation){1, 0, 0}, -0.001), 0, 0);
+    /* on its side, with a draught that is that of z = 0 at y = 0: half of it is wet */
+    CHECK_NEAR(area_at(hull, (batten_flotation){0, 0, 1.5707963267948966}, 3), 2, 1e-10);
+    batten_hull_free(hull);
+}
+
+TEST(sections_of_wigleys_hull_are_parabolas)
+{
+    batten_hull *hull = wigley_hull();
+    const double t = WIGLEY_DRAUGHT;
+    for (int i = -9; i <= 9; i++)
+        for (int k = 0; k <= 4; k++) {
+            const double x = 0.5 * i, z = -0.25 * k * t; /* the water */
+            const double waist =
+                WIGLEY_BREADTH * (1 - 4 * x * x / WIGLEY_LENGTH / WIGLEY_LENGTH);
+            const double height = t + z;
+            const double wanted =
+                waist * (height * height / t - height * height * height / (3 * t * t));
+            CHECK_NEAR(area_at(hull, (batten_flotation){z, 0, 0}, x), wanted, 1e-11);
+        }
+    batten_hull_free(hull);
+}
+
+/* A torus around the upright axis, of radii 3 and 1, and all of it under water: the plane x = 0 meets it in two
+ * circles, x = 2 touches it from inside, and beyond there is one loop. */
+static batten_hull *torus_hull(void)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_surface *torus = NULL;
+    batten_hull *hull = NULL;
+    batten_hull_options options = batten_hull_defaults();
+    options.whole = true;
+    CHECK_OK(batten_surface_torus(&frame, 3, 1, &torus));
+    CHECK_OK(batten_hull_create(1, (const batten_surface *const[]){torus}, &options, &hull));
+    batten_surface_unref(torus);
+    return hull;
+}
+
+/* By lines across at z = sin(angle); the rule is exact but for rounding, as the integrand is periodic. */
+static double torus_section(double x)
+{
+    enum { STEPS = 400 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; i++) {
+        const double c = cos(2 * PI * i / STEPS);
+        sum += (sqrt((3 + c) * (3 + c) - x * x) - sqrt((3 - c) * (3 - c) - x * x)) * c;
+    }
+    return sum * 2 * PI / STEPS;
+}
+
+TEST(sections_of_a_torus_in_two_loops_turn_inside_its_patches)
+{
+    batten_hull *hull = torus_hull();
+    const batten_flotation at = {2, 0.1, 0.2};
+    CHECK_NEAR(area_at(hull, at, 0), 2 * PI, 1e-9);
+    for (int i = -3; i <= 3; i++)
+        CHECK_NEAR(area_at(hull, at, 0.5 * i), torus_section(0.5 * i), 1e-9);
+    /* half of it, upright */
+    CHECK_NEAR(area_at(hull, (batten_flotation){0, 0, 0}, 1), torus_section(1) / 2, 1e-9);
+    batten_hull_free(hull);
+}
+
+TEST(sections_of_a_torus_add_up_to_its_volume)
+{
+    batten_hull *hull = torus_hull();
+    const batten_flotation at = {0.3, 0.2, -0.3};
+    batten_hydrostatics v;
+    double volume = 0;
+    enum { STEPS = 60 };
+    for (int part = -2; part < 2; part++)
+        for (int i = 0; i < STEPS; i++) { /* places that crowd at -4, -2, 0, 2 and 4 */
+            const double angle = PI / 2 * (i + 0.5) / STEPS, s = sin(angle);
+            volume += area_within(hull, at, 2 * (part + s * s), 1e-7) * 2 * sin(2 * angle) *
+                      PI / 2 / STEPS;
+        }
+    CHECK_OK(batten_hull_hydrostatics(hull, &at, 1e-9, NULL, &v));
+    CHECK_NEAR(volume, v.volume, 2e-4 * v.volume);
+    batten_hull_free(hull);
+}
+
+TEST(sections_without_a_place_or_a_precision_are_refused)
+{
+    batten_hull *hull = box_hull();
+    const batten_flotation at = {0.9, 0, 0}, lost = {0.9, 2, 0};
+    double area = 7;
+    CHECK_STATUS(batten_hull_section_area(hull, &at, NAN, 1e-9, &area), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the place of a section is not finite");
+    CHECK_STATUS(batten_hull_section_area(hull, &at, 1, 0.2, &area), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the precision of a section is 0.2; it must be 1e-10 to 0.1");
+    CHECK_STATUS(batten_hull_section_area(hull, &lost, 1, 1e-9, &area), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("a trim of 114.592");
+    CHECK_NEAR(area, 7, 0);
+    batten_hull_free(hull);
+}
