@@ -299,15 +299,17 @@ BATTEN_API batten_status batten_hull_waterline(const batten_hull *hull,
  * @param flotation  as batten_hull_hydrostatics
  * @param x  model units; beyond the ends the area is 0
  * @param precision  1e-10 to 0.1, a part of the breadth times the depth of the hull
+ * @param job  cancelling and the limit of work; NULL for none
  * @param[out] area  model units squared; as it was when the function fails
- * @return BATTEN_OK; BAD_ARGUMENT; TOLERANCE_NOT_MET; OUT_OF_MEMORY
+ * @return BATTEN_OK; BAD_ARGUMENT; TOLERANCE_NOT_MET; CANCELLED, INCOMPLETE, OUT_OF_MEMORY
  *
  * Cost: some hundred points for each Bezier patch that the section crosses, a few thousand where
  * it leaves the water or turns.
  */
 BATTEN_API batten_status batten_hull_section_area(const batten_hull *hull,
                                                   const batten_flotation *flotation, double x,
-                                                  double precision, double *area);
+                                                  double precision, const batten_job *job,
+                                                  double *area);
 
 /** What a hull carries, and how it may move. */
 typedef struct batten_loading {

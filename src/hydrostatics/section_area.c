@@ -4,6 +4,7 @@
  * the divergence is 1 and nothing flows through the water or through the section. So the volume is
  * the flux of F out of the wet surfaces, and a section moves only the ends of their rows.
  */
+#include "base/work.h"
 #include "hydrostatics/hull.h"
 #include "hydrostatics/kinks.h"
 #include "hydrostatics/wet.h"
@@ -22,7 +23,7 @@ static const double NEAREST = 1e-5, NEAREST_ROW = 1e-14;
 static const double LEAST_PRECISION = 1e-10, MOST_PRECISION = 0.1;
 /* Evaluations for each band between kinks; rows that are asked where they leave the water; halvings that leave
  * no digit of such a place. */
-enum { MOST_ROWS = 20000, ASKED = 24, HALVINGS = 50 };
+enum { MOST_ROWS = 20000, ASKED = 8, HALVINGS = 50 };
 /* Errors of all bands together, in those that are allowed for one. */
 static const double MOST_ALLOWED = 100;
 
@@ -139,17 +140,19 @@ static batten_status add_band(crossing *c, double allowed, double *area, double 
 
 /* ---- patches ---- */
 
-static bool is_crossed(const bat_patch *patch, const bat_water *section)
+/* By its control points; patches above the water have nothing to add. */
+static bool is_crossed(const bat_patch *patch, const bat_water *water, const bat_water *section)
 {
     const int count = (patch->degree[0] + 1) * (patch->degree[1] + 1);
-    bool before = false, behind = false;
+    bool before = false, behind = false, wet = false;
     for (int i = 0; i < count; i++) {
         const double *p = patch->points + 4 * i;
-        const double height = bat_dot(3, section->n, p) - section->d * p[3];
-        before |= height > 0;
-        behind |= height < 0;
+        const double place = bat_dot(3, section->n, p) - section->d * p[3];
+        before |= place > 0;
+        behind |= place < 0;
+        wet |= bat_dot(3, water->n, p) < water->d * p[3];
     }
-    return before && behind;
+    return before && behind && wet;
 }
 
 static crossing crossing_of(const bat_patch *patch, const bat_water *water,
@@ -179,14 +182,19 @@ static batten_status add_patch(crossing *c, double allowed, double *area, double
 }
 
 static batten_status add_patches(const batten_hull *hull, const bat_water *water,
-                                 const bat_water *section, double allowed, double *area)
+                                 const bat_water *section, double allowed,
+                                 const batten_job *job, double *area)
 {
     double error = 0;
+    bat_work work = {job, 0};
     for (int i = 0; i < hull->patch_count; i++) {
-        if (!is_crossed(&hull->patches[i], section))
+        if (!is_crossed(&hull->patches[i], water, section))
             continue;
         crossing c = crossing_of(&hull->patches[i], water, section);
-        const batten_status status = add_patch(&c, allowed, area, &error);
+        batten_status status = add_patch(&c, allowed, area, &error);
+        if (status == BATTEN_OK)
+            status = bat_work_step(&work, ASKED, (double)(i + 1) / hull->patch_count,
+                                   "areas of sections");
         if (status != BATTEN_OK)
             return status;
     }
@@ -200,7 +208,7 @@ static batten_status add_patches(const batten_hull *hull, const bat_water *water
 
 batten_status batten_hull_section_area(const batten_hull *hull,
                                        const batten_flotation *flotation, double x,
-                                       double precision, double *area)
+                                       double precision, const batten_job *job, double *area)
 {
     const batten_box box = batten_hull_box(hull);
     const double place = (x - hull->centre[0]) / hull->size;
@@ -217,9 +225,9 @@ batten_status batten_hull_section_area(const batten_hull *hull,
                         LEAST_PRECISION, MOST_PRECISION);
     batten_status status = bat_water_of(hull, flotation, &water);
     if (status == BATTEN_OK)
-        status =
-            add_patches(hull, &water, &section,
-                        precision * rectangle / (hull->size * hull->size) + DBL_MIN, &found);
+        status = add_patches(hull, &water, &section,
+                             precision * rectangle / (hull->size * hull->size) + DBL_MIN, job,
+                             &found);
     if (status == BATTEN_OK)
         *area = found * hull->size * hull->size;
     return status;

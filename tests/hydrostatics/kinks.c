@@ -62,8 +62,17 @@ TEST(kinks_are_where_the_waterline_meets_the_ends_of_rows_and_where_it_turns)
     CHECK(count >= 4);
     CHECK_NEAR(kinks[1], 0.2, 1e-8);
     CHECK_NEAR(kinks[count - 2], 0.8, 1e-8);
+    CHECK_OK(bat_sharpen_kinks(&bowl, BATTEN_U, &low, kinks, &count));
+    CHECK_INT(count, 4); /* 0, the two turns, 1 */
+    CHECK_NEAR(kinks[1], 0.2, 1e-15);
+    CHECK_NEAR(kinks[2], 0.8, 1e-15);
     CHECK_OK(bat_find_kinks(&bowl, BATTEN_U, &high, kinks, &count));
     CHECK_INT(count, 6); /* 0.1 and 0.9 on both ends of the rows */
     CHECK_NEAR(kinks[1], 0.1, 1e-12);
     CHECK_NEAR(kinks[4], 0.9, 1e-12);
+    CHECK_OK(bat_sharpen_kinks(&bowl, BATTEN_U, &high, kinks, &count));
+    CHECK_INT(count, 4); /* each found on both ends of the rows */
+    CHECK_NEAR(kinks[1], 0.1, 1e-15);
+    CHECK_NEAR(kinks[2], 0.9, 1e-15);
+    CHECK_NEAR(kinks[0] + kinks[3], 1, 0);
 }

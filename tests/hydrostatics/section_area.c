@@ -10,7 +10,7 @@ static double area_within(const batten_hull *hull, batten_flotation at, double x
                           double precision)
 {
     double area = NAN;
-    CHECK_OK(batten_hull_section_area(hull, &at, x, precision, &area));
+    CHECK_OK(batten_hull_section_area(hull, &at, x, precision, NULL, &area));
     return area;
 }
 
@@ -124,11 +124,13 @@ TEST(sections_without_a_place_or_a_precision_are_refused)
     batten_hull *hull = box_hull();
     const batten_flotation at = {0.9, 0, 0}, lost = {0.9, 2, 0};
     double area = 7;
-    CHECK_STATUS(batten_hull_section_area(hull, &at, NAN, 1e-9, &area), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_hull_section_area(hull, &at, NAN, 1e-9, NULL, &area),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the place of a section is not finite");
-    CHECK_STATUS(batten_hull_section_area(hull, &at, 1, 0.2, &area), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_hull_section_area(hull, &at, 1, 0.2, NULL, &area), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the precision of a section is 0.2; it must be 1e-10 to 0.1");
-    CHECK_STATUS(batten_hull_section_area(hull, &lost, 1, 1e-9, &area), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_hull_section_area(hull, &lost, 1, 1e-9, NULL, &area),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("a trim of 114.592");
     CHECK_NEAR(area, 7, 0);
     batten_hull_free(hull);

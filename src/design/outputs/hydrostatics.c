@@ -5,15 +5,10 @@
 #include "base/plural.h"
 #include "design/feature.h"
 
-#include <float.h>
 #include <string.h>
 
-/* Draughts where none are given: in round steps, no more than so many. */
-enum { MOST_DRAUGHTS = 12 };
 /* Of the sums in each patch, relatively; text shows six digits. */
 static const double PRECISION = 1e-9;
-/* A draught at the edge of the deck is one that is given but for rounding. */
-static const double ROUNDING = 1e-9;
 /* The cosine of a heel at which the water stands upright in the hull. */
 static const double PLUMB = 1e-9;
 /* Angles that are 0 but for the precision of the rest. */
@@ -35,6 +30,8 @@ static const batten_parameter parameters[] = {
      "of the table; above 0 starboard, y < 0, goes down"},
     {"density", BATTEN_VALUE_NUMBER, false, false, "1.025", NULL,
      "of the water, t/m3; 1 for fresh water"},
+    {"stations", BATTEN_VALUE_LENGTH, true, false, NULL, NULL,
+     "x of the sections whose areas are listed; else 21 from end to end"},
     {"length", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "between perpendiculars, for the coefficients; else that of each waterline"},
     {"whole", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
@@ -55,20 +52,6 @@ typedef struct {
 } hydro;
 
 /* ---- the table ---- */
-
-/* The top of the hull is an edge along the ship that is closed across, above its middle. */
-static double deck_height(const hydro *h)
-{
-    const batten_box box = batten_hull_box(h->hull);
-    double height = box.high.z;
-    for (int i = 0; i < h->report.lid_count; i++) {
-        const batten_box *edge = &h->report.lids[i].edge;
-        if (edge->high.x - edge->low.x > edge->high.z - edge->low.z &&
-            edge->low.z > 0.5 * (box.low.z + box.high.z))
-            height = bat_min(height, edge->low.z);
-    }
-    return height;
-}
 
 /* What is 0 but for rounding is 0. */
 static double without_dust(const hydro *h, double place)
@@ -122,7 +105,7 @@ static batten_status check_closed(const batten_hydrostatics *v, double draught)
                     draught, open);
 }
 
-static batten_status add_row(hydro *h, double draught, bat_hydro_row *row)
+static batten_status add_row(hydro *h, double draught, bat_hydro_row *row, double *areas)
 {
     const batten_flotation at = {draught, bat_number(h->run, "trim"),
                                  bat_number(h->run, "heel")};
@@ -137,65 +120,71 @@ static batten_status add_row(hydro *h, double draught, bat_hydro_row *row)
         status = batten_hull_waterline(h->hull, &at, PRECISION * size, &along, &across);
     if (status != BATTEN_OK)
         return status;
-    if (draught > deck_height(h))
+    if (draught > bat_hydro_deck(h->hull))
         bat_note(h->run,
                  "at the draught %.6g the edge of the deck, lowest at z = %.6g, is under water",
-                 draught, deck_height(h));
+                 draught, bat_hydro_deck(h->hull));
     row->values[BAT_HYDRO_T] = draught;
     row->values[BAT_HYDRO_LENGTH] = along.b - along.a;
     row->values[BAT_HYDRO_BREADTH] = across.b - across.a;
-    fill_row(h, &v, h->report.length > 0 ? h->report.length : along.b - along.a, row->values);
-    return status;
+    const double length = h->report.length > 0 ? h->report.length : along.b - along.a;
+    const bat_hydro_water water = {h->hull, h->run->job, at, length};
+    fill_row(h, &v, length, row->values);
+    return bat_hydro_fill_sections(&water, h->report.place_count, h->report.places, areas,
+                                   row->values);
 }
 
-/* The smallest of 1, 2 and 5 times a power of ten that takes no more than so many steps. */
-static double round_step(double range)
-{
-    static const double factors[] = {2, 2.5, 2};
-    double step = 1;
-    while (range / step > MOST_DRAUGHTS)
-        step *= 10;
-    while (range / (step / 10) <= MOST_DRAUGHTS)
-        step /= 10;
-    for (int i = 0; range / (step / factors[i]) <= MOST_DRAUGHTS && i < 3; i++)
-        step /= factors[i];
-    return step;
-}
-
-/* Those that are given, else round ones from above the keel to the edge of the deck. */
+/* Those that are given, else round ones. */
 static batten_status list_draughts(hydro *h, double **draughts)
 {
     const bat_argument *given = bat_argument_of(h->run, "draughts");
-    const double low = bat_max(0, batten_hull_box(h->hull).low.z), high = deck_height(h);
-    const double step = round_step(bat_max(high - low, DBL_MIN));
-    const int first = (int)floor(low / step) + 1,
-              last = (int)floor(high / step * (1 + ROUNDING));
-    const int count = given->count > 0 ? given->count : bat_max_int(0, last - first + 1);
+    double round[BAT_HYDRO_DRAUGHTS];
+    int count = given->count;
+    if (count == 0) {
+        const batten_status status = bat_hydro_round_draughts(h->hull, round, &count);
+        if (status != BATTEN_OK)
+            return status;
+    }
     *draughts = bat_arena_array(&h->arena, (size_t)count, sizeof **draughts);
     if (!*draughts)
         return BATTEN_OUT_OF_MEMORY;
-    if (count == 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "the hull reaches from z = %.6g to %.6g: no draught above the baseline "
-                        "z = 0 is below its deck; give 'draughts'",
-                        low, high);
     for (int i = 0; i < count; i++)
-        (*draughts)[i] = given->count > 0 ? given->items[i].number[0] : step * (first + i);
+        (*draughts)[i] = given->count > 0 ? given->items[i].number[0] : round[i];
     h->report.count = count;
+    return BATTEN_OK;
+}
+
+/* Those that are given, else from end to end. */
+static batten_status list_places(hydro *h)
+{
+    const bat_argument *given = bat_argument_of(h->run, "stations");
+    bat_hydro_report *r = &h->report;
+    r->place_count = given->count > 0 ? given->count : BAT_HYDRO_PLACES;
+    r->places = bat_arena_array(&h->arena, (size_t)r->place_count, sizeof *r->places);
+    if (!r->places)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < r->place_count; i++)
+        r->places[i] =
+            given->count > 0 ? given->items[i].number[0] : bat_hydro_place(h->hull, i);
     return BATTEN_OK;
 }
 
 static batten_status fill_table(hydro *h)
 {
     double *draughts = NULL;
-    batten_status status = list_draughts(h, &draughts);
     bat_hydro_report *r = &h->report;
-    if (status == BATTEN_OK) {
-        r->rows = bat_arena_array(&h->arena, (size_t)r->count, sizeof *r->rows);
-        status = r->rows ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    }
-    for (int i = 0; status == BATTEN_OK && i < r->count; i++)
-        status = add_row(h, draughts[i], &r->rows[i]);
+    batten_status status = list_draughts(h, &draughts);
+    if (status == BATTEN_OK)
+        status = list_places(h);
+    if (status != BATTEN_OK)
+        return status;
+    const size_t rows = (size_t)r->count, places = (size_t)r->place_count;
+    r->rows = bat_arena_array(&h->arena, rows, sizeof *r->rows);
+    r->areas = bat_arena_array(&h->arena, rows, places * sizeof *r->areas);
+    if (!r->rows || !r->areas)
+        return BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; status == BATTEN_OK && i < rows; i++)
+        status = add_row(h, draughts[i], &r->rows[i], r->areas + i * places);
     return status;
 }
 
@@ -371,7 +360,8 @@ const bat_feature bat_feature_hydrostatics = {
         {"hydrostatics",
          "A report: displacement, centres, metacentres and righting arms of a hull",
          "For each draught volume and displacement, the waterline's length and breadth, areas,\n"
-         "centres of buoyancy and flotation, second moments, metacentres, coefficients of form;\n"
+         "centres of buoyancy and flotation, second moments, metacentres, coefficients of form, and\n"
+         "the areas of sections across x: curves of sectional areas, or Bonjean's along a station;\n"
          "for a mass and its centre how the hull floats, and its righting arms GZ and cross values\n"
          "KN at fixed heels, free to trim. Water is what lies below a plane, so all of it holds\n"
          "for any trim and heel.\n\n"
@@ -380,7 +370,7 @@ const bat_feature bat_feature_hydrostatics = {
          "straight lines across, as transoms, decks and flat bottoms are, and a remark names each.\n"
          "A hull whose inner sides or upper faces are surfaces of their own, as of a catamaran, is\n"
          "refused. x runs along the ship, z up from the baseline. As JSON when the file ends in\n"
-         ".json; tables by draughts and of arms (CSV) when it ends in .csv; else text with\n"
+         ".json; tables by draughts, of sections and of arms (CSV) when it ends in .csv; else text with\n"
          "conventions and names.",
          "features:\n"
          "  table: {read: offsets.csv}\n"
@@ -389,10 +379,10 @@ const bat_feature bat_feature_hydrostatics = {
          "  hull.txt: {hydrostatics: hull, draughts: [0.2 m, 0.3 m, 0.4 m]}\n",
          "[RT01]", "batten_hull_hydrostatics", BAT_PARAMETERS(parameters), true,
          .also =
-             "displacement, curves of form, metacentre, KM, GM, GZ curve, righting arm, stability, centre of buoyancy, waterplane, block coefficient, cross curves, KN, draught, trim, heel, wetted surface",
+             "displacement, curves of form, metacentre, KM, GM, GZ curve, righting arm, stability, centre of buoyancy, waterplane, block coefficient, cross curves, KN, draught, trim, heel, wetted surface, sectional area curve, Bonjean curves, prismatic coefficient, midship section",
          .formula =
              "    V = ∫ h n·N,  M = ∫ (P h − n h²/2) n·N,  A = −∫ n·N,  over the wet surface; h the height above the water,\n"
              "    n up, N outwards. GZ = (B − G)·e, e across towards the side that is down",
          .promise =
-             "Volume, centres and moments are integrated to 1e-9 of their size in each patch, at any heel and trim, on the surfaces that are given."},
+             "Volume, centres and moments are integrated to 1e-9 of their size in each patch, areas of sections to 1e-8 of breadth times depth, at any heel and trim, on the surfaces that are given."},
     .run = run_hydrostatics};

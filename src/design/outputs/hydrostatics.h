@@ -29,6 +29,9 @@ typedef enum {
     BAT_HYDRO_CB,
     BAT_HYDRO_CWP,
     BAT_HYDRO_CVP,
+    BAT_HYDRO_AX,
+    BAT_HYDRO_CX,
+    BAT_HYDRO_CP,
     BAT_HYDRO_COLUMNS
 } bat_hydro_column;
 
@@ -47,6 +50,9 @@ typedef struct {
     double length;              /* between perpendiculars, 0: the waterline's */
     int count;
     bat_hydro_row *rows; /* [count] */
+    int place_count;
+    double *places; /* [place_count]: x of sections */
+    double *areas;  /* [count][place_count] */
     int lid_count;
     const batten_hull_lid *lids;
     double mass; /* t; 0: no loading */
@@ -55,6 +61,33 @@ typedef struct {
     int arm_count;
     bat_hydro_arm *arms; /* [arm_count] */
 } bat_hydro_report;
+
+/* What sections need: areas are found within 1e-8 of the breadth times the depth of the hull. */
+typedef struct {
+    const batten_hull *hull;
+    const batten_job *job;
+    batten_flotation at;
+    double length; /* that of the coefficients */
+} bat_hydro_water;
+
+/* Areas of the sections at places [count], and the columns of the largest section. TOLERANCE_NOT_MET,
+ * CANCELLED, OUT_OF_MEMORY. */
+batten_status bat_hydro_fill_sections(const bat_hydro_water *water, int count,
+                                      const double *places, double *areas,
+                                      double values[BAT_HYDRO_COLUMNS]);
+
+/* The lowest edge along the ship that is closed across in the upper half of the hull, else its top. */
+double bat_hydro_deck(const batten_hull *hull);
+
+/* Heights of the water in round steps, from above the keel and the baseline to the edge of the deck; at
+ * least one. BAD_ARGUMENT where there is none. */
+enum { BAT_HYDRO_DRAUGHTS = 12 };
+batten_status bat_hydro_round_draughts(const batten_hull *hull,
+                                       double draughts[BAT_HYDRO_DRAUGHTS], int *count);
+
+/* So many places, of which the first and the last are the ends of the hull. */
+enum { BAT_HYDRO_PLACES = 21 };
+double bat_hydro_place(const batten_hull *hull, int index);
 
 void bat_hydro_as_text(const bat_hydro_report *report, batten_text *out);
 void bat_hydro_as_csv(const bat_hydro_report *report, batten_text *out);

@@ -1,5 +1,5 @@
-/* The report of hydrostatics, its columns with their names and units: all of it as text, the table by draughts and the righting arms
- * as CSV and JSON, which have all digits. */
+/* The report of hydrostatics, its columns with their names and units: all of it as text; the table by draughts, the
+ * areas of sections and the righting arms as CSV and JSON, which have all digits. */
 #include "design/outputs/hydrostatics.h"
 
 #include <string.h>
@@ -30,6 +30,9 @@ static const struct {
     [BAT_HYDRO_CB] = {"CB", "1", "block coefficient, VOL / (L BWL T)"},
     [BAT_HYDRO_CWP] = {"CWP", "1", "waterplane coefficient, AW / (L BWL)"},
     [BAT_HYDRO_CVP] = {"CVP", "1", "vertical prismatic coefficient, VOL / (AW T)"},
+    [BAT_HYDRO_AX] = {"AX", "%2", "area of the largest section across x"},
+    [BAT_HYDRO_CX] = {"CX", "1", "coefficient of this section, AX / (BWL T)"},
+    [BAT_HYDRO_CP] = {"CP", "1", "prismatic coefficient, VOL / (L AX)"},
 };
 
 static void add_unit(const bat_hydro_report *r, const char *unit, batten_text *out)
@@ -91,6 +94,23 @@ static void add_conventions(const bat_hydro_report *r, batten_text *out)
     batten_text_add(out, "\n");
 }
 
+/* Bonjean's curves are its rows, curves of sectional areas its columns. */
+static void add_sections(const bat_hydro_report *r, int first, batten_text *out)
+{
+    const int last = bat_min_int(first + COLUMNS_OF_TEXT, r->count);
+    batten_text_add(out, "areas of sections, %s2, at x by draughts\n%-12s", r->unit, "x");
+    for (int i = first; i < last; i++)
+        add_cell(r->rows[i].values[BAT_HYDRO_T], out);
+    batten_text_add(out, "\n");
+    for (int k = 0; k < r->place_count; k++) {
+        batten_text_add(out, "%-12.6g", r->places[k]);
+        for (int i = first; i < last; i++)
+            add_cell(r->areas[(size_t)i * (size_t)r->place_count + (size_t)k], out);
+        batten_text_add(out, "\n");
+    }
+    batten_text_add(out, "\n");
+}
+
 static void add_rest(const bat_hydro_report *r, batten_text *out)
 {
     const batten_balance *b = &r->rest;
@@ -122,8 +142,10 @@ void bat_hydro_as_text(const bat_hydro_report *r, batten_text *out)
         add_block(r, first, out);
     for (int c = 0; c < BAT_HYDRO_COLUMNS; c++)
         batten_text_add(out, "%-5s%s\n", columns[c].symbol, columns[c].about);
+    batten_text_add(out, "\n");
+    for (int first = 0; first < r->count; first += COLUMNS_OF_TEXT)
+        add_sections(r, first, out);
     if (r->mass > 0) {
-        batten_text_add(out, "\n");
         add_rest(r, out);
     }
 }
@@ -138,7 +160,29 @@ static void add_value(double value, const char *none, batten_text *out)
         batten_text_number(out, value);
 }
 
-/* A second table below the first: how it rests, as a heel of its own, and the arms. */
+/* A table below the first: x by rows, draughts by columns. */
+static void add_csv_sections(const bat_hydro_report *r, batten_text *out)
+{
+    batten_text_add(out, "\nx");
+    for (int i = 0; i < r->count; i++) {
+        batten_text_add(out, ",A at T = ");
+        batten_text_number(out, r->rows[i].values[BAT_HYDRO_T]);
+    }
+    batten_text_add(out, "\n%s", r->unit);
+    for (int i = 0; i < r->count; i++)
+        batten_text_add(out, ",%s2", r->unit);
+    batten_text_add(out, "\n");
+    for (int k = 0; k < r->place_count; k++) {
+        add_value(r->places[k], "", out);
+        for (int i = 0; i < r->count; i++) {
+            batten_text_add(out, ",");
+            add_value(r->areas[(size_t)i * (size_t)r->place_count + (size_t)k], "", out);
+        }
+        batten_text_add(out, "\n");
+    }
+}
+
+/* The last table: how it rests, as a heel of its own, and the arms. */
 static void add_csv_arms(const bat_hydro_report *r, batten_text *out)
 {
     const batten_flotation *rest = &r->rest.flotation;
@@ -171,6 +215,7 @@ void bat_hydro_as_csv(const bat_hydro_report *r, batten_text *out)
             add_value(r->rows[i].values[c], "", out);
             batten_text_add(out, c + 1 < BAT_HYDRO_COLUMNS ? "," : "\n");
         }
+    add_csv_sections(r, out);
     if (r->mass > 0)
         add_csv_arms(r, out);
 }
@@ -210,6 +255,28 @@ static void add_json_rest(const bat_hydro_report *r, batten_text *out)
     batten_text_add(out, "\n  ]");
 }
 
+static void add_json_numbers(int count, const double *numbers, batten_text *out)
+{
+    for (int k = 0; k < count; k++) {
+        batten_text_add(out, "%s", k ? ", " : "[");
+        add_value(numbers[k], "null", out);
+    }
+    batten_text_add(out, "]");
+}
+
+/* The areas of each row of the table. */
+static void add_json_sections(const bat_hydro_report *r, batten_text *out)
+{
+    batten_text_add(out, ",\n  \"sections\": {\n    \"x\": ");
+    add_json_numbers(r->place_count, r->places, out);
+    batten_text_add(out, ",\n    \"A\": [");
+    for (int i = 0; i < r->count; i++) {
+        batten_text_add(out, "%s\n      ", i ? "," : "");
+        add_json_numbers(r->place_count, r->areas + (size_t)i * (size_t)r->place_count, out);
+    }
+    batten_text_add(out, "\n    ]\n  }");
+}
+
 static void add_json_lids(const bat_hydro_report *r, batten_text *out)
 {
     batten_text_add(out, ",\n  \"lids\": [");
@@ -245,6 +312,7 @@ void bat_hydro_as_json(const bat_hydro_report *r, batten_text *out)
         batten_text_add(out, "}");
     }
     batten_text_add(out, "\n  ]");
+    add_json_sections(r, out);
     add_json_lids(r, out);
     if (r->mass > 0)
         add_json_rest(r, out);

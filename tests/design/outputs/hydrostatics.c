@@ -53,6 +53,9 @@ TEST(a_prism_has_the_values_of_its_closed_form)
         {"\"CB\": ", 0.5},
         {"\"CWP\": ", 1},
         {"\"CVP\": ", 0.5},
+        {"\"AX\": ", b * t / 2},
+        {"\"CX\": ", 0.5},
+        {"\"CP\": ", 1},
         {"\"TPC\": ", 1.025 * b * 0.2},
         {"\"T\": ", t},
         {"\"IT\": ", 20 * b * b * b / 12},
@@ -142,11 +145,13 @@ TEST(what_a_dry_hull_has_not_is_a_dash_nothing_or_null)
     CHECK_CONTAINS(text, "VOL  m3                0\n");
     CHECK_CONTAINS(text, "KB   m                 -\n");
     CHECK_CONTAINS(text, "CVP  1                 -\n");
-    CHECK_CONTAINS(csv, "\n-1,0,0,0,0,0,0,,,,,0,0,,,,,0,,,,\n");
-    CHECK_CONTAINS(json,
-                   "\"XCB\": null, \"YCB\": null, \"KB\": null, \"XCF\": null, \"IT\": 0, "
-                   "\"IL\": 0, \"BMT\": null, \"BML\": null, \"KMT\": null, \"KML\": null, "
-                   "\"TPC\": 0, \"MCT\": null, \"CB\": null, \"CWP\": null, \"CVP\": null}");
+    CHECK_CONTAINS(csv, "\n-1,0,0,0,0,0,0,,,,,0,0,,,,,0,,,,,0,,\n");
+    CHECK_CONTAINS(
+        json,
+        "\"XCB\": null, \"YCB\": null, \"KB\": null, \"XCF\": null, \"IT\": 0, "
+        "\"IL\": 0, \"BMT\": null, \"BML\": null, \"KMT\": null, \"KML\": null, "
+        "\"TPC\": 0, \"MCT\": null, \"CB\": null, \"CWP\": null, \"CVP\": null, \"AX\": 0, "
+        "\"CX\": null, \"CP\": null}");
     batten_release(text);
     batten_release(csv);
     batten_release(json);
@@ -325,4 +330,27 @@ TEST(a_hull_that_reaches_below_the_baseline_is_remarked_upon)
     CHECK(is_noted("a.txt: {hydrostatics: deep, draughts: 1}", words));
     if (test_cases(10) >= 10)
         CHECK(!is_noted("a.txt: {hydrostatics: half, draughts: 1}", "below the baseline"));
+}
+
+/* Of the triangle 2.5 T wide: at its ends just inside, beyond them nothing. */
+TEST(areas_of_sections_are_at_given_places_or_from_end_to_end)
+{
+    char *text = NULL, *json = NULL, *csv = NULL;
+    CHECK_OK(report("a.json: {hydrostatics: half, draughts: [2, 4], stations: [-1, 0, 7, 20]}",
+                    NULL, &json));
+    CHECK_CONTAINS(json,
+                   "\"sections\": {\n    \"x\": [-1, 0, 7, 20],\n    \"A\": [\n      [0, ");
+    const char *at = strstr(json, "\"A\": [");
+    CHECK_NEAR(number(at, "[\n      [0, "), 5, 1e-7);
+    CHECK_NEAR(number(at, "],\n      [0, "), 20, 1e-7);
+    CHECK_OK(report("a.csv: {hydrostatics: half, draughts: [2, 4]}", NULL, &csv));
+    CHECK_CONTAINS(csv, "\nx,A at T = 2,A at T = 4\nm,m2,m2\n0,");
+    CHECK_CONTAINS(csv, "\n1,");
+    CHECK_CONTAINS(csv, "\n20,");
+    CHECK_OK(report("a.txt: {hydrostatics: half, draughts: [2, 4], heel: 20 deg, trim: 1 deg}",
+                    NULL, &text));
+    CHECK_CONTAINS(text, "areas of sections, m2, at x by draughts\n");
+    batten_release(text);
+    batten_release(json);
+    batten_release(csv);
 }

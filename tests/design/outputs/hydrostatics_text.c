@@ -27,6 +27,11 @@ static const batten_hull_lid lids[] = {
 
 static bat_hydro_arm arms[] = {{10, 0.5, 0.75, 1.5, 3}, {20, NAN, NAN, NAN, NAN}};
 
+/* Areas of two sections at each of up to eight draughts. */
+static double places[] = {3, 4.5};
+static double areas[] = {0.5,  1.5,  10.5, 11.5, 20.5, 21.5, 30.5, 31.5,
+                         40.5, 41.5, 50.5, 51.5, 60.5, 61.5, 70.5, 71.5};
+
 static bat_hydro_report report_of(int count, bat_hydro_row *rows)
 {
     fill_rows(count, rows);
@@ -36,6 +41,9 @@ static bat_hydro_report report_of(int count, bat_hydro_row *rows)
                               .heel = 6,
                               .count = count,
                               .rows = rows,
+                              .place_count = COUNT(places),
+                              .places = places,
+                              .areas = areas,
                               .lid_count = COUNT(lids),
                               .lids = lids};
 }
@@ -80,6 +88,20 @@ static const char conventions[] =
     "VOL  ft3               1         101         201         301         401         501\n"
     "DISP t                 2 ";
 
+static const char end_of_text[] =
+    "\nCVP  vertical prismatic coefficient, VOL / (AW T)\n"
+    "AX   area of the largest section across x\n"
+    "CX   coefficient of this section, AX / (BWL T)\n"
+    "CP   prismatic coefficient, VOL / (L AX)\n\n"
+    "areas of sections, ft2, at x by draughts\n"
+    "x                      0         100         200         300         400         500\n"
+    "3                    0.5        10.5        20.5        30.5        40.5        50.5\n"
+    "4.5                  1.5        11.5        21.5        31.5        41.5        51.5\n\n"
+    "areas of sections, ft2, at x by draughts\n"
+    "x                    600         700\n"
+    "3                   60.5        70.5\n"
+    "4.5                 61.5        71.5\n\n";
+
 TEST(a_text_has_its_conventions_then_blocks_of_six_draughts_then_what_the_symbols_mean)
 {
     bat_hydro_row rows[8];
@@ -88,12 +110,16 @@ TEST(a_text_has_its_conventions_then_blocks_of_six_draughts_then_what_the_symbol
     CHECK(strncmp(text, conventions, strlen(conventions)) == 0);
     CHECK_CONTAINS(text, "\nMCT  t m/cm           18         118         218 ");
     CHECK_CONTAINS(text, "\nCVP  1                 -           -           -           -"
-                         "           -           -\n\n"
+                         "           -           -\nAX   ft2 ");
+    CHECK_CONTAINS(text, "\nCP   1                24         124         224         324"
+                         "         424         524\n\n"
                          "T    ft              600         700\nVOL  ft3             601 ");
-    CHECK_CONTAINS(text, "\nCVP  1                 -           -\n\n"
+    CHECK_CONTAINS(text, "\nCVP  1                 -           -\n"
+                         "AX   ft2             622         722\n"
+                         "CX   1               623         723\n"
+                         "CP   1               624         724\n\n"
                          "T    draught at x = 0 above the baseline z = 0\n");
-    CHECK_TEXT(strstr(text, "\nCVP  vertical"),
-               "\nCVP  vertical prismatic coefficient, VOL / (AW T)\n");
+    CHECK_TEXT(strstr(text, "\nCVP  vertical"), end_of_text);
     batten_release(text);
 }
 
@@ -121,10 +147,14 @@ TEST(a_text_says_how_a_mass_rests_and_its_righting_arms)
 TEST(a_table_has_symbols_units_draughts_and_below_them_the_rest_and_the_arms)
 {
     static const char loaded[] =
-        "T,VOL,DISP,LWL,BWL,AW,S,XCB,YCB,KB,XCF,IT,IL,BMT,BML,KMT,KML,TPC,MCT,CB,CWP,CVP\n"
-        "ft,ft3,t,ft,ft,ft2,ft2,ft,ft,ft,ft,ft4,ft4,ft,ft,ft,ft,t/cm,t m/cm,1,1,1\n"
-        "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,\n"
-        "100,101,102,103,104,105,106,107,108,109,110,111,112,113,114,115,116,117,118,119,120,\n"
+        "T,VOL,DISP,LWL,BWL,AW,S,XCB,YCB,KB,XCF,IT,IL,BMT,BML,KMT,KML,TPC,MCT,CB,CWP,CVP,"
+        "AX,CX,CP\n"
+        "ft,ft3,t,ft,ft,ft2,ft2,ft,ft,ft,ft,ft4,ft4,ft,ft,ft,ft,t/cm,t m/cm,1,1,1,"
+        "ft2,1,1\n"
+        "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,,22,23,24\n"
+        "100,101,102,103,104,105,106,107,108,109,110,111,112,113,114,115,116,117,118,119,120,,"
+        "122,123,124\n"
+        "\nx,A at T = 0,A at T = 100\nft,ft2,ft2\n3,0.5,10.5\n4.5,1.5,11.5\n"
         "\nheel,GZ,KN,T,trim\ndeg,ft,ft,ft,deg\n4,0,,1.25,2\n10,0.5,0.75,1.5,3\n20,,,,\n";
     bat_hydro_row rows[2];
     bat_hydro_report report = report_of(2, rows);
@@ -138,9 +168,13 @@ TEST(a_table_has_symbols_units_draughts_and_below_them_the_rest_and_the_arms)
     batten_release(csv);
 }
 
-static const char json_of_lids[] = ", \"CVP\": null}\n  ],\n  \"lids\": [\n"
-                                   "    {\"x\": [1, 2], \"z\": [7, 8], \"area\": 3},\n"
-                                   "    {\"x\": [4, 5], \"z\": [9, 10], \"area\": 6}\n  ]\n}\n";
+static const char json_of_lids[] =
+    ", \"CVP\": null, \"AX\": 122, \"CX\": 123, \"CP\": 124}\n  ],\n"
+    "  \"sections\": {\n    \"x\": [3, 4.5],\n    \"A\": [\n"
+    "      [0.5, 1.5],\n      [10.5, 11.5]\n    ]\n  },\n"
+    "  \"lids\": [\n"
+    "    {\"x\": [1, 2], \"z\": [7, 8], \"area\": 3},\n"
+    "    {\"x\": [4, 5], \"z\": [9, 10], \"area\": 6}\n  ]\n}\n";
 
 static const char json_of_rest[] =
     ",\n  \"afloat\": {\"mass\": 80, \"x\": 4, \"y\": 0.25, \"z\": 1.5, \"draught\": 1.25, "
@@ -156,7 +190,8 @@ TEST(json_has_all_figures_under_their_symbols)
     CHECK_CONTAINS(json,
                    "{\n  \"unit\": \"ft\",\n  \"density\": 1.025, \"trim\": 0.5, \"heel\": 6, "
                    "\"L\": null,\n  \"rows\": [\n    {\"T\": 0, \"VOL\": 1, ");
-    CHECK_CONTAINS(json, ", \"CVP\": null},\n    {\"T\": 100, \"VOL\": 101, ");
+    CHECK_CONTAINS(json, ", \"CVP\": null, \"AX\": 22, \"CX\": 23, \"CP\": 24},\n"
+                         "    {\"T\": 100, \"VOL\": 101, ");
     CHECK_TEXT(strstr(strstr(json, "{\"T\": 100"), ", \"CVP\""), json_of_lids);
     batten_release(json);
     load(&report);
