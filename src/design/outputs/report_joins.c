@@ -4,6 +4,14 @@
 
 enum { GAP, ANGLE, CURVATURE, RATE, MEASURES };
 
+/* A smaller part of the tolerance is rounding, and 0 in the text; JSON has its digits. */
+static const double NO_GAP = 1e-8;
+
+static void add_gap(batten_text *out, const bat_check *check, double gap)
+{
+    bat_report_length(out, check, gap < NO_GAP * bat_tolerance(check->run) ? 0 : gap);
+}
+
 static const batten_join_worst *measure_of(const bat_join *join, int which)
 {
     const batten_join_worst *const all[MEASURES] = {&join->of.gap, &join->of.angle,
@@ -78,7 +86,7 @@ static void text_worst(batten_text *out, const bat_check *check, const bat_join 
     const batten_join_worst *worst = measure_of(join, which);
     batten_text_add(out, "    %s", before[which]);
     if (which == GAP)
-        bat_report_length(out, check, worst->value);
+        add_gap(out, check, worst->value);
     else
         bat_report_rounded(out, worst->value);
     batten_text_add(out, "%s at ",
@@ -133,7 +141,7 @@ static void text_join(batten_text *out, const bat_check *check, const bat_join *
     batten_text_add(out, "  ");
     add_names(out, check, join);
     batten_text_add(out, ": gap ");
-    bat_report_length(out, check, of->gap.value);
+    add_gap(out, check, of->gap.value);
     if (isfinite(of->angle.value)) {
         batten_text_add(out, ", turning by ");
         bat_report_rounded(out, of->angle.value);
