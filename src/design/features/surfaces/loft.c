@@ -204,7 +204,7 @@ const bat_feature bat_feature_loft = {
          "  hull: {loft: table, within: 3 mm}\n"
          "  boat: {read: sharpie.csv, lines: [bottom, chine, sheer]}\n"
          "  planks: {loft: boat, within: 3 mm, knuckles: chine}\n"
-         "  barge: {loft: boat, within: 3 mm, knuckles: chine, straight: [chine from 3 to 6, sheer from 3 to 6]}\n",
+         "  barge: {loft: boat, within: 3 mm, knuckles: chine, straight: chine from 5 to 6}\n",
          "[SL section VII.3] [EH95] [NW06]", "batten_hull_loft", BAT_PARAMETERS(parameters),
          false,
          .also =
