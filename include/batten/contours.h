@@ -29,8 +29,11 @@ typedef enum batten_field_kind {
     BATTEN_FIELD_REFLECTION, /**< the same of the ray from `eye` that the surface reflects;
                                   `eye` is the direction towards the one who looks. Both have no
                                   value where the lines are within 6 degrees of parallel */
-    BATTEN_FIELD_SILHOUETTE  /**< n . (point - S) / |point - S|: level 0 is the outline as seen
+    BATTEN_FIELD_SILHOUETTE, /**< n . (point - S) / |point - S|: level 0 is the outline as seen
                                   from `point` */
+    BATTEN_FIELD_ABSOLUTE,   /**< |kappa1| + |kappa2|, 1 / length */
+    BATTEN_FIELD_ZEBRA       /**< r . direction, of the ray r = 2 (eye . n) n - eye that the
+                                  surface reflects: equal steps of it are the edges of stripes */
 } batten_field_kind;
 
 /** Directions need not be unit vectors, only not 0. */

@@ -2,7 +2,7 @@
 #define BATTEN_NEAREST_H
 /**
  * @file
- * Nearest points, crossings and plane sections.
+ * Nearest points, crossings, plane sections, and lines that follow a direction on a surface.
  */
 #include <batten/surface.h>
 
@@ -176,6 +176,76 @@ BATTEN_API batten_status batten_surface_section(const batten_surface *surface,
  * @param lines  of batten_surface_section
  */
 BATTEN_API void batten_polylines_release(batten_polylines *lines);
+
+/* ---- lines that follow a direction ---- */
+
+typedef enum batten_line_kind {
+    BATTEN_LINE_CURVATURE1,  /**< of curvature: along the direction of the larger one */
+    BATTEN_LINE_CURVATURE2,  /**< of the smaller one */
+    BATTEN_LINE_ASYMPTOTIC1, /**< without normal curvature, turned from the first principal
+                                  direction to the left as seen from the end of the normal */
+    BATTEN_LINE_ASYMPTOTIC2, /**< turned to the right */
+    BATTEN_LINE_GEODESIC     /**< straight on the surface */
+} batten_line_kind;
+
+/** Why a line ends. */
+typedef enum batten_line_end {
+    BATTEN_LINE_AT_LENGTH,    /**< it is as long as was asked for */
+    BATTEN_LINE_CLOSED,       /**< it is back at its start */
+    BATTEN_LINE_AT_RIM,       /**< of the surface */
+    BATTEN_LINE_AT_UMBILIC,   /**< both principal curvatures are equal, and have no direction */
+    BATTEN_LINE_AT_PARABOLIC, /**< the Gaussian curvature is not below 0 beyond: no asymptotic
+                                   direction */
+    BATTEN_LINE_AT_SINGULAR   /**< a pole, or a crease: no direction is known beyond */
+} batten_line_end;
+
+/** Where a line starts, and how far it goes. */
+typedef struct batten_line_start {
+    batten_line_kind kind;
+    double u, v;
+    batten_vec3
+        direction; /**< of geodesics: laid into the tangent plane; others go both ways */
+    double length; /**< most, of each way; 0: ten times the size of the surface */
+} batten_line_start;
+
+/** Release with batten_surface_line_release. */
+typedef struct batten_surface_line {
+    batten_polyline line;
+    double *arms; /**< [line.count][2][3]: the control points before and after each point of
+                       cubics, as of a contour; their speed at the points is 1 by length */
+    double length;
+    double error; /**< how far two integrations, the second 32 times as fine, are apart, and
+                       cubics from their line at their middles */
+    batten_line_end
+        ends[2]; /**< before its first point, behind its last; of geodesics the first
+                                  is BATTEN_LINE_AT_LENGTH */
+} batten_surface_line;
+
+/**
+ * A line of curvature, an asymptotic line or a geodesic of a surface, from one of its points.
+ *
+ * Integrated by length with steps of the fourth order, doubled and held to a part of the tolerance; at the rim
+ * cut exactly; across the seam of a closed surface it continues. It is integrated once more with a 32nd of the
+ * error, and so on up to 4 times, until both agree within the tolerance.
+ *
+ * @param surface  in space
+ * @param start  kind, place in the domain, direction and length
+ * @param tolerance  model units, above 0
+ * @param job  progress, cancelling; NULL for no questions
+ * @param[out] out  the result; as it was when the function fails
+ * @return BATTEN_OK; NOT_COMPATIBLE (no surface in space), BAD_ARGUMENT (tolerance, length), OUT_OF_DOMAIN,
+ * NOT_FINITE; SINGULAR_HERE where the start has no such direction, and why; TOLERANCE_NOT_MET with what was
+ * reached; TOO_LARGE (more than 100,000 points), CANCELLED, INCOMPLETE, OUT_OF_MEMORY
+ *
+ * Cost: 12 evaluations to order 2 for each point, twice or more.
+ * Source: [PM02] for the equations.
+ */
+BATTEN_API batten_status batten_surface_line_from(const batten_surface *surface,
+                                                  const batten_line_start *start,
+                                                  double tolerance, const batten_job *job,
+                                                  batten_surface_line *out);
+/** Release a line, and empty it. */
+BATTEN_API void batten_surface_line_release(batten_surface_line *line);
 
 #ifdef __cplusplus
 }

@@ -66,4 +66,60 @@ static inline double vec3_size(batten_vec3 a)
     return sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
 }
 
+enum { SERIES = 19 }; /* coefficients: the next one of cos 1 or cosh 1 is below a rounding */
+
+/* The Bezier points of the power series [SERIES] over [0, 1]. */
+static inline void shape_series(const double *power, double *out)
+{
+    for (int j = 0; j < SERIES; j++) {
+        double share = 1; /* of binomial(j, i) / binomial(SERIES - 1, i) */
+        out[j] = 0;
+        for (int i = 0; i <= j; i++) {
+            out[j] += share * power[i];
+            share *= (double)(j - i) / (SERIES - 1 - i);
+        }
+    }
+}
+
+/* cos t, sin t and cosh t over [0, 1]. */
+static inline void shape_circular(double out[3][SERIES])
+{
+    double power[3][SERIES] = {{0}}, factorial = 1;
+    for (int i = 0; i < SERIES; i++) {
+        power[i % 2][i] = (i / 2 % 2 ? -1 : 1) / factorial;
+        power[2][i] = i % 2 ? 0 : 1 / factorial;
+        factorial *= i + 1;
+    }
+    for (int k = 0; k < 3; k++)
+        shape_series(power[k], out[k]);
+}
+
+/* The helicoid (v cos u, v sin u, c u) with v from `low` to `high`, or, with `low` = `high`, the catenoid
+ * (c cosh v cos u, c cosh v sin u, c v); u and v over [0, 1]. */
+static inline batten_status shape_minimal(double c, double low, double high,
+                                          batten_surface **out)
+{
+    static double points[SERIES * SERIES * 3];
+    double series[3][SERIES], knots[2 * SERIES] = {0};
+    const double line[4] = {low, low, high, high};
+    const bool is_catenoid = low == high;
+    const int across = is_catenoid ? SERIES : 2;
+    shape_circular(series);
+    for (int i = 0; i < SERIES; i++)
+        knots[SERIES + i] = 1;
+    for (int i = 0; i < SERIES; i++)
+        for (int j = 0; j < across; j++) {
+            const double r = is_catenoid ? c * series[2][j] : j ? high : low;
+            const double along = (double)i / (SERIES - 1), share = (double)j / (across - 1);
+            double *p = points + 3 * (i * across + j);
+            p[0] = r * series[0][i];
+            p[1] = r * series[1][i];
+            p[2] = c * (is_catenoid ? share : along);
+        }
+    return batten_surface_create(
+        3, &(batten_axis){SERIES - 1, SERIES, knots, false},
+        &(batten_axis){across - 1, across, is_catenoid ? knots : line, false}, points, NULL,
+        out);
+}
+
 #endif

@@ -1,5 +1,7 @@
 #include "inspect/shapes.h"
 
+#include <batten/standard.h>
+
 static double dot(batten_vec3 a, batten_vec3 b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -140,4 +142,61 @@ TEST(a_surface_in_the_plane_has_no_curvature)
         batten_surface_curvature_grid(flat, (batten_uv_grid){1, 1, at, at}, NULL, NULL, NULL),
         BATTEN_NOT_COMPATIBLE);
     batten_surface_unref(flat);
+}
+
+/* K = -c^2 / (c^2 + v^2)^2 and -1 / (c^2 cosh^4 v), H = 0. */
+TEST(catenoid_and_helicoid_are_minimal_with_the_gaussian_curvature_of_their_equations)
+{
+    const double c = 1.25;
+    batten_surface *helicoid = NULL, *catenoid = NULL;
+    CHECK_OK(shape_minimal(c, -1, 2, &helicoid));
+    CHECK_OK(shape_minimal(c, 0, 0, &catenoid));
+    for (int i = 0; i <= 12; i++)
+        for (int j = 0; j <= 12; j++) {
+            const double u = i / 12.0, v = -1 + j / 4.0, h = c * c + v * v;
+            batten_surface_local at;
+            CHECK_OK(batten_surface_local_at(helicoid, u, v, &at));
+            CHECK_NEAR(at.gaussian, -c * c / (h * h), 1e-10);
+            CHECK_NEAR(at.mean, 0, 1e-10);
+            CHECK_NEAR(at.kappa1, c / h, 1e-10);
+            CHECK_NEAR(at.kappa2, -c / h, 1e-10);
+            CHECK_OK(batten_surface_local_at(catenoid, u, j / 12.0, &at));
+            const double k = 1 / (c * pow(cosh(j / 12.0), 2));
+            CHECK_NEAR(at.gaussian, -k * k, 1e-10);
+            CHECK_NEAR(at.mean, 0, 1e-10);
+            CHECK_NEAR(at.kappa1, k, 1e-10);
+            CHECK_NEAR(at.kappa2, -k, 1e-10);
+            /* The principal directions: around the axis and along the meridian. */
+            const batten_vec3 around = {-sin(u), cos(u), 0};
+            const double turn = fabs(dot(at.direction1, around));
+            CHECK(turn < 1e-9 || fabs(turn - 1) < 1e-9);
+        }
+    batten_surface_unref(helicoid);
+    batten_surface_unref(catenoid);
+}
+
+/* With h = x^2/a^4 + y^2/b^4 + z^2/c^4: K = 1 / (abc h)^2 and
+ * |H| = |x^2 + y^2 + z^2 - a^2 - b^2 - c^2| / (2 (abc)^2 h^(3/2)). */
+TEST(an_ellipsoid_has_the_curvatures_of_its_equation)
+{
+    const batten_frame world = batten_frame_world();
+    const double a = 3, b = 2, c = 1, abc = a * b * c;
+    batten_surface *ellipsoid = NULL;
+    CHECK_OK(batten_surface_ellipsoid(&world, a, b, c, &ellipsoid));
+    const batten_interval u = batten_surface_domain(ellipsoid, BATTEN_U),
+                          v = batten_surface_domain(ellipsoid, BATTEN_V);
+    for (int i = 0; i < 17; i++)
+        for (int j = 1; j < 16; j++) {
+            batten_surface_local at;
+            CHECK_OK(batten_surface_local_at(ellipsoid, u.a + (u.b - u.a) * i / 16,
+                                             v.a + (v.b - v.a) * j / 16, &at));
+            const batten_vec3 p = at.point;
+            const double h =
+                p.x * p.x / pow(a, 4) + p.y * p.y / pow(b, 4) + p.z * p.z / pow(c, 4);
+            CHECK_NEAR(at.gaussian, 1 / (abc * abc * h * h), 1e-10);
+            CHECK_NEAR(fabs(at.mean),
+                       fabs(dot(p, p) - a * a - b * b - c * c) / (2 * abc * abc * pow(h, 1.5)),
+                       1e-10);
+        }
+    batten_surface_unref(ellipsoid);
 }

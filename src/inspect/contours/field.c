@@ -96,6 +96,14 @@ static bat_jet1 principal(bat_jet1 gaussian, bat_jet1 mean, double sign)
     return bat_jet1_add(mean, bat_jet1_scale(sign, bat_jet1_square_root(difference)));
 }
 
+/* |kappa1| + |kappa2|: where both have one sign their sum, else their difference. */
+static bat_jet1 absolute(bat_jet1 gaussian, bat_jet1 mean)
+{
+    if (gaussian.f >= 0)
+        return bat_jet1_scale(mean.f < 0 ? -2 : 2, mean);
+    return bat_jet1_subtract(principal(gaussian, mean, 1), principal(gaussian, mean, -1));
+}
+
 static bat_jet1 curvature_field(const batten_surface_field *field, const surface_place *at)
 {
     bat_jet1 gaussian, mean;
@@ -103,6 +111,8 @@ static bat_jet1 curvature_field(const batten_surface_field *field, const surface
     switch (field->kind) {
     case BATTEN_FIELD_GAUSSIAN:
         return bat_jet1_scale(at->scale * at->scale, gaussian);
+    case BATTEN_FIELD_ABSOLUTE:
+        return bat_jet1_scale(at->scale, absolute(gaussian, mean));
     case BATTEN_FIELD_KAPPA1:
         return bat_jet1_scale(at->scale, principal(gaussian, mean, 1));
     case BATTEN_FIELD_KAPPA2:
@@ -137,15 +147,24 @@ static bat_jet1 line_distance(const batten_surface_field *field, const surface_p
     return bat_jet1_scale(1 / at->scale, distance);
 }
 
+/* Fields of the ray from the eye that the surface reflects. */
+static bool is_mirrored(batten_field_kind kind)
+{
+    return kind == BATTEN_FIELD_REFLECTION || kind == BATTEN_FIELD_ZEBRA;
+}
+
 static bat_jet1 light_field(const batten_surface_field *field, const surface_place *at)
 {
     const bat_jet1_vector n = normal_of(at);
     if (field->kind == BATTEN_FIELD_HIGHLIGHT)
         return line_distance(field, at, n);
-    if (field->kind == BATTEN_FIELD_REFLECTION) {
+    if (is_mirrored(field->kind)) {
         const bat_jet1_vector e = bat_jet1_fixed(field->eye);
         const bat_jet1 facing = bat_jet1_scale(2, bat_jet1_dot(e, n));
-        return line_distance(field, at, bat_jet1_between(bat_jet1_times(facing, n), e));
+        const bat_jet1_vector ray = bat_jet1_between(bat_jet1_times(facing, n), e);
+        return field->kind == BATTEN_FIELD_ZEBRA
+                   ? bat_jet1_dot(ray, bat_jet1_fixed(field->direction))
+                   : line_distance(field, at, ray);
     }
     if (field->kind == BATTEN_FIELD_SILHOUETTE) {
         const bat_jet1_vector to =
@@ -172,7 +191,8 @@ static double height(const batten_surface_field *field, const double *derivative
 static bool is_curvature(batten_field_kind kind)
 {
     return kind == BATTEN_FIELD_GAUSSIAN || kind == BATTEN_FIELD_MEAN ||
-           kind == BATTEN_FIELD_KAPPA1 || kind == BATTEN_FIELD_KAPPA2;
+           kind == BATTEN_FIELD_KAPPA1 || kind == BATTEN_FIELD_KAPPA2 ||
+           kind == BATTEN_FIELD_ABSOLUTE;
 }
 
 int bat_field_order(const batten_surface_field *field)
@@ -197,10 +217,12 @@ double bat_field_roundoff(const batten_surface_field *field, double size)
     case BATTEN_FIELD_MEAN:
     case BATTEN_FIELD_KAPPA1:
     case BATTEN_FIELD_KAPPA2:
+    case BATTEN_FIELD_ABSOLUTE:
         return ROUNDOFF / size;
     case BATTEN_FIELD_ISOPHOTE:
     case BATTEN_FIELD_DRAFT:
     case BATTEN_FIELD_SILHOUETTE:
+    case BATTEN_FIELD_ZEBRA:
         break;
     }
     return ROUNDOFF;
@@ -244,7 +266,7 @@ batten_status bat_field_prepare(const batten_surface_field *field, batten_surfac
     batten_status status = BATTEN_OK;
     if (!is_curvature(field->kind) && field->kind != BATTEN_FIELD_SILHOUETTE)
         status = make_unit("direction", field->direction, &made.direction);
-    if (status == BATTEN_OK && field->kind == BATTEN_FIELD_REFLECTION)
+    if (status == BATTEN_OK && is_mirrored(field->kind))
         status = make_unit("direction to the eye", field->eye, &made.eye);
     const batten_vec3 p = field->point;
     if (status == BATTEN_OK && !isfinite(p.x + p.y + p.z))

@@ -203,7 +203,9 @@ static void write_contours(bat_canvas *canvas, const bat_looks_drawing *d)
                   [BATTEN_FIELD_DRAFT] = {"draft angle", 0, true},
                   [BATTEN_FIELD_HIGHLIGHT] = {"highlight lines", 1, false},
                   [BATTEN_FIELD_REFLECTION] = {"reflection lines", 1, false},
-                  [BATTEN_FIELD_SILHOUETTE] = {"outline", 0, false}};
+                  [BATTEN_FIELD_SILHOUETTE] = {"outline", 0, false},
+                  [BATTEN_FIELD_ABSOLUTE] = {"absolute curvature", -1, false},
+                  [BATTEN_FIELD_ZEBRA] = {"zebra stripes", 0, false}};
     static const char *const before[] = {"1/", "1/", "", ""};
     if (!(d->wires.level_step > 0))
         return;

@@ -17,6 +17,8 @@ static const struct {
     {{BATTEN_FIELD_HIGHLIGHT, {0, 1, 0}, {1, 0, 9}, {0, 0, 0}}, 1},
     {{BATTEN_FIELD_REFLECTION, {0, 1, 0}, {1, 0, 9}, {1, 0, 2}}, 1},
     {{BATTEN_FIELD_SILHOUETTE, {0, 0, 0}, {9, -4, 5}, {0, 0, 0}}, 0},
+    {{BATTEN_FIELD_ABSOLUTE, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, -1},
+    {{BATTEN_FIELD_ZEBRA, {0, 1, 1}, {0, 0, 0}, {1, 0, 2}}, 0},
 };
 
 /* A bumpy sheet of degrees 3 and 4, about the square from (0, 0) to (3, 4), `size` times. */
@@ -156,4 +158,47 @@ TEST(fields_without_directions_are_refused)
     batten_surface_field tiny = {BATTEN_FIELD_HEIGHT, {0, 0, 3e-320}, {0, 0, 0}, {0, 0, 0}};
     CHECK_OK(bat_field_prepare(&tiny, &tiny));
     CHECK_NEAR(tiny.direction.z, 1, 1e-15);
+}
+
+/* On the torus the curvatures are 1 / r around the tube and c / (R + r c) about the axis, c the cosine of the angle
+ * around the tube; a mirror of normal n shows the eye e the ray 2 (e . n) n - e. */
+TEST(absolute_curvature_and_zebra_of_a_torus_are_those_of_its_equation)
+{
+    const batten_frame world = batten_frame_world();
+    const double R = 3, r = 1.5;
+    const batten_surface_field absolute = {BATTEN_FIELD_ABSOLUTE,
+                                           {0, 0, 0},
+                                           {0, 0, 0},
+                                           {0, 0, 0}},
+                               zebra = {BATTEN_FIELD_ZEBRA, {0, 3, 4}, {0, 0, 0}, {0, 2, 0}};
+    batten_surface *torus = NULL;
+    CHECK_OK(batten_surface_torus(&world, R, r, &torus));
+    const batten_interval u = batten_surface_domain(torus, BATTEN_U),
+                          v = batten_surface_domain(torus, BATTEN_V);
+    for (int i = 0; i < 40; i++) {
+        const double uv[2] = {u.a + (u.b - u.a) * (i + 0.3) / 40,
+                              v.a + (v.b - v.a) * (7 * i % 40 + 0.6) / 40};
+        double p[3], value;
+        CHECK_OK(batten_surface_evaluate(torus, uv[0], uv[1], 0, p));
+        const double ring = hypot(p[0], p[1]), c = (ring - R) / r;
+        CHECK_OK(batten_surface_field_values(torus, &absolute, 1, uv, &value));
+        CHECK_NEAR(value, 1 / r + fabs(c / ring), 1e-11);
+        const double n[3] = {c * p[0] / ring, c * p[1] / ring, p[2] / r}, facing = 2 * n[1];
+        CHECK_OK(batten_surface_field_values(torus, &zebra, 1, uv, &value));
+        CHECK_NEAR(value, 0.6 * (facing * n[1] - 1) + 0.8 * facing * n[2], 1e-12);
+    }
+    batten_surface_unref(torus);
+}
+
+TEST(a_zebra_needs_an_eye_and_tubes_and_absolute_curvature_nothing)
+{
+    batten_surface_field out;
+    const batten_surface_field blind = {BATTEN_FIELD_ZEBRA, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}},
+                               bare = {BATTEN_FIELD_ZEBRA, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}},
+                               absolute = {
+                                   BATTEN_FIELD_ABSOLUTE, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    CHECK_STATUS(bat_field_prepare(&blind, &out), BATTEN_BAD_ARGUMENT);
+    CHECK_CONTAINS(batten_message(), "eye");
+    CHECK_STATUS(bat_field_prepare(&bare, &out), BATTEN_BAD_ARGUMENT);
+    CHECK_OK(bat_field_prepare(&absolute, &out));
 }

@@ -13,7 +13,7 @@ static const batten_parameter parameters[] = {
      "its values, increasing: lengths for heights and light lines, else numbers"},
     BAT_FIELD_PARAMETERS,
     {"eye", BATTEN_VALUE_POINT, false, false, "x", NULL,
-     "the direction to the eye that sees reflection lines"},
+     "the direction to the eye that sees reflection lines or a zebra"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how close the curves are to the contours; the tolerance of the design by default"},
     {"as", BATTEN_VALUE_WORD, false, false, "curves", "curves polylines",
@@ -206,7 +206,10 @@ const bat_feature bat_feature_contours = {
         {"contours", "Lines of equal height, curvature or light on surfaces",
          "They lie on the true surface, are closed or end on its rim, and run straight through\n"
          "saddles. Silhouettes, parting lines and isophotes are contours of 'isophote' and\n"
-         "'draft'; 'highlight' and 'reflection' lines belong to a line of light 'through' a point\n"
+         "'draft', that of 'isophote' at 0 with the direction of the eye, or of 'silhouette' at 0 as\n"
+         "seen from a point, 'through'; 'zebra' lines are the edges of stripes that tubes along\n"
+         "'direction' show in a mirror; 'absolute' is |kappa1| + |kappa2|. 'highlight' and\n"
+         "'reflection' lines belong to a line of light 'through' a point\n"
          "along 'direction'. These have no value, and lines end, where the normal or the reflected\n"
          "ray is within 5.7 degrees of that direction: a tube of light is of finite length.\n"
          "Stationary points of the field, where lines appear, vanish or cross, are noted.",

@@ -154,3 +154,31 @@ TEST(highlight_lines_that_end_within_the_surface_say_why)
     batten_design_free(design);
     batten_notes_free(notes);
 }
+
+/* From a distance d the outline of a ball of radius r is the circle at the height r^2 / d. */
+TEST(the_silhouette_of_a_ball_from_a_point_is_the_circle_that_its_tangents_touch)
+{
+    batten_design *design = NULL;
+    CHECK_OK(
+        evaluate("{contours: ball, of: silhouette, through: [0, 0, 4], levels: [0]}", &design));
+    const batten_model *model = batten_design_result(design, "a")->value;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_curve *curve = batten_model_object(model, i)->curve;
+        const batten_interval domain = batten_curve_domain(curve);
+        for (int k = 0; k <= 16; k++) {
+            double p[3];
+            CHECK_OK(
+                batten_curve_evaluate(curve, domain.a + (domain.b - domain.a) * k / 16, 0, p));
+            CHECK_NEAR(p[2], 1, 2e-3);
+            CHECK_NEAR(hypot(p[0], p[1]), sqrt(3), 2e-3);
+        }
+    }
+    CHECK(batten_model_count(model) >= 1);
+    batten_design_free(design);
+    design = NULL;
+    CHECK_STATUS(evaluate("{contours: ball, of: absolute}", &design), BATTEN_NOT_FOUND);
+    CHECK_MESSAGE("1 everywhere");
+    CHECK_STATUS(evaluate("{contours: ball, of: zebra, eye: [0, 0, 0]}", &design),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK(!design);
+}
