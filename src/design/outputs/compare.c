@@ -1,4 +1,5 @@
 /* The output 'compare': curves through the same points, side by side. */
+#include "design/shared/plane.h"
 #include "design/shared/rows.h"
 #include "design/shared/through.h"
 #include "design/text/document.h"
@@ -63,6 +64,19 @@ static batten_status add_chain(const batten_object *object, column *c)
     return status;
 }
 
+/* A curve in the plane that it lies in; as it is where there is none. */
+static batten_status lay_in_plane(const batten_curve *curve, batten_curve **out, bool *in_space)
+{
+    const int n = batten_curve_point_count(curve);
+    const bool flat = batten_curve_dimension(curve) < 3;
+    const int axis = flat ? 2 : bat_flat_axis(n, batten_curve_points(curve));
+    batten_affine oblique;
+    if (axis < 0 && bat_plane_find(n, batten_curve_points(curve), &oblique))
+        return bat_plane_curve(&oblique, curve, out);
+    *in_space = axis < 0;
+    return bat_curve_in_plane(curve, axis, out);
+}
+
 static batten_status add_curve(const bat_run *run, const batten_object *object, column *c)
 {
     batten_curve *plane = NULL;
@@ -74,10 +88,8 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
     if (object->chain && (batten_chain_dimension(object->chain) < 3 ||
                           batten_chain_frame(object->chain, &frame)))
         return add_chain(object, c);
-    const int n = batten_curve_point_count(object->curve);
-    const bool flat = batten_curve_dimension(object->curve) < 3;
-    const int axis = flat ? -1 : bat_flat_axis(n, batten_curve_points(object->curve));
-    batten_status status = bat_curve_in_plane(object->curve, flat ? 2 : axis, &plane);
+    bool in_space = false;
+    batten_status status = lay_in_plane(object->curve, &plane, &in_space);
     if (status == BATTEN_OK)
         status = batten_curve_fairness(plane,
                                        (batten_points){batten_curve_dimension(plane), 0, NULL},
@@ -87,7 +99,7 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
             /* For a table of four digits; the bound grows with the number of spans. */
             batten_curve_length(plane, 1e-9 * batten_curve_point_count(plane), NULL, &length);
     if (status == BATTEN_OK)
-        add_compare(&fairness, length, axis < 0 && !flat, c);
+        add_compare(&fairness, length, in_space, c);
     batten_curve_unref(plane);
     return status;
 }

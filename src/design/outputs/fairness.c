@@ -1,5 +1,6 @@
 /* What a check finds: distances from the data, fairness of sections, edges off the centre plane. */
 #include "design/outputs/fairness.h"
+#include "design/shared/plane.h"
 #include "design/shared/rows.h"
 #include "design/shared/through.h"
 
@@ -188,37 +189,65 @@ static void judge_joins(bat_check *check)
         judge_join(check, &check->joins[i]);
 }
 
+/* A curve and its points, as they were given, in the plane that they lie in. */
+typedef struct {
+    bool is_plane; /* else they are in space */
+    batten_curve *curve;
+    double *data; /* [point_count][dimension of the curve]; NULL for none */
+} plane_view;
+
+static void close_view(plane_view *view)
+{
+    bat_release(view->data);
+    batten_curve_unref(view->curve);
+}
+
+static batten_status open_view(const bat_check *check, const bat_checked *checked,
+                               double *bound, plane_view *view)
+{
+    const batten_object *object = checked->object;
+    const int count = object->point_count;
+    const int axis = count ? bat_flat_axis(count, object->points) : -1;
+    batten_affine oblique;
+    batten_status status =
+        bat_check_given_row(check, checked, count, object->points, axis, &view->data, bound);
+    view->is_plane = axis >= 0;
+    if (status == BATTEN_OK && count && axis < 0 &&
+        batten_curve_dimension(object->curve) == 3 &&
+        bat_plane_find(batten_curve_point_count(object->curve),
+                       batten_curve_points(object->curve), &oblique)) {
+        view->is_plane = true;
+        bat_plane_points(&oblique, count, view->data, view->data);
+        return bat_plane_curve(&oblique, object->curve, &view->curve);
+    }
+    return status == BATTEN_OK ? bat_curve_in_plane(object->curve, axis, &view->curve) : status;
+}
+
 /* Inflections count against the points as they were given; without points in a plane only
  * corners, cusps and jumps count. */
 static batten_status judge_curve(bat_check *check, bat_checked *checked)
 {
     const batten_object *object = checked->object;
-    const int axis =
-        object->point_count ? bat_flat_axis(object->point_count, object->points) : -1;
     batten_fairness_options options = batten_fairness_defaults();
-    batten_curve *curve = NULL;
-    double *data = NULL;
-    batten_status status = bat_check_given_row(check, checked, object->point_count,
-                                               object->points, axis, &data, &options.within);
+    plane_view view = {false, NULL, NULL};
+    batten_status status = open_view(check, checked, &options.within, &view);
     options.angle = check->curve_bounds.angle;
     options.curvature = check->curve_bounds.curvature;
     options.error = bat_chain_error(check->run, object);
     if (status == BATTEN_OK)
-        status = bat_curve_in_plane(object->curve, axis, &curve);
-    if (status == BATTEN_OK)
-        status = batten_curve_fairness(curve,
-                                       (batten_points){batten_curve_dimension(curve),
+        status = batten_curve_fairness(view.curve,
+                                       (batten_points){batten_curve_dimension(view.curve),
                                                        object->point_count,
-                                                       object->point_count ? data : NULL},
+                                                       object->point_count ? view.data : NULL},
                                        &options, &checked->fairness);
     checked->has_fairness = status == BATTEN_OK;
     if (checked->has_fairness) {
         add_unfairness(&check->unfairness, &checked->fairness);
-        check->unfairness.inflections += axis >= 0 ? checked->fairness.excess_inflections : 0;
+        check->unfairness.inflections +=
+            view.is_plane ? checked->fairness.excess_inflections : 0;
         check->judged_count++;
     }
-    bat_release(data);
-    batten_curve_unref(curve);
+    close_view(&view);
     return status;
 }
 

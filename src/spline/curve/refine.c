@@ -176,29 +176,55 @@ batten_status batten_curve_elevate(const batten_curve *curve, int by, batten_cur
 
 /* ---- parts ---- */
 
-/* As a spline in which [a, b] is inside the domain. */
-static batten_status spline_around(const batten_curve *curve, double b, bat_spline *out)
+/* The spans that [a, b] touches, in the curve's own arrays: a part costs what it holds. */
+static batten_curve view_spans(const batten_curve *curve, double a, double b)
 {
-    if (curve->periodic && b > curve->knots[curve->count])
-        return bat_curve_unwrap(curve, 1, out);
-    return bat_curve_to_spline(curve, out);
+    const int p = curve->degree;
+    const int first = bat_knots_span(p, curve->count, curve->knots, a, BATTEN_FROM_LEFT) - p;
+    const int last = bat_knots_span(p, curve->count, curve->knots, b, BATTEN_FROM_RIGHT);
+    const size_t before = (size_t)first;
+    return (batten_curve){.dimension = curve->dimension,
+                          .degree = p,
+                          .count = last + 1 - first,
+                          .weight_scale = curve->weight_scale,
+                          .points = curve->points + before * (size_t)curve->dimension,
+                          .weights = curve->weights ? curve->weights + before : NULL,
+                          .knots = curve->knots + before};
+}
+
+/* Rows of `like` that stay as they are keep their bits; `from` has the same rows, or others. */
+static batten_status take_part(const batten_curve *like, const bat_spline *from, double a,
+                               double b, batten_curve **out)
+{
+    bat_spline made;
+    const batten_status status = bat_spline_subrange(from, a, b, &made);
+    if (status != BATTEN_OK)
+        return status;
+    const bool same_rows = from->count == like->count;
+    const int span =
+        bat_knots_span(from->degree, from->count, from->knots, a, BATTEN_FROM_RIGHT);
+    const batten_status put =
+        bat_curve_from_spline(like, same_rows ? from : NULL, span - from->degree, &made, out);
+    bat_spline_free(&made);
+    return put;
 }
 
 static batten_status subrange(const batten_curve *curve, double a, double b, batten_curve **out)
 {
-    bat_spline from, made;
-    batten_status status = spline_around(curve, b, &from);
+    bat_spline from;
+    if (curve->periodic && b > curve->knots[curve->count]) {
+        batten_status status = bat_curve_unwrap(curve, 1, &from);
+        if (status != BATTEN_OK)
+            return status;
+        status = take_part(curve, &from, a, b, out);
+        bat_spline_free(&from);
+        return status;
+    }
+    const batten_curve view = view_spans(curve, a, b);
+    batten_status status = bat_curve_to_spline(&view, &from);
     if (status != BATTEN_OK)
         return status;
-    status = bat_spline_subrange(&from, a, b, &made);
-    if (status == BATTEN_OK) {
-        const bool same_rows = from.count == curve->count;
-        const int span =
-            bat_knots_span(from.degree, from.count, from.knots, a, BATTEN_FROM_RIGHT);
-        status = bat_curve_from_spline(curve, same_rows ? &from : NULL, span - from.degree,
-                                       &made, out);
-        bat_spline_free(&made);
-    }
+    status = take_part(&view, &from, a, b, out);
     bat_spline_free(&from);
     return status;
 }

@@ -4,18 +4,24 @@
 /* Comparisons of curves whose bending has a closed form. Of y = x^2 from -1 to 1 the energy is 4 (s - s^3 / 3) and the
  * variation 144 (s^3 / 3 - 3 s^5 / 5 + 3 s^7 / 7 - s^9 / 9) with s = 2 / sqrt 5, the largest curvature 2. */
 
-static const char curves[] = "  ring: {circle: 2}\n"
-                             "  vee: {points: [[-1, 1], [0, -1], [1, 1]]}\n"
-                             "  bow: {bezier: vee}\n"
-                             "  standing: {points: [[-1, 0, 1], [0, 0, -1], [1, 0, 1]]}\n"
-                             "  upright: {bezier: standing}\n"
-                             "  turned: {rotate: bow, by: 30 deg, axis: [1, 1, 1]}\n"
-                             "  open: {polyline: [[0, 0], [4, 0], [4, 3]]}\n"
-                             "  both: {collect: [ring, bow, vee]}\n"
-                             "  round: {fillet: open, radius: 1}\n"
-                             "  straight: {line: [[0, 0], [0, 5]]}\n"
-                             "  arcs: {biarcs: vee}\n"
-                             "  a_curve_with_a_long_name: {move: bow, by: [0, 0, 1]}\n";
+static const char curves[] =
+    "  ring: {circle: 2}\n"
+    "  vee: {points: [[-1, 1], [0, -1], [1, 1]]}\n"
+    "  bow: {bezier: vee}\n"
+    "  standing: {points: [[-1, 0, 1], [0, 0, -1], [1, 0, 1]]}\n"
+    "  upright: {bezier: standing}\n"
+    "  turned: {rotate: bow, by: 30 deg, axis: [1, 1, 1]}\n"
+    "  ess: {points: [[0, 0], [1, 2], [2, -2], [3, 0]]}\n"
+    "  wave: {bezier: ess}\n"
+    "  tilted: {rotate: wave, by: 40 deg, axis: [1, 2, 3]}\n"
+    "  screw: {points: [[0, 0, 0], [1, 2, 0], [2, -2, 1], [3, 0, 2]]}\n"
+    "  twisted: {bezier: screw}\n"
+    "  open: {polyline: [[0, 0], [4, 0], [4, 3]]}\n"
+    "  both: {collect: [ring, bow, vee]}\n"
+    "  round: {fillet: open, radius: 1}\n"
+    "  straight: {line: [[0, 0], [0, 5]]}\n"
+    "  arcs: {biarcs: vee}\n"
+    "  a_curve_with_a_long_name: {move: bow, by: [0, 0, 1]}\n";
 
 static const expect_row tables[] = {
     {"c.txt: {compare: bow}", BATTEN_OK,
@@ -31,10 +37,16 @@ static const expect_row tables[] = {
      "     2    2.9578857 |"
      "\nstraight           line                          0            0           0        0     "
      "     0            5 |!inf:"},
-    /* Curvature of a curve in space has no sign. */
+    /* A plane curve is one in every plane. */
     {"c.txt: {compare: turned}", BATTEN_OK,
-     "\nturned             rotate                  2.62365      7.28789           -        -     "
+     "\nturned             rotate                  2.62365      7.28789           0        1     "
      "     2    2.9578857 |"},
+    {"c.txt: {compare: [wave, tilted]}", BATTEN_OK,
+     "\nwave               bezier                  |           1        2 "
+     "|\ntilted             rotate                  |           1        2 "},
+    /* Curvature of a curve in space has no sign. */
+    {"c.txt: {compare: twisted}", BATTEN_OK,
+     "\ntwisted            bezier |           -        - "},
     /* Of two curves integrals, lengths and counts are sums, the largest curvature is the larger one. */
     {"c.txt: {compare: both}", BATTEN_OK,
      "\nboth               collect                 5.76525      7.28789           0        1     "
@@ -51,14 +63,14 @@ static const expect_row tables[] = {
     {"c.txt: {compare: [bow, a_curve_with_a_long_name]}", BATTEN_OK,
      "feature                  operation  |\nbow                      bezier     "
      "|\na_curve_with_a_long_name move                    2.62365"},
-    {"c.json: {compare: [bow, open, turned]}", BATTEN_OK,
+    {"c.json: {compare: [bow, open, twisted]}", BATTEN_OK,
      "{\"curves\": [\n  {\"name\": \"bow\", \"operation\": \"bezier\", \"energy\": "
      "2.6236530|, \"variation\": 7.28789497|, \"corners\": 0, \"curvature_jumps\": 0, "
      "\"inflections\": 0, \"curvature_extrema\": 1, \"max_curvature\": 2, \"length\": "
      "2.9578857|, \"seconds\": |},\n  {\"name\": \"open\", \"operation\": \"polyline\", "
      "\"energy\": null, \"variation\": null, \"corners\": 1, \"curvature_jumps\": 0, "
      "\"inflections\": 0, \"curvature_extrema\": 0, \"max_curvature\": 0, \"length\": 7|},\n  "
-     "{\"name\": \"turned\"|\"corners\": 0, \"curvature_jumps\": 0, \"max_curvature\": |}\n]}\n"},
+     "{\"name\": \"twisted\"|\"corners\": 0, \"curvature_jumps\": 0, \"max_curvature\": |}\n]}\n"},
     {"c.json: {compare: round}", BATTEN_OK,
      "\"energy\": 1.5707963|\"variation\": null, \"corners\": 0, \"curvature_jumps\": 2, "
      "\"inflections\": 0"},

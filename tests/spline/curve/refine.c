@@ -1,6 +1,7 @@
 #include "support/generate.h"
 
 #include <batten/curve.h>
+#include <time.h>
 
 static const test_wish any = {0};
 
@@ -263,4 +264,46 @@ TEST(cuts_and_parts_outside_the_domain_are_refused)
     CHECK_MESSAGE("is empty");
     CHECK(left == NULL && right == NULL);
     batten_curve_unref(curve);
+}
+
+/* ---- parts of long curves ---- */
+
+enum { LONG = 100000, PARTS = 10000 };
+
+/* A polygon of many corners, (i, i mod 2). */
+static batten_curve *make_zigzag(void)
+{
+    batten_curve *zigzag = NULL;
+    double *points = test_array(2 * LONG, sizeof *points);
+    double *knots = test_array(LONG + 2, sizeof *knots);
+    for (int i = 0; i < LONG; i++) {
+        points[2 * i] = knots[i + 1] = i;
+        points[2 * i + 1] = i % 2;
+    }
+    knots[0] = 0;
+    knots[LONG + 1] = LONG - 1;
+    CHECK_OK(batten_curve_create((batten_points){2, LONG, points}, 1, NULL, knots, &zigzag));
+    return zigzag;
+}
+
+/* Copying the whole curve for each part takes 20 s. */
+TEST(a_part_of_a_long_curve_costs_what_it_holds)
+{
+    batten_curve *zigzag = make_zigzag();
+    const clock_t start = clock();
+    for (int i = 0; i < PARTS; i++) {
+        const int from = i * (LONG / PARTS) + 1;
+        batten_curve *part = NULL;
+        CHECK_OK(batten_curve_subrange(zigzag, from, from + 2.5, &part));
+        CHECK_INT(batten_curve_point_count(part), 4);
+        const double *points = batten_curve_points(part);
+        for (int k = 0; k < 3; k++) {
+            CHECK(points[2 * k] == from + k);
+            CHECK(points[2 * k + 1] == (from + k) % 2);
+        }
+        CHECK(points[6] == from + 2.5 && points[7] == 0.5);
+        batten_curve_unref(part);
+    }
+    CHECK((double)(clock() - start) / CLOCKS_PER_SEC < 4);
+    batten_curve_unref(zigzag);
 }
