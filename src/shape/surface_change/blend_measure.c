@@ -1,6 +1,7 @@
 /* How a blend joins its surfaces, and whether it folds. */
 #include "shape/surface_change/blend.h"
 
+#include "numeric/peaks.h"
 #include "numeric/vector.h"
 #include "shape/boundary/edge_fit.h"
 #include <batten/curvature.h>
@@ -25,45 +26,80 @@ static batten_status curvature_along(const batten_surface *surface, const double
     return BATTEN_OK;
 }
 
-static batten_status compare(const bat_blend_contact *t, const batten_surface *made, int side,
-                             double u)
+/* One side of a blend that was made. */
+typedef struct {
+    const bat_blend_contact *contact;
+    const batten_surface *made;
+    int side;
+} blend_side;
+
+/* Where u of the blend is on the surface that it leaves. */
+static void find_contact(const blend_side *s, double u, double at[2])
 {
-    batten_surfaces_blend_report *r = t->report;
-    const batten_surface *surface = t->surfaces[side];
-    const batten_surface_blend_end *end = &t->ends[side];
-    const bat_edge_place place = bat_edge_of(surface, end->edge);
-    const batten_interval d = batten_surface_domain(surface, place.along);
-    const double share = side && r->reversed ? 1 - u : u;
+    const bat_blend_contact *t = s->contact;
+    const batten_surface_blend_end *end = &t->ends[s->side];
+    const bat_edge_place place = bat_edge_of(t->surfaces[s->side], end->edge);
+    const batten_interval d = batten_surface_domain(t->surfaces[s->side], place.along);
+    const double share = s->side && t->report->reversed ? 1 - u : u;
     const double on = (1 - share) * end->from + share * end->to;
     const bool along_u = place.along == BATTEN_U;
     const double along = bat_min(bat_max((1 - on) * d.a + on * d.b, d.a), d.b);
-    const double at[2] = {along_u ? along : place.at, along_u ? place.at : along};
-    const double own[2] = {u, side};
-    double mine[9], theirs[3], kappa[2];
+    at[0] = along_u ? along : place.at;
+    at[1] = along_u ? place.at : along;
+}
+
+/* The gap, the angle of the normals, and the jump of the curvature across at u. */
+static batten_status compare_at(void *context, double u, double *values)
+{
+    const blend_side *s = context;
+    const batten_surface *surface = s->contact->surfaces[s->side];
+    const double own[2] = {u, s->side};
+    double at[2], mine[9], theirs[3], kappa[2];
     batten_vec3 n[2];
-    batten_status status = batten_surface_evaluate(made, own[0], own[1], 1, mine);
+    find_contact(s, u, at);
+    batten_status status = batten_surface_evaluate(s->made, own[0], own[1], 1, mine);
     if (status == BATTEN_OK)
         status = batten_surface_evaluate(surface, at[0], at[1], 0, theirs);
     if (status != BATTEN_OK)
         return status;
-    r->gap[side] = bat_max(r->gap[side], bat_distance(3, mine, theirs));
     const batten_vec3 way = bat_vec3_of(3, mine + 6);
     bool there = true;
-    status = curvature_along(made, own, way, &n[0], &kappa[0], &there);
+    status = curvature_along(s->made, own, way, &n[0], &kappa[0], &there);
     if (status == BATTEN_OK)
         status = curvature_along(surface, at, way, &n[1], &kappa[1], &there);
     if (status != BATTEN_OK)
         return status;
-    if (!there) {
-        r->angle[side] = r->curvature[side] = HUGE_VAL;
+    values[0] = bat_distance(3, mine, theirs);
+    values[1] = values[2] = HUGE_VAL;
+    if (!there)
         return BATTEN_OK;
-    }
     const double dot = bat_vec3_dot(n[0], n[1]);
     const double sine = bat_vec3_norm(bat_vec3_cross(n[0], n[1]));
-    r->angle[side] = bat_max(r->angle[side], bat_atan2(sine, fabs(dot)));
-    r->curvature[side] =
-        bat_max(r->curvature[side], fabs(kappa[0] - (dot < 0 ? -kappa[1] : kappa[1])));
+    values[1] = bat_atan2(sine, fabs(dot));
+    values[2] = fabs(kappa[0] - (dot < 0 ? -kappa[1] : kappa[1]));
     return BATTEN_OK;
+}
+
+/* Along u, at least so many places in each span of the edge. */
+enum { PLACES = 8 };
+
+static batten_status compare_sides(const bat_blend_contact *t, const batten_surface *made)
+{
+    batten_surfaces_blend_report *r = t->report;
+    const int spans = batten_surface_spans(made, BATTEN_U, NULL) - 1;
+    batten_status status = BATTEN_OK;
+    for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
+        blend_side side = {t, made, k};
+        double largest[3];
+        status = bat_find_peaks(compare_at, &side, bat_max_int(SAMPLES, PLACES * spans + 1), 3,
+                                largest);
+        if (status != BATTEN_OK)
+            break;
+        r->gap[k] = largest[0];
+        r->angle[k] = largest[1];
+        r->curvature[k] = largest[2];
+    }
+    return status;
 }
 
 /* Along one line of the grid: the first place where the normal turns over, from the last one
@@ -97,11 +133,9 @@ static void find_fold(const double *normals, const double *at, batten_surfaces_b
 batten_status bat_blend_measure(const bat_blend_contact *t, const batten_surface *made)
 {
     double at[SAMPLES];
-    batten_status status = BATTEN_OK;
+    batten_status status = compare_sides(t, made);
     for (int i = 0; i < SAMPLES; i++)
         at[i] = (double)i / (SAMPLES - 1);
-    for (int i = 0; i < 2 * SAMPLES && status == BATTEN_OK; i++)
-        status = compare(t, made, i / SAMPLES, at[i % SAMPLES]);
     if (status != BATTEN_OK)
         return status;
     /* A fifth above the error of the edges, which is sampled; and the rounding of a rational blend. */

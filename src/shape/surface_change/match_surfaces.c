@@ -3,6 +3,7 @@
 #include <batten/curvature.h>
 
 #include "base/plural.h"
+#include "numeric/peaks.h"
 #include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/boundary/edge_fit.h"
@@ -228,45 +229,57 @@ static batten_status move_rows(match *m, double *moved)
 
 /* ---- how well they join ---- */
 
-static batten_status compare_at(const batten_surface *first, batten_edge first_edge,
-                                const batten_surface *second, batten_edge second_edge, double t,
-                                batten_surface_match_report *r)
+/* Two edges that were made to meet. */
+typedef struct {
+    const batten_surface *surfaces[2];
+    batten_edge edges[2];
+    bool reversed;
+} matched_edges;
+
+/* The gap, the angle of the tangent planes, and the largest difference of a principal curvature. */
+static batten_status compare_at(void *context, double t, double *values)
 {
-    double a[2], b[2];
-    batten_surface_local one, other;
-    batten_vec3 n1, n2;
-    bat_on_edge(first, first_edge, t, a);
-    bat_on_edge(second, second_edge, r->reversed ? 1 - t : t, b);
-    double p[3], q[3];
-    batten_status status = batten_surface_evaluate(first, a[0], a[1], 0, p);
-    if (status == BATTEN_OK)
-        status = batten_surface_evaluate(second, b[0], b[1], 0, q);
-    if (status != BATTEN_OK)
-        return status;
-    r->gap = bat_max(r->gap, bat_distance(3, p, q));
-    status = batten_surface_normal(first, a[0], a[1], NULL, &n1);
-    if (status == BATTEN_OK)
-        status = batten_surface_normal(second, b[0], b[1], NULL, &n2);
-    if (status == BATTEN_SINGULAR_HERE)
-        return BATTEN_OK; /* a corner without normal says nothing */
-    const batten_status curved =
-        status == BATTEN_OK ? batten_surface_local_at(first, a[0], a[1], &one) : status;
-    const batten_status curved_too =
-        curved == BATTEN_OK ? batten_surface_local_at(second, b[0], b[1], &other) : curved;
-    if (status != BATTEN_OK)
-        return status;
-    const double sine = bat_vec3_norm(bat_vec3_cross(n1, n2)), cosine = bat_vec3_dot(n1, n2);
-    r->angle = bat_max(r->angle, bat_atan2(sine, fabs(cosine)));
-    if (curved != BATTEN_OK || curved_too != BATTEN_OK) {
-        r->curvature = NAN;
-        return BATTEN_OK;
+    const matched_edges *m = context;
+    double at[2][2], p[2][3];
+    batten_surface_local local[2];
+    batten_vec3 n[2];
+    batten_status status = BATTEN_OK, normal = BATTEN_OK, curved = BATTEN_OK;
+    values[0] = values[1] = values[2] = 0;
+    for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
+        bat_on_edge(m->surfaces[k], m->edges[k], k && m->reversed ? 1 - t : t, at[k]);
+        status = batten_surface_evaluate(m->surfaces[k], at[k][0], at[k][1], 0, p[k]);
     }
+    if (status != BATTEN_OK)
+        return status;
+    values[0] = bat_distance(3, p[0], p[1]);
+    for (int k = 0; k < 2 && normal == BATTEN_OK; k++)
+        normal = batten_surface_normal(m->surfaces[k], at[k][0], at[k][1], NULL, &n[k]);
+    if (normal != BATTEN_OK) /* a corner without normal says nothing */
+        return normal == BATTEN_SINGULAR_HERE ? BATTEN_OK : normal;
+    for (int k = 0; k < 2 && curved == BATTEN_OK; k++)
+        curved = batten_surface_local_at(m->surfaces[k], at[k][0], at[k][1], &local[k]);
+    const double sine = bat_vec3_norm(bat_vec3_cross(n[0], n[1]));
+    const double cosine = bat_vec3_dot(n[0], n[1]);
+    values[1] = bat_atan2(sine, fabs(cosine));
+    values[2] = NAN;
+    if (curved != BATTEN_OK)
+        return BATTEN_OK;
     /* With opposite normals the principal curvatures change sign and order. */
-    const double k1 = cosine < 0 ? -other.kappa2 : other.kappa1,
-                 k2 = cosine < 0 ? -other.kappa1 : other.kappa2;
-    const double difference = bat_max(fabs(one.kappa1 - k1), fabs(one.kappa2 - k2));
-    if (!isnan(r->curvature))
-        r->curvature = bat_max(r->curvature, difference);
+    const double k1 = cosine < 0 ? -local[1].kappa2 : local[1].kappa1,
+                 k2 = cosine < 0 ? -local[1].kappa1 : local[1].kappa2;
+    values[2] = bat_max(fabs(local[0].kappa1 - k1), fabs(local[0].kappa2 - k2));
+    return BATTEN_OK;
+}
+
+static batten_status measure_match(matched_edges *m, batten_surface_match_report *report)
+{
+    double largest[3];
+    const batten_status status = bat_find_peaks(compare_at, m, SAMPLES, 3, largest);
+    if (status != BATTEN_OK)
+        return status;
+    report->gap = largest[0];
+    report->angle = largest[1];
+    report->curvature = largest[2];
     return BATTEN_OK;
 }
 
@@ -280,9 +293,9 @@ static batten_status finish_match(const match *m, batten_edge first_edge,
         batten_surface_set_domain(m->surface, BATTEN_V, along.a, along.b, &surface);
     if (status == BATTEN_OK)
         status = turn_to_edge(first_edge, true, &surface);
-    for (int i = 0; i < SAMPLES && status == BATTEN_OK; i++)
-        status =
-            compare_at(surface, first_edge, second, second_edge, i / (SAMPLES - 1.0), report);
+    matched_edges edges = {{surface, second}, {first_edge, second_edge}, report->reversed};
+    if (status == BATTEN_OK)
+        status = measure_match(&edges, report);
     if (status == BATTEN_OK)
         *out = batten_surface_ref(surface);
     batten_surface_unref(surface);

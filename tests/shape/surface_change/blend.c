@@ -310,3 +310,51 @@ TEST(G5_a_surface_that_rests_at_its_edge_is_refused_by_its_number)
     batten_surface_unref(a);
     batten_surface_unref(b);
 }
+
+/* (u, -v, v c(u)) along the x-axis, c quadratic with its bend between two of 33 even places. */
+static batten_surface *make_fin(batten_curve **height)
+{
+    const double us[] = {0, 0, 0, 0.5, 0.53125, 1, 1, 1}, vs[] = {0, 0, 1, 1};
+    const double c[] = {0, 0.2, 9, 0.2, 0}, x[] = {0, 0.25, 0.515625, 0.765625, 1};
+    double points[30];
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 2; j++)
+            memcpy(points + 6 * i + 3 * j, (const double[]){x[i], -j, j * c[i]},
+                   3 * sizeof *points);
+    const batten_axis u = {2, 5, us, false}, v = {1, 2, vs, false};
+    batten_surface *fin = NULL;
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_surface_create(3, &u, &v, points, NULL, &fin));
+    CHECK_OK(batten_curve_create((batten_points){1, 5, c}, 2, NULL, us, &curve));
+    *height = curve;
+    return fin;
+}
+
+/* Across the plane z = 0 the angle is atan |c(u)|; 33 even places miss its peak. */
+TEST(the_largest_angle_of_a_blend_is_found_between_samples)
+{
+    const batten_vec3 p[] = {{0, 1, 0}, {1, 1, 0}, {0, 2, 0}, {1, 2, 0}};
+    batten_curve *height = NULL;
+    batten_surface *fin = make_fin(&height), *plane = NULL, *made = NULL;
+    batten_surface_blend_end ends[2];
+    batten_surfaces_blend_report report;
+    double largest = 0, seen = 0;
+    for (int i = 0; i <= 32000; i++) {
+        double c;
+        CHECK_OK(batten_curve_evaluate(height, i / 32000.0, 0, &c));
+        largest = fmax(largest, atan(fabs(c)));
+        if (i % 1000 == 0)
+            seen = fmax(seen, atan(fabs(c)));
+    }
+    CHECK(seen < largest - 1e-4);
+    CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &plane));
+    set_ends(ends, BATTEN_EDGE_V0, BATTEN_EDGE_V0, 0);
+    CHECK_OK(batten_surfaces_blend((const batten_surface *const[]){fin, plane}, ends, 0,
+                                   &report, &made));
+    CHECK_NEAR(report.angle[0], largest, 1e-8);
+    CHECK_NEAR(report.angle[1], 0, 1e-12);
+    batten_surface_unref(made);
+    batten_surface_unref(plane);
+    batten_surface_unref(fin);
+    batten_curve_unref(height);
+}
