@@ -1,5 +1,4 @@
 /* The output 'compare': curves through the same points, side by side. */
-#include "design/shared/plane.h"
 #include "design/shared/rows.h"
 #include "design/shared/through.h"
 #include "design/text/document.h"

@@ -1,6 +1,5 @@
 /* What a check finds: distances from the data, fairness of sections, edges off the centre plane. */
 #include "design/outputs/fairness.h"
-#include "design/shared/plane.h"
 #include "design/shared/rows.h"
 #include "design/shared/through.h"
 

@@ -53,4 +53,14 @@ void bat_points_from_plane(int axis, int count, const double *from, double *to);
  */
 batten_status bat_curve_in_plane(const batten_curve *curve, int axis, batten_curve **out);
 
+/* The rigid map that takes the plane of points [count][3] to z = 0; false where they do not lie in one plane, but for
+ * the rounding of their coordinates, or all in one line. */
+bool bat_plane_find(int count, const double *points, batten_affine *to_plane);
+/* The points in their plane, [count][2], which may stand in their own room. */
+void bat_plane_points(const batten_affine *to_plane, int count, const double *points,
+                      double *plane);
+/* A curve in space, in its plane. */
+batten_status bat_plane_curve(const batten_affine *to_plane, const batten_curve *curve,
+                              batten_curve **out);
+
 #endif

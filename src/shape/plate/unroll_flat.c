@@ -154,11 +154,16 @@ typedef struct {
     batten_vec3 n; /* the normal there */
 } strip_step;
 
-/* The rates over one step, and what it adds to lengths and strains. */
+/* A strip that bends by this angle is by 5e-17 longer than in the plane: nothing of it is lost there. */
+static const double no_bend = 1e-8;
+
+/* The rates over one step, and what it adds to lengths and strains. *bend: the most by which the normal leaves that at
+ * the start. */
 static batten_status find_rates(const bat_strip *strip, const bat_flat_rule *rule,
                                 const strip_step *step, bat_flat_strip *flat,
-                                bat_flat_rates *rates)
+                                bat_flat_rates *rates, double *bend)
 {
+    *bend = 0;
     const double u = step->u, h = step->h;
     for (int j = 0; j < BAT_FLAT_NODES; j++) {
         bat_strip_ruling g;
@@ -170,6 +175,7 @@ static batten_status find_rates(const bat_strip *strip, const bat_flat_rule *rul
             return no_ruling(at, "its edges meet there");
         if (bat_vec3_dot(g.n, step->n) < 0)
             return no_ruling(at, "its normal turns over, as at an edge of regression");
+        *bend = bat_max(*bend, bat_vec3_norm(bat_vec3_subtract(g.n, step->n)));
         const batten_vec3 rate = bat_vec3_subtract(g.D[1], g.D[0]);
         rates->turn[j] = h * bat_vec3_dot(rate, g.m) / g.length;
         rates->along[j] = h * bat_vec3_dot(g.D[0], g.r);
@@ -179,11 +185,23 @@ static batten_status find_rates(const bat_strip *strip, const bat_flat_rule *rul
     return BATTEN_OK;
 }
 
+/* A step in a plane is moved there as it is. */
+static void move_rigidly(const bat_strip_ruling *from, const bat_strip_ruling *to, double *phi,
+                         double at[2])
+{
+    const batten_vec3 by = bat_vec3_subtract(to->P[0], from->P[0]);
+    const double along = bat_vec3_dot(by, from->r), left = bat_vec3_dot(by, from->m);
+    const double c = bat_cos(*phi), s = bat_sin(*phi);
+    at[0] += along * c - left * s;
+    at[1] += along * s + left * c;
+    *phi += bat_atan2(bat_vec3_dot(to->r, from->m), bat_vec3_dot(to->r, from->r));
+}
+
 static batten_status lay_flat(const bat_strip *strip, bat_flat_strip *flat)
 {
     bat_flat_rule rule;
     bat_strip_ruling g, next;
-    double phi = BAT_PI / 2, at[2] = {0, 0};
+    double phi = BAT_PI / 2, at[2] = {0, 0}, bend = 0;
     bat_flat_rule_make(&rule);
     batten_status status = ruling_at(strip, flat->u[0], BATTEN_FROM_RIGHT, &g);
     if (status != BATTEN_OK)
@@ -197,11 +215,14 @@ static batten_status lay_flat(const bat_strip *strip, bat_flat_strip *flat)
         if (status == BATTEN_OK)
             status = ruling_at(strip, flat->u[i + 1], BATTEN_FROM_LEFT, &next);
         if (status == BATTEN_OK)
-            status = find_rates(strip, &rule, &(strip_step){u, h, g.n}, flat, &over);
+            status = find_rates(strip, &rule, &(strip_step){u, h, g.n}, flat, &over, &bend);
         if (status != BATTEN_OK)
             return status;
         put_rates(&g, phi, rates, rates + 4);
-        bat_flat_step(&rule, &over, &phi, &at[0], &at[1]);
+        if (bend <= no_bend && bat_vec3_norm(bat_vec3_subtract(next.n, g.n)) <= no_bend)
+            move_rigidly(&g, &next, &phi, at);
+        else
+            bat_flat_step(&rule, &over, &phi, &at[0], &at[1]);
         put_rates(&next, phi, rates + 2, rates + 6);
         put_ends(&next, phi, at, flat->points + 4 * (i + 1));
         measure_diagonals(flat, i, g.P, next.P);
