@@ -133,7 +133,7 @@ static void add_json(batten_text *text, const batten_object *object, const facts
     json_box(text, f);
 }
 
-/* Why a mesh is not watertight: ": 4 edges at the rim". */
+/* Why a mesh is not watertight: ": 4 edges at the rim"; of other objects nothing. */
 static void add_reasons(batten_text *text, const batten_mesh_facts *mesh)
 {
     const struct {
@@ -233,8 +233,7 @@ static void add_line(batten_text *text, const batten_object *object, const facts
         batten_text_add(text, ", %d", f->points[0]);
     if (f->remark)
         batten_text_add(text, ", %s", f->remark);
-    if (f->mesh_checked && !f->mesh.is_watertight)
-        add_reasons(text, &f->mesh);
+    add_reasons(text, &f->mesh);
     text_domains(text, f);
     text_box(text, f);
     add_looks(text, object);

@@ -67,6 +67,21 @@ TEST(compare_takes_settings_without_a_value)
     CHECK_CONTAINS(run.out, "\"name\": \"biarcs joint=given place=0.25 closed\"");
 }
 
+TEST(compare_prints_no_table_behind_a_picture_that_it_prints)
+{
+    static const char *const options[] = {"--comb", "--quiet"};
+    for (int i = 0; i < COUNT(options); i++) {
+        const test_process run =
+            RUN("batten", "compare", write_points(), "-o", "-", "-m", "akima", options[i]);
+        CHECK_INT(run.exit, 0);
+        CHECK(strncmp(run.out, "<?xml", 5) == 0);
+        CHECK_TEXT(strstr(run.out, "</svg>"), "</svg>\n");
+    }
+    const test_process quiet = RUN("batten", "compare", write_points(), "-o",
+                                   test_scratch("quiet.svg"), "-m", "akima", "-q");
+    CHECK_TEXT(quiet.out, "");
+}
+
 TEST(compare_takes_lists_in_brackets)
 {
     const char *points = write_points(), *picture = test_scratch("lists.svg");

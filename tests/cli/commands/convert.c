@@ -34,6 +34,26 @@ TEST(convert_counts_what_is_read_and_written)
     CHECK_INT(RUN("batten", "convert", tank, mesh, "--chord", "-1").exit, 2);
 }
 
+/* Of a quarter of the cylinder the fewest flat pieces that turn by no more than the angle, each of two facets. */
+TEST(convert_turns_normals_of_triangles_by_no_more_than_the_angle)
+{
+    static const struct {
+        const char *angle;
+        int pieces;
+    } rows[] = {{"10", 9}, {"13", 7}, {"20", 5}};
+    const char *tank = write_tank(), *mesh = test_scratch("round.stl");
+    for (int i = 0; i < COUNT(rows); i++) {
+        CHECK_INT(RUN("batten", "convert", tank, mesh, "--angle", rows[i].angle,
+                      "--chord=999mm", "--text")
+                      .exit,
+                  0);
+        int facets = 0;
+        for (const char *at = test_content(mesh); (at = strstr(at, "facet normal")); at++)
+            facets++;
+        CHECK_INT(facets, 4 * 2 * rows[i].pieces);
+    }
+}
+
 TEST(convert_takes_the_schema_of_STEP)
 {
     static const char *const rows[][2] = {

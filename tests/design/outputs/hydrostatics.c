@@ -10,7 +10,9 @@ static const char prism[] = "  low: {line: [[0, 0, 0], [20, 0, 0]]}\n"
                             "  high: {line: [[0, 5, 4], [20, 5, 4]]}\n"
                             "  half: {ruled: [low, high]}\n"
                             "  deep: {move: half, by: [0, 0, -1]}\n"
-                            "  both: {mirror: half, plane: centre}\n";
+                            "  both: {mirror: half, plane: centre}\n"
+                            "  sheer: {line: [[0, 5, 4], [20, 6.25, 5]]}\n"
+                            "  rising: {ruled: [low, sheer]}\n";
 
 static batten_status report(const char *output, batten_notes *notes, char **data)
 {
@@ -353,4 +355,13 @@ TEST(areas_of_sections_are_at_given_places_or_from_end_to_end)
     batten_release(text);
     batten_release(json);
     batten_release(csv);
+}
+
+/* The deck is under water from its lowest point on, whatever rises above it. */
+TEST(a_deck_that_rises_is_under_water_where_it_is_lowest)
+{
+    static const char words[] = "the edge of the deck, lowest at z = 4, is under water";
+    CHECK(is_noted("a.txt: {hydrostatics: rising, draughts: 4.2}", words));
+    if (test_cases(10) >= 10)
+        CHECK(!is_noted("a.txt: {hydrostatics: rising, draughts: 3.9}", "is under water"));
 }

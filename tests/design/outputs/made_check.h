@@ -55,7 +55,12 @@ static batten_loft_correction made_corrections[] = {
     {1, 2, {9, 5, 8}, {9, 5.1, 8}, 0.1, BATTEN_LOFT_NOISE},
     {0, 2, {1, 5, 8}, {1, 5.05, 8}, 0.05, BATTEN_LOFT_NOISE}};
 
-static const batten_loft_report made_loft = {.cut_count = 30,
+static batten_loft_warp made_warps[] = {{0, 0.125, 0.25, 0.5, {1, 2}},
+                                        {2, 0.0625, 0.375, 0.75, {3, 4}}};
+
+static const batten_loft_report made_loft = {.warp_count = COUNT(made_warps),
+                                             .warps = made_warps,
+                                             .cut_count = 30,
                                              .cuts_in_excess = 2,
                                              .excess_inflections = 4,
                                              .height = 0.001,

@@ -247,6 +247,11 @@ static const char made_features[] =
     "1, \"line\": \"\", \"from\": [1, 2, 3], \"to\": [1, 2.5, 3], \"distance\": 0.5, \"reason\": "
     "\"noise\"}, {\"place\": ";
 
+static const char made_planks[] =
+    "\"distance\": 0.05, \"reason\": \"noise\"}], \"planks\": [{\"panel\": 1, \"median\": 0.125, "
+    "\"of_90\": 0.25, \"largest\": 0.5, \"x_below\": 1, \"x_above\": 2}, {\"panel\": 3, \"median\": "
+    "0.0625, \"of_90\": 0.375, \"largest\": 0.75, \"x_below\": 3, \"x_above\": 4}]}}\n";
+
 static const char made_figures[] =
     "\n  ],\n  \"objects\": [\n"
     "    {\"name\": \"sheer\", \"type\": \"curve\", \"fairness\": {\"fair\": true, "
@@ -310,6 +315,7 @@ TEST(each_figure_of_features_objects_and_joins_stands_under_its_name)
     made.check.unfairness = (bat_unfairness){.creases = 2, .edge_jumps = 3, .folds = 4};
     char *json = write_check(&made.check, bat_report_json);
     CHECK(strncmp(json, made_features, strlen(made_features)) == 0);
+    CHECK_CONTAINS(json, made_planks);
     CHECK_CONTAINS(json, made_figures);
     CHECK_CONTAINS(json, made_ends);
     CHECK_TEXT(strstr(json, "      {\"family\": \"buttock\""), made_meetings);

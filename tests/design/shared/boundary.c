@@ -54,3 +54,26 @@ TEST(slopes_stand_for_the_curve_of_their_place_and_run_as_it_does)
     snprintf(before, sizeof before, "%s%s", curves, more);
     EXPECT(before, rows);
 }
+
+/* Splines with a corner in the middle, and with corners at a third and two thirds; that of the first faces none. */
+TEST(corners_within_a_side_are_remarked_upon_and_noted_where_they_face_each_other)
+{
+    static const char sides[] =
+        "  one: {points: [[0, 0], [0, 0], [0, 0], [1, 0.5], [1, 0.5], [1, 0.5], [2, 0], [2, 0], "
+        "[2, 0]]}\n"
+        "  two: {points: [[0, 2], [0, 2], [0, 2], [0.5, 2.5], [0.5, 2.5], [0.5, 2.5], [1.5, 2.5], "
+        "[1.5, 2.5], [1.5, 2.5], [2, 2], [2, 2], [2, 2]]}\n"
+        "  s: {b-spline: one, ends: free}\n  n: {b-spline: two, ends: free}\n"
+        "  above: {move: s, by: [0, 2, 0]}\n"
+        "  w: {line: [[0, 0], [0, 2]]}\n  e: {line: [[2, 0], [2, 2]]}\n";
+    static const expect_row rows[] = {
+        {"{coons: [s, e, n, w], blend: coons}", BATTEN_OK,
+         "notes side 1 stands still at 0.5 of its parameter;notes side 3 stands still at "
+         "0.3333;notes side 3 stands still at 0.6667;lacks face each other"},
+        {"{coons: [s, e, above, w], blend: coons}", BATTEN_OK,
+         "notes the corners of sides 1 and 3 at 0.5 of their parameters face each other"},
+        {"{coons: [w, s, e, above], blend: coons}", BATTEN_OK,
+         "notes the corners of sides 2 and 4 at 0.5 of their parameters face each other"},
+    };
+    EXPECT(sides, rows);
+}

@@ -120,3 +120,50 @@ TEST(an_angle_that_no_spline_keeps_is_refused_with_the_angle_reached)
     CHECK_MESSAGE("control points leave the normals of the coons surface by");
     batten_design_free(design);
 }
+
+/* Only the neighbour that has none of the curves as its edge is named. */
+TEST(a_neighbour_of_a_triangle_patch_without_a_common_edge_is_noted)
+{
+    batten_design *design = NULL;
+    batten_notes *notes = NULL;
+    int far = 0, others = 0;
+    CHECK_OK(batten_notes_create(50, &notes));
+    CHECK_OK(evaluate("{triangle-patch: [e1, e2, d], along: [n1, n2, far]}\n  far: {bilinear: "
+                      "[[0, 0, 9], [1, 0, 9], [1, 1, 9], [0, 1, 9]]}",
+                      notes, &design));
+    for (int i = 0; i < batten_notes_count(notes); i++) {
+        const char *text = batten_notes_at(notes, i)->text;
+        if (strstr(text, "has none of the curves as its edge, within ")) {
+            far += strncmp(text, "'far'", 5) == 0;
+            others += strncmp(text, "'far'", 5) != 0;
+        }
+    }
+    CHECK_INT(others, 0);
+    CHECK(far >= 1 || batten_notes_dropped(notes) > 0);
+    batten_notes_free(notes);
+    batten_design_free(design);
+}
+
+/* The strip rises by 45 degrees, the curves beside it leave level; what is repaired gives way. */
+TEST(an_angle_that_is_asked_for_of_a_repaired_patch_is_noted_when_it_is_missed)
+{
+    static const char *const policies[] = {"gregory", "mean"};
+    for (int i = 0; i < COUNT(policies); i++) {
+        char feature[300];
+        batten_notes *notes = NULL;
+        batten_design *design = NULL;
+        bool said = false;
+        CHECK_OK(batten_notes_create(100, &notes));
+        snprintf(feature, sizeof feature,
+                 "{coons: [e1, e2, e3, e4], along: strip, repair: yes, policy: %s, angle: 1 "
+                 "deg}\n  strip: {extrude: e1, along: [0, -1, -1]}",
+                 policies[i]);
+        CHECK_OK(evaluate(feature, notes, &design));
+        for (int k = 0; k < batten_notes_count(notes); k++)
+            said |= strstr(batten_notes_at(notes, k)->text,
+                           "up to 45 degrees off the tangent planes along") != NULL;
+        CHECK(said || batten_notes_dropped(notes) > 0);
+        batten_notes_free(notes);
+        batten_design_free(design);
+    }
+}
