@@ -416,7 +416,7 @@ typedef struct batten_loft_report {
      * where the edge is, others the nearest in the plane of the station. */
     batten_offset_table *faired;
     double faired_error; /**< how far its points are off stations and waterlines */
-    int trimmed_count;   /**< points on the centre plane below the hull, which were left out */
+    int trimmed_count;   /**< points on the centre plane that only say that there is no hull */
     int rounds;          /**< programs with conditions on the sign of curvature */
     double enough;   /**< with NOT_COMPATIBLE: a bound that would do; 0 when none was found */
     int panel_count; /**< surfaces: one more than knuckles */
@@ -445,6 +445,13 @@ BATTEN_API void batten_loft_report_release(batten_loft_report *report);
  * cut is in excess, four rounds in turn do not gain, or ten are done. Profile and stem stay on the
  * centre plane or at their half siding, and the surface does not cross it by more than the height of
  * visible bulges.
+ *
+ * Points on waterlines alone make stairs of a profile or a sheer that is no waterline. Such a table is lofted as
+ * a function y(x, z), where it has no more than one chord in twenty flatter than 1 in 6: x and z of the
+ * control points are a map between four lines and held. A 0 there, or no point below the lowest of a station,
+ * says that there is no hull and not where it begins: a first function over the whole grid, at most the
+ * bound there, tells where stem, stern and foot lie on the centre plane; the top lies between the highest
+ * points and the next waterline. These lines are made fair within what the bound leaves open.
  *
  * What is returned has what is reported: distances and inflections are measured on it. A surface
  * with cuts in excess is returned as well; `cuts_in_excess` tells.

@@ -12,7 +12,7 @@ typedef struct {
     const batten_loft_options *options;
     const batten_job *job;
     double enough;    /* 0: none yet */
-    char points[600]; /* those that hold it there */
+    char points[600]; /* those that hold it there; while none does, the farthest off */
 } search;
 
 /* "point 5 of station 3 (x = 2), ..." */
@@ -32,6 +32,30 @@ static void name_points(const bat_hull_panels *panels, search *s)
         }
 }
 
+/* The data beyond the first bound that was tried, the farthest first. */
+static void name_farthest(const bat_hull_panels *panels, search *s)
+{
+    double before = HUGE_VAL;
+    size_t used = 0;
+    s->points[0] = 0;
+    for (int named = 0; named < MOST_NAMED && used < sizeof s->points; named++) {
+        const bat_loft_datum *worst = NULL;
+        for (int p = 0; p < panels->count && panels->at; p++)
+            for (int k = 0; k < panels->at[p].datum_count; k++) {
+                const bat_loft_datum *d = panels->at[p].data + k;
+                if (d->move > d->within && d->move < before &&
+                    (!worst || d->move > worst->move))
+                    worst = d;
+            }
+        if (!worst)
+            return;
+        before = worst->move;
+        used += (size_t)snprintf(s->points + used, sizeof s->points - used, "%spoint %d of %s",
+                                 named ? ", " : "", worst->index + 1,
+                                 batten_offset_table_label(s->table, worst->station).text);
+    }
+}
+
 /* Does this bound do? NOT_COMPATIBLE: it does not. */
 static batten_status try_bound(search *s, double within)
 {
@@ -44,6 +68,8 @@ static batten_status try_bound(search *s, double within)
     if (status == BATTEN_OK) {
         s->enough = within;
         name_points(&panels, s);
+    } else if (status == BATTEN_NOT_COMPATIBLE && s->enough == 0 && !s->points[0]) {
+        name_farthest(&panels, s);
     }
     bat_hull_panels_free(&panels);
     return status;
@@ -90,6 +116,7 @@ batten_status bat_loft_find_enough(const batten_offset_table *table,
     return bat_fail(
         BATTEN_NOT_COMPATIBLE,
         "%s found within %g of every point of the table, nor within %g: it may have "
-        "a%s knuckle, or a point may be wrong",
-        none, options->within, options->within * (1 << DOUBLINGS), one ? "" : "nother");
+        "a%s knuckle, or a point may be wrong%s%s",
+        none, options->within, options->within * (1 << DOUBLINGS), one ? "" : "nother",
+        s.points[0] ? "; the farthest off: " : "", s.points);
 }

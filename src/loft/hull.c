@@ -224,6 +224,7 @@ void bat_hull_release(bat_loft *loft)
     bat_loft_patch_free(&loft->patch);
     bat_release(loft->held);
     bat_release(loft->data);
+    bat_release(loft->limits);
     bat_release(loft->cuts);
     *loft = (bat_loft){0};
 }

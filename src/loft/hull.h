@@ -2,6 +2,7 @@
 #ifndef BAT_LOFT_HULL_H
 #define BAT_LOFT_HULL_H
 #include "base/arena.h"
+#include "fair/grid.h"
 #include "loft/rounds.h"
 #include <batten/hull.h>
 
@@ -80,5 +81,44 @@ void bat_hull_release(bat_loft *loft);
  * alone, for its twist makes its sections turn. */
 batten_status bat_hull_cuts(const bat_hull_table *table, const bat_hull_edges *edges,
                             bat_loft *loft);
+
+/* ---- graph.c ---- */
+
+/* A hull as a graph y(x, z): x and z of the patch are a map between four lines, the ends, the foot and
+ * the top, and are held; only half-breadths are found. */
+
+/* What a graph is bounded by: coefficients of x of the ends over v, and of z of the foot and the
+ * top over u. */
+typedef struct {
+    int u_count, v_count;      /* coefficients along u and v */
+    double *u_knots, *v_knots; /* [count + 4] */
+    double *aft, *fore;        /* [v_count] */
+    double *low, *high;        /* [u_count] */
+    double bend; /* of the way from the foot to the top: (1 - bend) v + bend v^2 */
+    bool closed[2], closed_foot; /* the aft, the fore end, the foot lies on the centre plane */
+} bat_graph_frame;
+
+/* v where the foot and the top have this share of the way between them behind. */
+double bat_graph_fall(double bend, double share);
+/* A rectangle over all stations and heights. */
+batten_status bat_graph_frame_all(const bat_hull_grid *grid, bat_arena *arena,
+                                  bat_graph_frame *out);
+/* The patch with x and z of the frame, y = 0; and the points of the hull at their feet. */
+batten_status bat_graph_patch(const bat_hull_grid *grid, const bat_graph_frame *frame,
+                              double within, bat_loft *out);
+/* Where the table says that there is no hull beside it the graph over all is not above the bound. */
+batten_status bat_graph_limit_outside(const bat_hull_grid *grid, bat_loft *all);
+
+/* ---- graph_lines.c ---- */
+
+/* The lines of the hull itself, made fair, from the graph over all of the grid; that is fitted first. */
+batten_status bat_graph_find_lines(const bat_hull_grid *grid, bat_loft *all, double within,
+                                   bat_arena *arena, bat_graph_frame *frame);
+
+/* ---- smooth.c ---- */
+
+/* One smooth surface of a table, as a graph where it is one; or girths say more. */
+batten_status bat_hull_smooth(const batten_offset_table *table, double within,
+                              const batten_job *job, bat_loft *out);
 
 #endif

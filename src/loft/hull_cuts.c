@@ -235,6 +235,19 @@ static batten_status add_sections(cuts *c)
     return status;
 }
 
+/* The foot and the top of a graph are waterlines: seen from above. */
+static batten_status add_levels(cuts *c)
+{
+    batten_status status = BATTEN_OK;
+    for (int top = 0; top <= 1 && status == BATTEN_OK; top++) {
+        bat_loft_cut cut = {.kind = top ? BAT_CUT_SHEER : BAT_CUT_PROFILE, .m = {0, 0, 1}};
+        status = waterline_needs(c, top ? c->high : c->low, &cut.needed);
+        if (status == BATTEN_OK)
+            status = add_cut(c, cut);
+    }
+    return status;
+}
+
 batten_status bat_hull_cuts(const bat_hull_table *table, const bat_hull_edges *edges,
                             bat_loft *loft)
 {
@@ -243,6 +256,8 @@ batten_status bat_hull_cuts(const bat_hull_table *table, const bat_hull_edges *e
     const int most = bat_max_int(count, table->most_points);
     for (int k = 0; k < count; k++) {
         const bat_hull_station *s = table->stations + k;
+        if (s->count == 0)
+            continue;
         c.low = bat_min(c.low, s->points[0].z);
         c.high = bat_max(c.high, s->points[s->count - 1].z);
     }
@@ -251,7 +266,7 @@ batten_status bat_hull_cuts(const bat_hull_table *table, const bat_hull_edges *e
     if (status == BATTEN_OK && (!edges || loft->datum_count > 0))
         status = add_sections(&c);
     if (status == BATTEN_OK)
-        status = edges ? add_rails(&c, edges) : add_edges(&c);
+        status = edges ? add_rails(&c, edges) : loft->is_graph ? add_levels(&c) : add_edges(&c);
     bat_release(c.row);
     return status;
 }

@@ -106,7 +106,9 @@ static double mean_move(const bat_line_program *f)
 {
     double sum = 0;
     for (int k = 0; k < f->of->datum_count; k++) {
-        const double off = bat_loft_line_at(f->of, f->x, f->of->t[k], 0) - f->missing[k];
+        const double room = f->of->rooms ? f->of->rooms[k] : 1;
+        const double off =
+            (bat_loft_line_at(f->of, f->x, f->of->t[k], 0) - f->missing[k]) / room;
         sum += off * off / f->of->datum_count;
     }
     return sqrt(sum);

@@ -178,9 +178,10 @@ static void add_data(bat_line_program *f)
     double basis[K];
     for (int k = 0; k < line->datum_count; k++) {
         const int first = basis_at(line, line->t[k], 0, basis);
-        add_square(f, first, basis, 2, f->missing[k]);
-        add_row(f, first, basis, 1, f->missing[k] + share_of_bound, HUGE_VAL);
-        add_row(f, first, basis, -1, -f->missing[k] + share_of_bound, HUGE_VAL);
+        const double room = line->rooms ? line->rooms[k] : 1, bound = share_of_bound * room;
+        add_square(f, first, basis, 2 / (room * room), f->missing[k]);
+        add_row(f, first, basis, 1, f->missing[k] + bound, HUGE_VAL);
+        add_row(f, first, basis, -1, -f->missing[k] + bound, HUGE_VAL);
     }
 }
 

@@ -19,12 +19,13 @@ typedef struct {
     int datum_count;     /* 3 or more */
     const double *t;     /* [datum_count], increasing */
     const double *values;
-    double within;  /* |f(t) - value| */
-    int changes;    /* of the sign of f'' at most, where the bound leaves a way */
-    double length;  /* of what t stands for: bulges are seen over it */
-    double height;  /* bulges up to this are not seen */
-    bool pinned[2]; /* the first, the last value is met exactly */
-    bool one_side;  /* f >= 0 */
+    const double *rooms; /* [datum_count]: parts of `within` that each has; NULL: all of it */
+    double within;       /* |f(t) - value| */
+    int changes;         /* of the sign of f'' at most, where the bound leaves a way */
+    double length;       /* of what t stands for: bulges are seen over it */
+    double height;       /* bulges up to this are not seen */
+    bool pinned[2];      /* the first, the last value is met exactly */
+    bool one_side;       /* f >= 0 */
     int run_count;
     const bat_straight_run *runs; /* [run_count], ascending; they share a coefficient at most */
 } bat_loft_line;

@@ -69,7 +69,8 @@ static batten_status make_panel(const bat_hull_rails *r, int panel, double withi
 }
 
 static batten_status make_panels(const batten_offset_table *table,
-                                 const batten_loft_options *options, bat_hull_panels *p)
+                                 const batten_loft_options *options, const batten_job *job,
+                                 bat_hull_panels *p)
 {
     batten_status status = BATTEN_OK;
     p->has_rails = options->knuckle_count > 0 || options->straight_count > 0;
@@ -79,7 +80,7 @@ static batten_status make_panels(const batten_offset_table *table,
     if (!p->at || !p->reached)
         return BATTEN_OUT_OF_MEMORY;
     if (!p->has_rails)
-        return bat_hull_make(table, options->within, p->at);
+        return bat_hull_smooth(table, options->within, job, p->at);
     status = bat_hull_rails_make(table, options, &p->rails);
     for (int k = 0; k < p->count && status == BATTEN_OK; k++)
         status = make_panel(&p->rails, k, options->within, p->at + k);
@@ -93,7 +94,7 @@ batten_status bat_hull_panels_make(const batten_offset_table *table,
                                    bat_hull_panels *out)
 {
     *out = (bat_hull_panels){0};
-    const batten_status status = make_panels(table, options, out);
+    const batten_status status = make_panels(table, options, job, out);
     for (int k = 0; k < out->count && status == BATTEN_OK; k++) {
         out->at[k].job = job;
         if (options->height > 0)

@@ -7,7 +7,7 @@
 #include "base/work.h"
 #include <batten/fair.h>
 
-enum { ROUNDS = 10, ROUNDS_WITHOUT_GAIN = 4, FITS = 6, MOST_FITS = 10 };
+enum { ROUNDS = 10, ROUNDS_WITHOUT_GAIN = 4, FITS = 6, FITS_OF_GRAPH = 1, MOST_FITS = 10 };
 
 /* Samples of cuts: in a span where they follow the parameters; else, and where they are short,
  * over the whole; and where they are judged. */
@@ -86,6 +86,20 @@ static batten_status add_side(const bat_loft *loft, bat_loft_program *p)
     return status;
 }
 
+static batten_status add_limits(const bat_loft *loft, bat_loft_program *p)
+{
+    const bat_loft_measure measure = {.weight[0][0] = 1, .vector = {0, 1, 0}};
+    batten_status status = BATTEN_OK;
+    for (int k = 0; k < loft->limit_count && status == BATTEN_OK; k++) {
+        const bat_loft_limit *limit = loft->limits + k;
+        bat_loft_place place;
+        bat_loft_place_at(&loft->patch, limit->u, limit->v, &place);
+        status =
+            bat_loft_add_row(p, &place, &measure, limit->most - place.s[0][0][1], HUGE_VAL);
+    }
+    return status;
+}
+
 static batten_status add_rows(const bat_loft *loft, bool signs, double trust,
                               bat_loft_program *p)
 {
@@ -94,6 +108,8 @@ static batten_status add_rows(const bat_loft *loft, bool signs, double trust,
         status = bat_loft_add_datum(p, loft->data + k);
     if (status == BATTEN_OK && signs)
         status = add_cuts(loft, p);
+    if (status == BATTEN_OK)
+        status = add_limits(loft, p);
     if (status == BATTEN_OK && loft->one_side)
         status = add_side(loft, p);
     if (status == BATTEN_OK && trust < HUGE_VAL)
@@ -249,13 +265,15 @@ static batten_status choose_smoothness(bat_loft *loft, kept_patch *kept, bat_lof
  * normals and feet can follow. */
 static batten_status fit_as_smooth(bat_loft *loft, double smooth, bat_loft_reached *r)
 {
+    /* Of a graph the rows are linear but for its feet. */
+    const int fits = loft->is_graph ? FITS_OF_GRAPH : FITS;
     loft->smooth = smooth;
     batten_status status = move_patch(loft, DRAW, HUGE_VAL, r);
     for (int k = 0; k < MOST_FITS && status == BATTEN_OK; k++) {
         const double far = bat_max(3 * loft->within, r->moves.largest);
-        status = move_patch(loft, FIT, k < FITS ? HUGE_VAL : far, r);
+        status = move_patch(loft, FIT, k < fits ? HUGE_VAL : far, r);
         r->lowest = -HUGE_VAL; /* not known */
-        if (status == BATTEN_OK && k >= FITS && r->moves.largest_part <= 1)
+        if (status == BATTEN_OK && k >= fits && r->moves.largest_part <= 1)
             status = bat_loft_judge(loft, r);
         if (status == BATTEN_OK && keeps_bounds(loft, r))
             break;

@@ -8,6 +8,11 @@
 #include "loft/signs.h"
 #include <batten/base.h>
 
+/* y <= most at a place. */
+typedef struct {
+    double u, v, most;
+} bat_loft_limit;
+
 typedef struct {
     bat_loft_patch patch;
     bool *held; /* [nu][nv][3] */
@@ -19,7 +24,10 @@ typedef struct {
     double height;  /* bulges of cuts up to this are not counted */
     double smooth;  /* of the energy against the squares of the moves: found */
     bool one_side;  /* y >= 0 */
-    int trimmed;    /* points of the table that do not belong to the hull */
+    bool is_graph;  /* x and z are held */
+    int limit_count, limit_room;
+    bat_loft_limit *limits; /* places at which y is limited */
+    int trimmed;            /* points of the table that do not belong to the hull */
     const batten_job *job;
 } bat_loft;
 

@@ -272,3 +272,22 @@ TEST(a_line_that_is_one_run_between_pinned_ends_is_their_chord_or_none)
                                     k / 20., 0),
                    values[0] + (values[DATA - 1] - values[0]) * k / 20., 1e-14);
 }
+
+TEST(each_value_has_its_own_part_of_the_bound)
+{
+    static const double rooms[DATA] = {1, 0.01, 1, 1, 0.01, 1, 1, 1, 0.5};
+    double values[DATA], f[COUNT_OF];
+    int found;
+    make_rough(values);
+    bat_loft_line line = line_of(values, 0.01);
+    line.rooms = rooms;
+    line.changes = 2;
+    CHECK_OK(bat_loft_line_fair(&line, f, &found));
+    double largest = 0;
+    for (int k = 0; k < DATA; k++) {
+        const double off = fabs(bat_loft_line_at(&line, f, t[k], 0) - values[k]);
+        CHECK(off <= 0.01 * rooms[k]);
+        largest = bat_max(largest, off);
+    }
+    CHECK(largest > 1e-3); /* where there is room it is taken */
+}

@@ -96,7 +96,7 @@ static void report_loft(const bat_run *run, const batten_loft_report *found)
         bat_note(run, "%d more sections have inflections in excess",
                  found->cuts_in_excess - named);
     if (found->trimmed_count > 0)
-        bat_note(run, "%d point%s on the centre plane below the hull %s left out",
+        bat_note(run, "%d point%s on the centre plane where there is no hull %s left out",
                  found->trimmed_count, bat_plural(found->trimmed_count),
                  bat_one_or_many(found->trimmed_count, "was", "were"));
     if (found->panel_count > 1)
@@ -189,6 +189,10 @@ const bat_feature bat_feature_loft = {
          "it where no point given does. A note names each section that has inflections in excess all\n"
          "the same, and a bound that no surface can keep is refused with one that can be kept.\n\n"
          "The table describes one half: stations in order, points from the profile to the sheer.\n"
+         "Half-breadths on waterlines that meet only some of the stations are lofted as one function\n"
+         "over the profile plane. A 0, or a blank below the hull, then says that no hull is there and not\n"
+         "where it begins: stem, stern, keel and sheer are found between the points and made fair within\n"
+         "what the bound leaves open. Where the ends of the table are not 0 the hull ends with it.\n"
          "Where the hull has an edge, name its line in 'knuckles'; a chine that is not named is\n"
          "refused, with the name of its line. Profile, knuckles and sheer are then made fair first,\n"
          "each in space; they bound panels, numbered from the keel up, that share their lines point\n"
