@@ -6,6 +6,7 @@
  */
 #include <batten/chain.h>
 #include <batten/hull.h>
+#include <batten/interpolate.h>
 #include <batten/surface.h>
 
 #ifdef __cplusplus
@@ -177,6 +178,7 @@ typedef struct batten_fair_report {
     batten_fair_move *moves;    /**< release with batten_fair_report_release */
     batten_fair_move *suspects; /**< with the suggested place; not carried out */
     bool control_points; /**< what moved are control points; `max_move` is of the curve */
+    bool net;            /**< the points are a net: `set` is a row of it */
 } batten_fair_report;
 /** Release the moves and the suspects of a report. */
 BATTEN_API void batten_fair_report_release(batten_fair_report *report);
@@ -284,6 +286,89 @@ BATTEN_API batten_status batten_curve_fair(const batten_curve *curve,
                                            const batten_curve_fair_options *options,
                                            const batten_job *job, batten_fair_report *report,
                                            batten_curve **out);
+
+/** By what a net of points is made fair. */
+typedef enum batten_net_fair_method {
+    BATTEN_NET_FAIR_ENERGY, /**< the least energy of battens along its rows and columns */
+    BATTEN_NET_FAIR_LEAST_CHANGE /**< the points move as little as removes the inflections in
+                                      excess from sections of the surface */
+} batten_net_fair_method;
+
+typedef struct batten_net_fair_options {
+    size_t size;
+    double within; /**< no point moves farther than this, in model units; required */
+    const double *within_each; /**< [count_u][count_v] instead of it; 0 holds a point; may be NULL */
+    batten_net_fair_method method; /**< BATTEN_NET_FAIR_ENERGY */
+    int hold; /**< at each rim that does not close: 0 nothing, 1 its points, and so the edge of
+                   the surface; with LEAST_CHANGE also 2 the tangent planes, 3 the curvatures
+                   of the surface there; 0 */
+    bool closed_u, closed_v; /**< the net closes smoothly, its first point is not repeated; with
+                                  ENERGY; false */
+    batten_parametrization parameters; /**< BATTEN_CHORD, averaged over the lines of the net */
+    bool mend_blunders; /**< points that look like blunders are first put where their neighbours
+                             have them, and their bounds count from there; false */
+} batten_net_fair_options;
+/** The defaults of fairing a net: no point moves farther than `within`, model units. */
+BATTEN_API batten_net_fair_options batten_net_fair_defaults(double within);
+
+/** What the fairing of a net reached, measured on the surface through it. */
+typedef struct batten_net_fair_report {
+    batten_fair_report points; /**< `set` is the index along v, `index` that along u, and of the
+                                    fairness before and after: inflections of all sections, those
+                                    in excess, the energy of the battens, the verdict */
+    int section_count;         /**< plane sections that are judged */
+    int sections_before, sections_after; /**< those with inflections in excess */
+    double height;   /**< bulges of sections up to this are not seen */
+    double residual; /**< of the least energy: the farthest a point released alone would go, as a part of its
+                          bound */
+} batten_net_fair_report;
+/** Release the moves and the suspects of a report. */
+BATTEN_API void batten_net_fair_report_release(batten_net_fair_report *report);
+
+/**
+ * Fair a rectangular net of points in space, and the bicubic spline through it: its knots are at
+ * the points, its ends not-a-knot.
+ *
+ * With ENERGY the points go where the battens along rows and columns, natural cubic splines (or
+ * periodic ones) over the averaged parameters, have the least energy: the sum of the integrals
+ * of |z''|^2, each direction times the cube of its mean spacing. All points step at once, so a
+ * net that is symmetric stays so. The steps end when no point that is released alone would go
+ * farther than a thousandth of its bound; `residual` says how far after 3000 of them.
+ *
+ * With LEAST_CHANGE the control points are found by convex programs: the least sum of
+ * (move / bound)^2 and a share of the integral of the squares of the third derivatives, in
+ * which linear rows forbid sections the wrong sign of curvature. A net without
+ * inflections in excess, and one of which none can be removed, comes back bit for bit.
+ *
+ * Sections are cut by planes across the rows, across the columns and along both diagonals of the
+ * net, at twice as many places as it has points,
+ * diagonals at as many, of a family at most 60. A section needs the inflections that the
+ * surface of least energy within the bounds has, of bulges above a quarter of the largest bound;
+ * those beyond it, of bulges above a millionth of the size of the net, are in excess.
+ *
+ * A point is a suspect when it sticks out from the cubics through its neighbours in its row and in
+ * its column to the same side, by 6 times the median of all points and by 2 of its bounds; the
+ * worst is the first, and those that follow are sought as if it stood right. When more than one
+ * in twenty does, none is: the net is rough.
+ *
+ * @param points  [count_u][count_v][3], at least 4 along each direction
+ * @param options  the bound
+ * @param job  progress, cancelling; NULL for no questions
+ * @param[out] report  what was reached, release it; may be NULL
+ * @param[out] faired  [count_u][count_v][3]
+ * @param[out] out  the surface through `faired`; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, UNSUPPORTED (by
+ * LEAST_CHANGE closed nets, and those whose points times the square of those along v are above a
+ * million; tangents held by ENERGY), CANCELLED, INCOMPLETE, OUT_OF_MEMORY
+ *
+ * Cost: ENERGY linear for each step; LEAST_CHANGE up to some 500 times the points times the square
+ * of 9 times those along v, which is better the shorter side.
+ * Source: [SL] VII.3; [BT09] with the restarts of [OC15]; [NW06] ch. 16.
+ */
+BATTEN_API batten_status batten_fair_net(batten_grid points,
+                                         const batten_net_fair_options *options,
+                                         const batten_job *job, batten_net_fair_report *report,
+                                         double *faired, batten_surface **out);
 
 /** Which families of a table are faired. */
 typedef enum batten_fair_families {

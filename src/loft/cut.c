@@ -159,16 +159,19 @@ static bool find_crossing(const bat_loft_grid *grid, const bat_loft_cut *cut, in
     return false;
 }
 
-/* Coordinates in the plane, along two axes at right angles to m. */
+/* Coordinates in the plane, along two axes at right angles to m: one lies in the plane of y and z. */
 static void lay_down(const double m[3], const double *point, double out[2])
 {
-    if (m[0] != 0) {
+    const double across = bat_hypot(m[1], m[2]);
+    if (across == 0) {
         out[0] = point[1];
         out[1] = point[2];
         return;
     }
-    out[0] = point[0];
-    out[1] = point[1] * m[2] - point[2] * m[1];
+    const double a[3] = {0, m[2] / across, -m[1] / across};
+    const double b[3] = {across, -m[0] * m[1] / across, -m[0] * m[2] / across};
+    out[0] = bat_dot(3, b, point);
+    out[1] = bat_dot(3, a, point);
 }
 
 static void add_place(const bat_loft_grid *grid, const bat_loft_cut *cut, int i, double across,

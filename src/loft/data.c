@@ -48,12 +48,30 @@ static batten_status add_direction(bat_loft_program *p, const bat_loft_place *pl
     return status;
 }
 
+/* Of the ball of a fixed place, the box with this share of the bound along the normal and the
+ * other across it: their squares are 0.993. */
+static const double share_along_normal = 0.8, share_across = 0.42;
+
+/* The place stays in a box within the ball of the point. */
+static batten_status add_fixed(bat_loft_program *p, const bat_loft_place *place,
+                               const bat_loft_datum *d, const frame *f)
+{
+    const double w = share_of_bound * share_along_normal * d->within,
+                 slide = share_of_bound * share_across * d->within;
+    batten_status status = add_direction(p, place, d, f->n, w, w);
+    if (status == BATTEN_OK)
+        status = add_direction(p, place, d, f->along, slide, slide);
+    return status == BATTEN_OK ? add_direction(p, place, d, f->across, slide, slide) : status;
+}
+
 batten_status bat_loft_add_datum(bat_loft_program *p, const bat_loft_datum *d)
 {
     bat_loft_place place;
     frame f;
     bat_loft_place_at(p->patch, d->u, d->v, &place);
     frame_at(d, &place, &f);
+    if (d->is_fixed)
+        return add_fixed(p, &place, d, &f);
     const bool rim = d->on_u_edge || d->on_v_edge, corner = d->on_u_edge && d->on_v_edge;
     /* The bound is shared by the directions in which the patch cannot slide past the point. */
     const double share = corner ? sqrt(1. / 3) : rim ? sqrt(0.5) : 1;
@@ -119,7 +137,7 @@ static void find_foot(const bat_loft_patch *patch, bat_loft_datum *d)
     bat_loft_place place;
     double step[2];
     bat_loft_place_at(patch, d->u, d->v, &place);
-    for (int k = 0; k < STEPS; k++) {
+    for (int k = 0; k < STEPS && !d->is_fixed; k++) {
         step_to_foot(&place, d, step);
         if (!isfinite(step[0]) || !isfinite(step[1]))
             break;

@@ -7,9 +7,10 @@ typedef struct {
     double point[3], within;
     bool in_station; /* the distance counts in the plane x = const; else from the patch */
     bool on_u_edge, on_v_edge; /* it belongs to an edge u = const, v = const */
-    double u, v;               /* its foot on the patch */
-    double move;               /* from the point to its foot */
-    int station, index;        /* its place in the table */
+    bool is_fixed;      /* it belongs to the place (u, v) of the patch, which does not slide */
+    double u, v;        /* its foot on the patch */
+    double move;        /* from the point to its foot */
+    int station, index; /* its place in the table */
 } bat_loft_datum;
 
 typedef struct {

@@ -247,6 +247,12 @@ static void default_curve_fair(void *options)
     memcpy(options, &defaults, sizeof defaults);
 }
 
+static void default_net_fair(void *options)
+{
+    const batten_net_fair_options defaults = batten_net_fair_defaults(0);
+    memcpy(options, &defaults, sizeof defaults);
+}
+
 static void default_selection(void *options)
 {
     const batten_offset_table_selection everything = batten_offset_table_everything();
@@ -305,6 +311,13 @@ static batten_status call_batten_curve_fair(const void *set, const void *options
     return status;
 }
 
+static batten_status call_batten_fair_net(const void *set, const void *options)
+{
+    double point[3] = {0};
+    (void)set;
+    return batten_fair_net((batten_grid){3, 1, 1, point}, options, NULL, NULL, point, NULL);
+}
+
 static batten_status call_batten_fair_offset_table(const void *set, const void *options)
 {
     const stage *s = set;
@@ -331,6 +344,8 @@ static const options_taker takers[] = {
                        default_fair, call_batten_fair_points},
     {"batten_curve_fair", "batten_curve_fair_options", sizeof(batten_curve_fair_options),
      default_curve_fair, call_batten_curve_fair},
+    {"batten_fair_net", "batten_net_fair_options", sizeof(batten_net_fair_options),
+     default_net_fair, call_batten_fair_net},
     {"batten_surface_fill_sheet", "batten_fill_sheet_options",
      sizeof(batten_fill_sheet_options), default_sheet, call_batten_surface_fill_sheet},
     {"batten_surface_loft", "batten_loft_options", sizeof(batten_loft_options), default_loft,

@@ -90,7 +90,7 @@ static batten_status collect_moves(const bat_result *result, bat_arena *arena, c
 {
     const batten_fair_report *f = &result->fairing;
     const batten_offset_table *table = only_table(result->value);
-    const char *what = f->control_points ? "control points of curve" : "curve";
+    const char *what = f->control_points ? "control points of curve" : f->net ? "row" : "curve";
     out->at = bat_arena_array(arena, (size_t)f->move_count + (size_t)f->suspect_count,
                               sizeof *out->at);
     if (!out->at)
@@ -115,7 +115,7 @@ static batten_status collect(const bat_run *run, bat_arena *arena, corrections *
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
             "'%.60s' is neither lofted nor faired, and has no corrections: name the "
-            "feature with 'loft' or 'fair'",
+            "feature with 'loft', 'fair' or 'fair-net'",
             item->text);
     out->at = bat_arena_array(arena, (size_t)loft->correction_count, sizeof *out->at);
     if (!out->at)

@@ -45,8 +45,8 @@ static void text_feature(batten_text *out, const bat_check *check,
         batten_text_add(out, f->control_points ? " moved, the curve by at most "
                                                : " moved, at most ");
         bat_report_length(out, check, f->max_move);
-        batten_text_add(out, " (curve %d, %spoint %d)\n", f->worst_set + 1,
-                        f->control_points ? "control " : "", f->worst_index + 1);
+        batten_text_add(out, " (%s %d, %s %d)\n", f->net ? "row" : "curve", f->worst_set + 1,
+                        f->control_points ? "control point" : "point", f->worst_index + 1);
         batten_text_add(out, "    inflections in excess: %d before, %d after; energy ",
                         f->before.excess_inflections, f->after.excess_inflections);
         bat_report_rounded(out, f->before.energy);
