@@ -343,7 +343,7 @@ BATTEN_API void batten_net_fair_report_release(batten_net_fair_report *report);
  * Sections are cut by planes across the rows, across the columns and along both diagonals of the
  * net, at twice as many places as it has points,
  * diagonals at as many, of a family at most 60. A section needs the inflections that the
- * surface of least energy within the bounds has, of bulges above a quarter of the largest bound;
+ * surface of least energy within the bounds has, of bulges above the largest bound;
  * those beyond it, of bulges above a millionth of the size of the net, are in excess.
  *
  * A point is a suspect when it sticks out from the cubics through its neighbours in its row and in
