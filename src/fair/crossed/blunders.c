@@ -1,6 +1,6 @@
 /* Wrong points of a net: those that agree neither with their row nor with their column. */
 #include "base/list.h"
-#include "fair/crossed_battens.h"
+#include "fair/crossed/battens.h"
 #include "numeric/select.h"
 
 #include <string.h>

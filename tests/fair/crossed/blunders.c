@@ -1,4 +1,4 @@
-#include "fair/crossed_battens.h"
+#include "fair/crossed/battens.h"
 #include "support/test.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
  * which it is judged, across its rows, across its columns and along its diagonals; and the least change
  * that removes inflections in excess, by the convex program of a lofting.
  */
-#include "loft/net.h"
+#include "loft/net/net.h"
 #include "base/list.h"
 
 /* ---- the surface through it ---- */

@@ -1,5 +1,5 @@
 /* Crossed battens: what they weigh, and how they press on their ducks. */
-#include "fair/crossed_battens.h"
+#include "fair/crossed/battens.h"
 
 #include <string.h>
 

@@ -6,7 +6,7 @@
  * Source: [BT09]; the rule of dropping [OC15].
  */
 #include "base/work.h"
-#include "fair/crossed_battens.h"
+#include "fair/crossed/battens.h"
 
 #include <string.h>
 

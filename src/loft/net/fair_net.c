@@ -1,6 +1,6 @@
 /* A net of points made fair, as others call it. */
-#include "fair/crossed_battens.h"
-#include "loft/net.h"
+#include "fair/crossed/battens.h"
+#include "loft/net/net.h"
 
 /* Above so many points times the square of those along v the programs of least change take
  * minutes. */
