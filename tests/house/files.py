@@ -55,7 +55,7 @@ def made():
             continue
         said = opening(name)
         if said:
-            rooms.setdefault(os.path.dirname(name), []).append((os.path.basename(name), said))
+            rooms.setdefault(os.path.dirname(name), []).append((name, said))
     text = HEAD
     for room in sorted(rooms):
         text += f'\n## {room}\n\n'
