@@ -14,6 +14,10 @@ TEST(programs_follow_their_parameters_and_pictures_show_them)
         {"p.nc: {g-code: plate, decimals: 1, moves: relative}", BATTEN_OK,
          "G91 (|G0 Z5.0\n|G1 Z-5.0 F250.0\nG1 X4000.0 Y0.0 F1000.0\nG1 X0.0 Y3000.0\n"},
         {"p.svg: {g-code: plate, depth: -10 mm, title: Plate}", BATTEN_OK, "<svg|stroke"},
+        /* the height of a picture follows its shape: 4 to 3 from above, 4 to the clearance and depth from in front */
+        {"p.svg: {g-code: plate}", BATTEN_OK, "height=\"9"},
+        {"p.svg: {g-code: plate, view: top}", BATTEN_OK, "height=\"9"},
+        {"p.svg: {g-code: plate, view: front, depth: -1}", BATTEN_OK, "height=\"4"},
         {"p.svg: {g-code: plate, width: 300, height: 200}", BATTEN_OK,
          "width=\"300|height=\"200"},
         {"p.svg: {g-code: wave}", BATTEN_UNSUPPORTED, "chains of arcs"},
