@@ -13,6 +13,8 @@ static const double ON_PLANE = 1e-12;
 /* Volumes that count as some, areas that count as open, and those that joints may leave, all as
  * parts of the size or of the area. */
 static const double ENCLOSED = 1e-6, OPEN = 1e-6, JOINT = 1e-4;
+/* Volumes that differ by more, as a part of the area, tell a hole; the rule is not exact for rational patches. */
+static const double HOLE = 1e-3;
 /* The default tolerance of surfaces that are no NURBS, as a part of the size. */
 static const double NEAR = 1e-6;
 
@@ -146,28 +148,31 @@ static void face_outwards(batten_hull *hull, int first, int images, int lids)
 {
     double own = 0, all = 0, normal[3] = {0};
     for (int i = first; i < hull->patch_count; i++) {
-        double flux = 0;
+        double flux[3] = {0};
         hull->patches[i].sign = i >= images && i < lids ? -1 : 1;
-        bat_patch_flux(&hull->patches[i], &flux, normal);
-        own += i < images ? flux : 0;
-        all += flux;
+        bat_patch_flux(&hull->patches[i], flux, normal);
+        const double sum = flux[0] + flux[1] + flux[2];
+        own += i < images ? sum : 0;
+        all += sum;
     }
     if ((fabs(all) > ENCLOSED ? all : own) < 0)
         for (int i = first; i < hull->patch_count; i++)
             hull->patches[i].sign = -hull->patches[i].sign;
 }
 
-/* A surface that is closed by itself has as much area to one side as to the other. */
+/* A surface that is closed by itself has as much area to one side as to the other, and the same volume by lines along
+ * each axis. */
 static batten_status check_closed(const batten_hull *hull, int surface, int first)
 {
-    double flux = 0, normal[3] = {0}, area = 0;
+    const double volume = hull->size * hull->size * hull->size;
+    double flux[3] = {0}, normal[3] = {0}, area = 0;
     for (int i = first; i < hull->patch_count; i++) {
         double part = 0;
         const batten_status status = bat_patch_area(&hull->patches[i], &part);
         if (status != BATTEN_OK)
             return status;
         area += part;
-        bat_patch_flux(&hull->patches[i], &flux, normal);
+        bat_patch_flux(&hull->patches[i], flux, normal);
     }
     for (int c = 0; c < 3; c++)
         if (fabs(normal[c]) > OPEN * area)
@@ -175,6 +180,14 @@ static batten_status check_closed(const batten_hull *hull, int surface, int firs
                             "surface %d of a whole hull is not closed: %.3g of its area is "
                             "missing along %c",
                             surface + 1, fabs(normal[c]) * hull->size * hull->size, "xyz"[c]);
+    for (int c = 0; c < 3; c++)
+        if (fabs(flux[c] - flux[(c + 1) % 3]) > HOLE * area)
+            return bat_fail(
+                BATTEN_NOT_COMPATIBLE,
+                "surface %d of a whole hull is not closed: its volume is %.6g by lines "
+                "along %c and %.6g along %c",
+                surface + 1, flux[c] * volume, "xyz"[c], flux[(c + 1) % 3] * volume,
+                "xyz"[(c + 1) % 3]);
     return BATTEN_OK;
 }
 
@@ -182,17 +195,18 @@ static batten_status check_closed(const batten_hull *hull, int surface, int firs
  * sides. */
 static batten_status check_joints(const batten_hull *hull)
 {
-    double flux = 0, normal[3] = {0}, area = 0;
+    double flux[3] = {0}, normal[3] = {0}, area = 0;
     for (int i = 0; i < hull->patch_count; i++) {
         double part[3] = {0};
         if (hull->patches[i].lid != BAT_JOINT)
             continue;
-        bat_patch_flux(&hull->patches[i], &flux, part);
+        bat_patch_flux(&hull->patches[i], flux, part);
         area += bat_norm(3, part);
         for (int c = 0; c < 3; c++)
             normal[c] += part[c];
     }
-    if (bat_norm(3, normal) <= JOINT * area && fabs(flux) <= JOINT * area)
+    if (bat_norm(3, normal) <= JOINT * area &&
+        fabs(flux[0] + flux[1] + flux[2]) <= JOINT * area)
         return BATTEN_OK;
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "surfaces that share an edge seem to face to different sides of it: a hull "

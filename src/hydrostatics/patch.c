@@ -1,7 +1,6 @@
 /* Rows of Bezier patches: points, derivatives, and heights above a plane. */
 #include "hydrostatics/patch.h"
 #include "numeric/bernstein.h"
-#include "numeric/vector.h"
 
 #include <string.h>
 
@@ -79,19 +78,4 @@ batten_status bat_row_roots(int degree, const double *heights, double roots[BATT
     for (int i = 0; i < many && status == BATTEN_OK; i++)
         roots[(*count)++] = found[i].t;
     return BATTEN_OK;
-}
-
-batten_direction bat_patch_steep(const bat_patch *patch, const double n[3])
-{
-    double change[2] = {0, 0};
-    const int rows = patch->degree[0] + 1, columns = patch->degree[1] + 1;
-    for (int i = 0; i < rows; i++)
-        for (int j = 0; j < columns; j++) {
-            const double *p = patch->points + 4 * (i * columns + j);
-            const double *last[2] = {i > 0 ? p - (ptrdiff_t)4 * columns : p, j > 0 ? p - 4 : p};
-            for (int k = 0; k < 2; k++)
-                change[k] +=
-                    fabs(bat_dot(3, n, p) / p[3] - bat_dot(3, n, last[k]) / last[k][3]);
-        }
-    return change[1] / rows >= change[0] / columns ? BATTEN_V : BATTEN_U;
 }

@@ -40,10 +40,6 @@ void bat_row_at(const bat_row *row, double t, bat_row_point *out);
 void bat_row_heights(const bat_row *row, const double n[3], double d,
                      double heights[BATTEN_MAX_DEGREE + 1]);
 
-/* The direction in which n.P changes more: rows that run so cross a plane across n once, most of
- * them. */
-batten_direction bat_patch_steep(const bat_patch *patch, const double n[3]);
-
 /* Where a polynomial in Bernstein form is 0, rising; none where it is 0 all along. OUT_OF_MEMORY. */
 batten_status bat_row_roots(int degree, const double *heights, double roots[BATTEN_MAX_DEGREE],
                             int *count);

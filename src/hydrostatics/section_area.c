@@ -155,10 +155,34 @@ static bool is_crossed(const bat_patch *patch, const bat_water *water, const bat
     return before && behind && wet;
 }
 
+/* Rows that cross the section, as far as it can be seen: places near it count most, and poles, which have no
+ * area, do not. */
+static batten_direction crossing_direction(const bat_patch *patch, const bat_water *section)
+{
+    enum { SAMPLES = 5 };
+    const double near = 0.01; /* of the hull */
+    double steep[2] = {0, 0};
+    for (int i = 0; i < SAMPLES; i++) {
+        bat_row row;
+        bat_patch_row(patch, BATTEN_U, (i + 0.5) / SAMPLES, &row);
+        for (int j = 0; j < SAMPLES; j++) {
+            bat_row_point p;
+            bat_row_at(&row, (j + 0.5) / SAMPLES, &p);
+            const double away = fabs(bat_dot(3, section->n, p.at) - section->d) + near;
+            double normal[3];
+            bat_cross(p.derivative[0], p.derivative[1], normal);
+            const double weight = bat_norm(3, normal) / (away * away);
+            for (int k = 0; k < 2; k++)
+                steep[k] += weight * fabs(bat_dot(3, section->n, p.derivative[k]));
+        }
+    }
+    return steep[1] >= steep[0] ? BATTEN_V : BATTEN_U;
+}
+
 static crossing crossing_of(const bat_patch *patch, const bat_water *water,
                             const bat_water *section)
 {
-    const batten_direction along = bat_patch_steep(patch, section->n);
+    const batten_direction along = crossing_direction(patch, section);
     return (crossing){.patch = patch,
                       .water = water,
                       .section = section,

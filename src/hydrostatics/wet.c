@@ -139,10 +139,26 @@ static batten_status sum_band(const region *r, band *b)
 
 /* ---- one patch ---- */
 
+/* Rows run in the direction in which the height changes more, so that most cross the water once. */
+static batten_direction steep_direction(const bat_patch *patch, const double n[3])
+{
+    double change[2] = {0, 0};
+    const int rows = patch->degree[0] + 1, columns = patch->degree[1] + 1;
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++) {
+            const double *p = patch->points + 4 * (i * columns + j);
+            const double *last[2] = {i > 0 ? p - (ptrdiff_t)4 * columns : p, j > 0 ? p - 4 : p};
+            for (int k = 0; k < 2; k++)
+                change[k] +=
+                    fabs(bat_dot(3, n, p) / p[3] - bat_dot(3, n, last[k]) / last[k][3]);
+        }
+    return change[1] / rows >= change[0] / columns ? BATTEN_V : BATTEN_U;
+}
+
 static region region_of(const bat_patch *patch, const bat_water *water)
 {
     region r = {.patch = patch, .water = water};
-    const batten_direction along = bat_patch_steep(patch, water->n);
+    const batten_direction along = steep_direction(patch, water->n);
     r.constant = (batten_direction)!along;
     r.sign = along == BATTEN_V ? patch->sign : -patch->sign;
     r.count = bat_min_int(MOST_NODES, 2 * bat_max_int(patch->degree[0], patch->degree[1]));
@@ -332,7 +348,7 @@ batten_status bat_hull_wet(const batten_hull *hull, const bat_water *water, doub
 
 /* ---- whole patches ---- */
 
-void bat_patch_flux(const bat_patch *patch, double *flux, double normal[3])
+void bat_patch_flux(const bat_patch *patch, double flux[3], double normal[3])
 {
     const bat_water none = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, 2};
     const region r = region_of(patch, &none);
@@ -345,9 +361,10 @@ void bat_patch_flux(const bat_patch *patch, double *flux, double normal[3])
             bat_patch_row(patch, r.constant, 0.5 + 0.5 * r.nodes[i], &row);
             bat_row_at(&row, 0.5 + 0.5 * r.nodes[j], &p);
             normal_of(&p, r.sign, n);
-            *flux += weight * bat_dot(3, p.at, n);
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; c++) {
+                flux[c] += weight * p.at[c] * n[c];
                 normal[c] += weight * n[c];
+            }
         }
 }
 

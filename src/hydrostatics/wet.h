@@ -36,9 +36,9 @@ batten_status bat_hull_wet(const batten_hull *hull, const bat_water *water, doub
 void bat_take_values(const batten_hull *hull, const bat_water *water, const bat_wet *wet,
                      batten_hydrostatics *out);
 
-/* Add the flux of the field P out of a patch, above 0 where it faces away from the centre, and
- * the integral of its normal. */
-void bat_patch_flux(const bat_patch *patch, double *flux, double normal[3]);
+/* Add the fluxes of (x, 0, 0), (0, y, 0) and (0, 0, z) out of a patch, whose sum is above 0 where it faces away from the
+ * centre, and the integral of its normal. Of a closed surface each flux is the volume. */
+void bat_patch_flux(const bat_patch *patch, double flux[3], double normal[3]);
 /* In parts of the square of the size. */
 batten_status bat_patch_area(const bat_patch *patch, double *area);
 

@@ -160,6 +160,14 @@ TEST(inner_sides_of_their_own_and_open_hulls_that_are_said_to_be_whole_are_refus
     CHECK_STATUS(batten_hull_create(1, (const batten_surface *const[]){open}, &whole, &hull),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("surface 1 of a whole hull is not closed: 40 of its area");
+    batten_surface *tube = NULL; /* both its ends lack the same */
+    const batten_frame frame = batten_frame_world();
+    CHECK_OK(batten_surface_cylinder(&frame, 1, 2, &tube));
+    CHECK_STATUS(batten_hull_create(1, (const batten_surface *const[]){tube}, &whole, &hull),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("surface 1 of a whole hull is not closed: its volume is ");
+    CHECK_MESSAGE(" along y and 0 along z");
+    batten_surface_unref(tube);
     CHECK(!hull);
     batten_surface_unref(sides[0]);
     batten_surface_unref(sides[1]);

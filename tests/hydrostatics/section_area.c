@@ -62,19 +62,24 @@ TEST(sections_of_wigleys_hull_are_parabolas)
     batten_hull_free(hull);
 }
 
+static batten_hull *whole_hull(batten_surface *surface)
+{
+    batten_hull *hull = NULL;
+    batten_hull_options options = batten_hull_defaults();
+    options.whole = true;
+    CHECK_OK(batten_hull_create(1, (const batten_surface *const[]){surface}, &options, &hull));
+    batten_surface_unref(surface);
+    return hull;
+}
+
 /* A torus around the upright axis, of radii 3 and 1, and all of it under water: the plane x = 0 meets it in two
  * circles, x = 2 touches it from inside, and beyond there is one loop. */
 static batten_hull *torus_hull(void)
 {
     const batten_frame frame = batten_frame_world();
     batten_surface *torus = NULL;
-    batten_hull *hull = NULL;
-    batten_hull_options options = batten_hull_defaults();
-    options.whole = true;
     CHECK_OK(batten_surface_torus(&frame, 3, 1, &torus));
-    CHECK_OK(batten_hull_create(1, (const batten_surface *const[]){torus}, &options, &hull));
-    batten_surface_unref(torus);
-    return hull;
+    return whole_hull(torus);
 }
 
 /* By lines across at z = sin(angle); the rule is exact but for rounding, as the integrand is periodic. */
@@ -116,6 +121,40 @@ TEST(sections_of_a_torus_add_up_to_its_volume)
         }
     CHECK_OK(batten_hull_hydrostatics(hull, &at, 1e-9, NULL, &v));
     CHECK_NEAR(volume, v.volume, 2e-4 * v.volume);
+    batten_hull_free(hull);
+}
+
+/* The plane x = 0 runs along lines of the parameters and through both poles. */
+TEST(sections_of_a_ball_along_its_parameter_lines_are_segments_of_circles)
+{
+    static const double places[] = {0, 1e-12, 1e-9, 1e-6, 3e-6, 1e-4, 0.1, 0.9};
+    const batten_frame frame = batten_frame_world();
+    batten_surface *ball = NULL;
+    CHECK_OK(batten_surface_sphere(&frame, 1, &ball));
+    batten_hull *hull = whole_hull(ball);
+    for (int i = 0; i < COUNT(places); i++)
+        for (int k = -3; k <= 3; k++) {
+            const double water = 0.25 * k, r = sqrt(1 - places[i] * places[i]);
+            const double h = fabs(water) < r ? water : r * (water > 0 ? 1 : -1);
+            const double wanted = r * r * (PI - acos(h / r)) + h * sqrt(r * r - h * h);
+            for (int side = -1; side <= 1; side += 2)
+                CHECK_NEAR(
+                    area_within(hull, (batten_flotation){water, 0, 0}, side * places[i], 1e-8),
+                    wanted, 1e-7);
+        }
+    batten_hull_free(hull);
+}
+
+/* Half of an ellipse lies below any line through its middle. */
+TEST(sections_of_an_ellipsoid_through_its_middle_are_halves_of_ellipses_at_any_heel)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_surface *egg = NULL;
+    CHECK_OK(batten_surface_ellipsoid(&frame, 1, 2, 5, &egg));
+    batten_hull *hull = whole_hull(egg);
+    for (int k = -4; k <= 4; k++)
+        CHECK_NEAR(area_within(hull, (batten_flotation){0, 0.1 * k, 0.3 * k}, 0, 1e-8), 5 * PI,
+                   1e-5);
     batten_hull_free(hull);
 }
 

@@ -13,13 +13,19 @@ double bat_hydro_place(const batten_hull *hull, int index)
     return box.low.x + share * (box.high.x - box.low.x);
 }
 
-/* Less than the precision is nothing. */
+/* Less than the precision is nothing; what is not found within it, as where a section touches a surface along
+ * a curve, is NAN and counted. */
 static batten_status area_at(const bat_hydro_water *w, double x, double *area)
 {
     const batten_box box = batten_hull_box(w->hull);
     const double rectangle = (box.high.y - box.low.y) * (box.high.z - box.low.z);
     const batten_status status =
         batten_hull_section_area(w->hull, &w->at, x, PRECISION, w->job, area);
+    if (status == BATTEN_TOLERANCE_NOT_MET) {
+        *area = (double)NAN;
+        ++*w->lost;
+        return BATTEN_OK;
+    }
     if (status == BATTEN_OK && *area < PRECISION * rectangle)
         *area = 0;
     return status;
@@ -44,7 +50,7 @@ static batten_status climb(const bat_hydro_water *w, batten_interval between, do
     double areas[2];
     batten_status status = areas_at(w, 2, x, areas);
     while (status == BATTEN_OK && between.b - between.a > near) {
-        const int worse = areas[0] < areas[1] ? 0 : 1;
+        const int worse = !(areas[0] >= areas[1]) ? 0 : 1;
         *(worse == 0 ? &between.a : &between.b) = x[worse];
         areas[worse] = areas[!worse];
         x[worse] = x[!worse];
@@ -52,7 +58,8 @@ static batten_status climb(const bat_hydro_water *w, batten_interval between, do
                                : between.b - GOLDEN * (between.b - between.a);
         status = area_at(w, x[!worse], &areas[!worse]);
     }
-    *largest = bat_max(*largest, bat_max(areas[0], areas[1]));
+    for (int k = 0; k < 2; k++)
+        *largest = areas[k] > *largest ? areas[k] : *largest;
     return status;
 }
 
@@ -71,9 +78,9 @@ static batten_status find_largest(const bat_hydro_water *w, const double *known,
         return status;
     for (int i = 0; i < BAT_HYDRO_PLACES; i++) {
         areas[i] = known ? known[i] : areas[i];
-        best = areas[i] > areas[best] ? i : best;
+        best = areas[i] > areas[best] || isnan(areas[best]) ? i : best;
     }
-    *largest = areas[best];
+    *largest = isnan(areas[best]) ? 0 : areas[best];
     return climb(w,
                  (batten_interval){places[bat_max_int(0, best - 1)],
                                    places[bat_min_int(BAT_HYDRO_PLACES - 1, best + 1)]},

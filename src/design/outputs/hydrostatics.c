@@ -128,10 +128,18 @@ static batten_status add_row(hydro *h, double draught, bat_hydro_row *row, doubl
     row->values[BAT_HYDRO_LENGTH] = along.b - along.a;
     row->values[BAT_HYDRO_BREADTH] = across.b - across.a;
     const double length = h->report.length > 0 ? h->report.length : along.b - along.a;
-    const bat_hydro_water water = {h->hull, h->run->job, at, length};
+    int lost = 0;
+    const bat_hydro_water water = {h->hull, h->run->job, at, length, &lost};
     fill_row(h, &v, length, row->values);
-    return bat_hydro_fill_sections(&water, h->report.place_count, h->report.places, areas,
-                                   row->values);
+    status = bat_hydro_fill_sections(&water, h->report.place_count, h->report.places, areas,
+                                     row->values);
+    if (lost > 0)
+        bat_note(
+            h->run,
+            "at the draught %.6g %d area%s of sections %s not found within 1e-8 of breadth "
+            "times depth, as where sections touch a surface: AX is the largest of the others",
+            draught, lost, bat_plural(lost), lost == 1 ? "was" : "were");
+    return status;
 }
 
 /* Those that are given, else round ones. */

@@ -68,10 +68,10 @@ typedef struct {
     const batten_job *job;
     batten_flotation at;
     double length; /* that of the coefficients */
+    int *lost;     /* areas that were not found */
 } bat_hydro_water;
 
-/* Areas of the sections at places [count], and the columns of the largest section. TOLERANCE_NOT_MET,
- * CANCELLED, OUT_OF_MEMORY. */
+/* Areas of the sections at places [count], and the columns of the largest section. CANCELLED, OUT_OF_MEMORY. */
 batten_status bat_hydro_fill_sections(const bat_hydro_water *water, int count,
                                       const double *places, double *areas,
                                       double values[BAT_HYDRO_COLUMNS]);
