@@ -233,7 +233,7 @@ typedef struct batten_surface_line {
  * @param tolerance  model units, above 0
  * @param job  progress, cancelling; NULL for no questions
  * @param[out] out  the result; as it was when the function fails
- * @return BATTEN_OK; NOT_COMPATIBLE (no surface in space), BAD_ARGUMENT (tolerance, length), OUT_OF_DOMAIN,
+ * @return BATTEN_OK; NOT_COMPATIBLE (no surface in space), BAD_ARGUMENT (kind, tolerance, length), OUT_OF_DOMAIN,
  * NOT_FINITE; SINGULAR_HERE where the start has no such direction, and why; TOLERANCE_NOT_MET with what was
  * reached; TOO_LARGE (more than 100,000 points), CANCELLED, INCOMPLETE, OUT_OF_MEMORY
  *

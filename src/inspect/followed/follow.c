@@ -175,29 +175,48 @@ static batten_line_end why_stuck(const bat_follower *f, const stride *s)
                : BATTEN_LINE_AT_SINGULAR;
 }
 
+/* How far a step may err. */
+static double bound_of(const bat_follower *f, double length)
+{
+    return share_of_steps * f->tolerance * bat_max(share_of_one, bat_min(1, length / f->size));
+}
+
+/* Where no step is short enough: the way ends there, unless it is for rounding alone. */
+static batten_status stop_at(const bat_follower *f, const bat_station *from, const stride *s,
+                             bat_way *way)
+{
+    if (s->last.obstacle == BATTEN_LINE_AT_LENGTH && bat_max(s->error, s->chord) <= f->rounding)
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                        "after a length of %g steps of the line err by %g however short they "
+                        "are, which is rounding; the tolerance leaves them %g: ask for a "
+                        "larger one",
+                        from->length, bat_max(s->error, s->chord), bound_of(f, 0));
+    way->end = why_stuck(f, s);
+    return BATTEN_OK;
+}
+
 /* A step that is short enough, at most *h long; *h becomes the length to try next. False when there is none. */
 static batten_status find_step(const bat_follower *f, const bat_station *from, double *h,
                                double left, stride *out, bool *is_found)
 {
     const double least = bat_max(1e-3 * f->tolerance, 1e-12 * f->size);
     *is_found = false;
-    while (*h > least) {
+    do {
         const double length = bat_min(*h, left);
         const batten_status status = step_twice(f, from, length, out);
         if (status != BATTEN_OK)
             return status;
-        const double bound =
-            share_of_steps * f->tolerance * bat_max(share_of_one, bat_min(1, length / f->size));
-        const double excess = out->last.obstacle != BATTEN_LINE_AT_LENGTH
-                                  ? HUGE_VAL
-                                  : bat_max(out->error / bound, 4 * out->chord / f->tolerance);
+        const double excess =
+            out->last.obstacle != BATTEN_LINE_AT_LENGTH
+                ? HUGE_VAL
+                : bat_max(out->error / bound_of(f, length), 4 * out->chord / f->tolerance);
         if (excess <= 1) {
-            *h = length * 0.9 * bat_pow(bat_max(excess, least_excess), -0.25);
+            *h = bat_max(least, length * 0.9 * bat_pow(bat_max(excess, least_excess), -0.25));
             *is_found = true;
             return BATTEN_OK;
         }
         *h = length * (isfinite(excess) ? bat_max(0.2, 0.9 * bat_pow(excess, -0.25)) : 0.5);
-    }
+    } while (*h > least);
     return BATTEN_OK;
 }
 
@@ -211,10 +230,8 @@ static batten_status go_on(bat_follower *f, bat_way *way, double *h, bool *is_ov
     *is_over = true;
     if (status != BATTEN_OK)
         return status;
-    if (!is_found) {
-        way->end = why_stuck(f, &s);
-        return BATTEN_OK;
-    }
+    if (!is_found)
+        return stop_at(f, &from, &s, way);
     const bool leaves = bat_slope_beyond(&f->field, s.end.place) > 0;
     if (leaves) {
         way->end = BATTEN_LINE_AT_RIM;

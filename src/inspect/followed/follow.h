@@ -25,10 +25,12 @@ typedef struct {
     double size;      /* of the surface */
     double tolerance; /* of cubics; steps err by a part of it */
     double most;      /* the length at which a way ends */
+    double rounding;  /* steps that err by no more than this may do so however short they are */
     bat_work work;
 } bat_follower;
 
-/* From a station on; release way->at, also after a failure. TOO_LARGE beyond a hundred thousand points. */
+/* From a station on; release way->at, also after a failure. TOO_LARGE beyond a hundred thousand points;
+ * TOLERANCE_NOT_MET where steps err by rounding more than the tolerance allows. */
 batten_status bat_follow(bat_follower *follower, const bat_station *start, bat_way *way);
 /* A point of the cubic between two stations, at a share of its length. */
 batten_vec3 bat_station_between(const bat_station *a, const bat_station *b, double share);

@@ -4,12 +4,16 @@
 #include "numeric/box.h"
 #include "numeric/vector.h"
 
+#include <float.h>
+
 /* A line without a length goes so many sizes of its surface; each integration errs by a part of the one before; so
  * often; and then by this part of the tolerance of cubics. */
 enum { USUAL_SIZES = 10, TIMES_FINER = 32, INTEGRATIONS = 4 };
 static const double part_of_cubics = 0.5;
 /* Opposite rims that are nearer, over the size of the surface, are one: the line goes on there. */
 static const double closed_within = 1e-9;
+/* Points of a surface, and so the error of a step, are rounded to this part of its coordinates. */
+static const double rounded_to = 64 * DBL_EPSILON;
 
 /* Both ways of one integration. */
 typedef struct {
@@ -94,7 +98,12 @@ static batten_status follow_finely(bat_follower *f, const bat_station *start, do
             *error = line_error(&before, &now);
     }
     release_ways(&before);
-    if (status == BATTEN_OK && !(*error <= tolerance))
+    if (status == BATTEN_OK && !isfinite(*error))
+        status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                          "%d integrations of the line, each finer, end each otherwise; the "
+                          "tolerance is %g",
+                          INTEGRATIONS, tolerance);
+    else if (status == BATTEN_OK && !(*error <= tolerance))
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
                           "two integrations of the line are %g apart, the tolerance is %g",
                           *error, tolerance);
@@ -173,6 +182,10 @@ static batten_status check_start(const batten_surface *surface, const batten_lin
                                  double tolerance)
 {
     const batten_vec3 d = start->direction;
+    const int kind = (int)start->kind;
+    if (kind < BATTEN_LINE_CURVATURE1 || kind > BATTEN_LINE_GEODESIC)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no kind %d of lines; they are %d to %d",
+                        kind, BATTEN_LINE_CURVATURE1, BATTEN_LINE_GEODESIC);
     if (batten_surface_dimension(surface) != 3)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the surface is not in space");
     if (!(tolerance > 0 && isfinite(tolerance)))
@@ -221,6 +234,17 @@ static batten_status take_start(bat_slope_field *field, const batten_line_start 
     return status;
 }
 
+/* What rounding of coordinates and of parameters does to a point. */
+static double rounding_of(const bat_follower *f, batten_box box)
+{
+    double most = bat_max(bat_largest(3, &box.low.x), bat_largest(3, &box.high.x));
+    for (int k = 0; k < 2; k++) {
+        const batten_interval d = f->field.domain[k];
+        most = bat_max(most, f->size * bat_max(fabs(d.a), fabs(d.b)) / (d.b - d.a));
+    }
+    return rounded_to * most;
+}
+
 batten_status batten_surface_line_from(const batten_surface *surface,
                                        const batten_line_start *start, double tolerance,
                                        const batten_job *job, batten_surface_line *out)
@@ -241,6 +265,7 @@ batten_status batten_surface_line_from(const batten_surface *surface,
         f.field.closed[k] =
             batten_surface_is_closed(surface, k ? BATTEN_V : BATTEN_U, closed_within * f.size);
     }
+    f.rounding = rounding_of(&f, batten_surface_box(surface));
     status = take_start(&f.field, start, &from);
     if (status == BATTEN_OK)
         status = follow_finely(&f, &from, tolerance, &found, &made.error);

@@ -327,3 +327,68 @@ TEST(starts_without_a_direction_and_wrong_wishes_are_refused)
     }
     batten_surface_unref(ball);
 }
+
+TEST(a_kind_of_line_that_there_is_not_is_refused_by_its_number_before_anything_else)
+{
+    static const int kinds[] = {-1, 5, 9, 1000000};
+    batten_surface *tube = cylinder(1, 2);
+    batten_surface_line line = {.length = 7};
+    for (int i = 0; i < COUNT(kinds); i++) {
+        char words[40];
+        snprintf(words, sizeof words, "kind %d of lines; they are 0 to 4", kinds[i]);
+        const batten_line_start start = {(batten_line_kind)kinds[i], NAN, 0.3, {1, 0, 0.3}, -1};
+        CHECK_STATUS(batten_surface_line_from(tube, &start, 0, NULL, &line),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_CONTAINS(batten_message(), words);
+        CHECK_NEAR(line.length, 7, 0);
+    }
+    batten_surface_unref(tube);
+}
+
+/* At each tolerance the line as it is at 1e-6, or that its tolerance is not met: never another. Away from the origin
+ * coordinates carry less. */
+static void check_ever_finer(const batten_surface *surface, const batten_line_start *start)
+{
+    batten_surface_line coarse = {.length = NAN};
+    int refused = 0;
+    CHECK_OK(batten_surface_line_from(surface, start, tolerance, NULL, &coarse));
+    for (double t = 1e-7; t > 1e-17; t /= 10) {
+        batten_surface_line line = {.length = 7};
+        const batten_status status = batten_surface_line_from(surface, start, t, NULL, &line);
+        if (status == BATTEN_OK) {
+            CHECK_NEAR(line.length, coarse.length, 10 * tolerance);
+            CHECK(line.error <= t);
+            CHECK_INT(line.ends[0], coarse.ends[0]);
+            CHECK_INT(line.ends[1], coarse.ends[1]);
+            CHECK_INT(refused, 0);
+            batten_surface_line_release(&line);
+        } else {
+            CHECK_STATUS(status, BATTEN_TOLERANCE_NOT_MET);
+            CHECK_NEAR(line.length, 7, 0);
+            refused++;
+        }
+    }
+    CHECK(refused >= 3);
+    batten_surface_line_release(&coarse);
+}
+
+TEST(a_tolerance_below_rounding_is_not_met_and_never_ends_a_line)
+{
+    const batten_frame world = batten_frame_world();
+    batten_frame far = world;
+    batten_surface *shapes[4] = {cylinder(1, 2)};
+    far.origin = (batten_vec3){0, 5000, 0};
+    CHECK_OK(shape_torus(3, 1, false, &shapes[1]));
+    CHECK_OK(batten_surface_sphere(&world, 3, &shapes[2]));
+    CHECK_OK(batten_surface_cylinder(&far, 1, 2, &shapes[3]));
+    const batten_line_start starts[] = {
+        {BATTEN_LINE_GEODESIC, 0.3, 0.3, {1, 0, 0.3}, 0},
+        {BATTEN_LINE_CURVATURE1, 0.2, 0.3, {0, 0, 0}, 0},
+        {BATTEN_LINE_GEODESIC, 0.1, 0.3, {-0.3, 0.4, 0.5}, 4},
+        {BATTEN_LINE_GEODESIC, 0.3, 0.3, {1, 0, 0.3}, 3},
+    };
+    for (int i = 0; i < COUNT(starts); i++) {
+        check_ever_finer(shapes[i], &starts[i]);
+        batten_surface_unref(shapes[i]);
+    }
+}
