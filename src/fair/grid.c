@@ -1,6 +1,7 @@
 /* A table of half-breadths on waterlines as a grid of stations and heights, which says where there is
  * hull, where there is none, and where it is silent. */
 #include "fair/grid.h"
+#include "base/plural.h"
 #include "base/sort.h"
 #include "numeric/vector.h"
 
@@ -122,6 +123,57 @@ bat_grid_says bat_hull_grid_says(const bat_hull_grid *grid, int station, int lin
     if (y > 0)
         return BAT_GRID_HULL;
     return y == 0 || line < lowest_hull(grid, station) ? BAT_GRID_OUTSIDE : BAT_GRID_SILENT;
+}
+
+/* ---- does it contradict itself? ---- */
+
+static bool has_hull_among(const bat_hull_grid *grid, int line, int first, int end)
+{
+    for (int k = first; k < end; k++)
+        if (bat_hull_grid_y(grid, k, line) > 0)
+            return true;
+    return false;
+}
+
+static bool has_hull_above(const bat_hull_grid *grid, int station, int line)
+{
+    for (int l = line + 1; l < grid->line_count; l++)
+        if (bat_hull_grid_y(grid, station, l) > 0)
+            return true;
+    return false;
+}
+
+/* Between a bulb and the stem above it there is no hull up to the end of the waterline; a waterline
+ * without any hull between two with hull is none. */
+static bool is_amid_hull(const bat_hull_grid *grid, int k, int l)
+{
+    const bool behind = has_hull_among(grid, l, 0, k),
+               before = has_hull_among(grid, l, k + 1, grid->station_count);
+    return behind == before &&
+           (behind || (lowest_hull(grid, k) < l && has_hull_above(grid, k, l)));
+}
+
+batten_status bat_hull_grid_check(const bat_hull_grid *grid)
+{
+    int count = 0, station = 0, line = 0;
+    for (int k = 0; k < grid->station_count; k++)
+        for (int l = 0; l < grid->line_count; l++) {
+            if (bat_hull_grid_y(grid, k, l) != 0 || !is_amid_hull(grid, k, l))
+                continue;
+            if (count++ == 0) {
+                station = k;
+                line = l;
+            }
+        }
+    if (count == 0)
+        return BATTEN_OK;
+    return bat_fail(
+        BATTEN_BAD_ARGUMENT,
+        "%s says 0 at z = %g between points of the hull%s: a half-breadth of 0 says "
+        "that there is no hull; give %d half-breadth%s, or leave out what is not "
+        "known or not of the hull",
+        batten_offset_table_label(grid->table, station).text, grid->z[line],
+        count > 1 ? ", the first of such places" : "", count, bat_plural(count));
 }
 
 /* ---- is it a graph? ---- */

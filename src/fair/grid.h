@@ -31,6 +31,10 @@ bool bat_hull_grid_is_graph(const bat_hull_grid *grid);
 
 bat_grid_says bat_hull_grid_says(const bat_hull_grid *grid, int station, int line);
 
+/* BAD_ARGUMENT when a half-breadth of 0 has hull both before and behind it on its waterline; or, on a
+ * waterline without hull, both below and above it in its station. */
+batten_status bat_hull_grid_check(const bat_hull_grid *grid);
+
 static inline double bat_hull_grid_y(const bat_hull_grid *grid, int station, int line)
 {
     return grid->y[station * grid->line_count + line];

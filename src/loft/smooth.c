@@ -75,7 +75,9 @@ static batten_status make_graph(const bat_hull_grid *grid, double within, const 
     bat_hull_table stations = {0};
     bat_graph_frame frame;
     bat_loft loft = {0};
-    batten_status status = take_stations(grid, &stations);
+    batten_status status = bat_hull_grid_check(grid);
+    if (status == BATTEN_OK)
+        status = take_stations(grid, &stations);
     if (status == BATTEN_OK)
         status = bat_hull_check_bound(&stations, within);
     if (status == BATTEN_OK)

@@ -107,3 +107,69 @@ TEST(a_table_with_points_beside_its_waterlines_is_no_grid)
     bat_arena_free(&grid.arena);
     batten_offset_table_unref(table);
 }
+
+/* ---- zeros amid the hull ---- */
+
+static double without_zeros(double x, double z)
+{
+    return 1 + 0.1 * x + 0.2 * z;
+}
+
+static double zero_at_a_place(double x, double z)
+{
+    return x == 2 && z == 3 ? 0 : without_zeros(x, z);
+}
+
+static double zero_at_a_station(double x, double z)
+{
+    return x == 1 ? 0 : without_zeros(x, z);
+}
+
+static double zero_on_a_waterline(double x, double z)
+{
+    return z == 2 ? 0 : without_zeros(x, z);
+}
+
+static double blank_at_a_place(double x, double z)
+{
+    return x == 2 && z == 3 ? NAN : without_zeros(x, z);
+}
+
+/* Nothing between a bulb and the stem above it. */
+static double over_a_bulb(double x, double z)
+{
+    return (x >= 3 && z == 2) || (x <= 1 && z == 0) ? 0 : without_zeros(x, z);
+}
+
+static const struct {
+    half_breadth of;
+    const char *said; /* NULL: no contradiction */
+} zeros[] = {
+    {zero_at_a_place, "station 3 (x = 2) says 0 at z = 3 between points of the hull: "},
+    {zero_at_a_station,
+     "station 2 (x = 1) says 0 at z = 0 between points of the hull, the first "
+     "of such places: "},
+    {zero_on_a_waterline, "station 1 (x = 0) says 0 at z = 2 between points of the hull, the "
+                          "first of such places: "},
+    {blank_at_a_place, NULL},
+    {over_a_bulb, NULL},
+    {with_stairs, NULL},
+    {hull_above_two, NULL},
+};
+
+TEST(a_zero_amid_the_hull_is_refused_by_its_station_and_height)
+{
+    for (int k = 0; k < COUNT(zeros); k++) {
+        batten_offset_table *table = make_waterlines(5, five, 5, five, zeros[k].of);
+        bat_hull_grid grid;
+        CHECK_OK(bat_hull_grid_make(table, &grid));
+        if (zeros[k].said) {
+            CHECK_STATUS(bat_hull_grid_check(&grid), BATTEN_BAD_ARGUMENT);
+            CHECK(strstr(batten_message(), zeros[k].said) != NULL);
+        } else {
+            CHECK_OK(bat_hull_grid_check(&grid));
+        }
+        bat_arena_free(&grid.arena);
+        batten_offset_table_unref(table);
+    }
+}

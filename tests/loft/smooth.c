@@ -68,3 +68,17 @@ TEST(a_bound_above_the_breadth_is_refused_for_graphs_too)
     CHECK_STATUS(bat_hull_smooth(table, 1, NULL, &loft), BATTEN_BAD_ARGUMENT);
     batten_offset_table_unref(table);
 }
+
+static double raked_but_for_a_zero(double at, double height)
+{
+    return at == 0 && height == 0.5 ? 0 : raked(at, height);
+}
+
+TEST(a_zero_amid_the_hull_of_a_graph_is_refused)
+{
+    batten_offset_table *table = make_waterlines(11, x, 5, z, raked_but_for_a_zero);
+    bat_loft loft = {0};
+    CHECK_STATUS(bat_hull_smooth(table, 0.003, NULL, &loft), BATTEN_BAD_ARGUMENT);
+    CHECK(strstr(batten_message(), "station 6 (x = 0) says 0 at z = 0.5") != NULL);
+    batten_offset_table_unref(table);
+}
