@@ -4,6 +4,8 @@
 #include "base/sort.h"
 #include "numeric/bernstein.h"
 
+#include <string.h>
+
 /* Pieces that may have a turn are halved to this width; so many are looked at. */
 static const double TURN_WIDTH = 1e-9, ROW_WIDTH = 1e-14;
 enum { MOST_WAITING = 128, MOST_PIECES = 3000 };
@@ -176,6 +178,7 @@ batten_status bat_sharpen_kinks(const bat_patch *patch, batten_direction constan
                                 const bat_water *water, double kinks[BAT_MOST_KINKS],
                                 int *count)
 {
+    double sharp[BAT_MOST_KINKS] = {0};
     int kept = 1;
     batten_status status = BATTEN_OK;
     for (int i = 1, next; i + 1 < *count && status == BATTEN_OK; i = next) {
@@ -183,9 +186,12 @@ batten_status bat_sharpen_kinks(const bat_patch *patch, batten_direction constan
             next++;
         const batten_interval around = {bat_max(0, kinks[i] - 2 * TURN_WIDTH),
                                         bat_min(1, kinks[next - 1] + 2 * TURN_WIDTH)};
-        status = find_change(patch, constant, water, around, &kinks[kept++]);
+        status = find_change(patch, constant, water, around, &sharp[kept++]);
     }
-    kinks[kept++] = 1;
+    if (status != BATTEN_OK)
+        return status;
+    sharp[kept++] = 1;
+    memcpy(kinks, sharp, (size_t)kept * sizeof *kinks);
     *count = kept;
-    return status;
+    return BATTEN_OK;
 }
