@@ -13,7 +13,12 @@ static batten_status loft_sharpie(const char *runs, batten_design **out)
     batten_design_options options = batten_design_defaults();
     options.allow_outside = true;
     CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, out));
-    return batten_design_evaluate(*out, "hull", NULL, NULL);
+    const batten_status status = batten_design_evaluate(*out, "hull", NULL, NULL);
+    if (status != BATTEN_OK) { /* failing allocations try again */
+        batten_design_free(*out);
+        *out = NULL;
+    }
+    return status;
 }
 
 /* What y and z of an edge of a panel bend by: second differences over two feet from x - 12 on. */
