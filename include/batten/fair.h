@@ -319,8 +319,8 @@ typedef struct batten_net_fair_report {
     int section_count;         /**< plane sections that are judged */
     int sections_before, sections_after; /**< those with inflections in excess */
     double height;   /**< bulges of sections up to this are not seen */
-    double residual; /**< of the least energy: the farthest a point released alone would go, as a part of its
-                          bound */
+    double residual; /**< of the least energy: the farthest a point released alone would go, as a part of the
+                          lesser of its bound and of the farthest that one would have gone at the start */
 } batten_net_fair_report;
 /** Release the moves and the suspects of a report. */
 BATTEN_API void batten_net_fair_report_release(batten_net_fair_report *report);
@@ -333,7 +333,8 @@ BATTEN_API void batten_net_fair_report_release(batten_net_fair_report *report);
  * periodic ones) over the averaged parameters, have the least energy: the sum of the integrals
  * of |z''|^2, each direction times the cube of its mean spacing. All points step at once, so a
  * net that is symmetric stays so. The steps end when no point that is released alone would go
- * farther than a thousandth of its bound; `residual` says how far after 3000 of them.
+ * farther than a thousandth of the lesser of its bound and of the farthest that one would have gone
+ * at the start; `residual` says how far after 3000 of them.
  *
  * With LEAST_CHANGE the control points are found by convex programs: the least sum of
  * (move / bound)^2 and a share of the integral of the squares of the third derivatives, in

@@ -44,8 +44,9 @@ batten_status bat_crossed_bend(bat_crossed *battens, const double *z, double *fo
 
 /*
  * The places z of least energy with every duck within its ball; z comes as given. Ends when no
- * duck that is released alone would go farther than a thousandth of its bound, or after a
- * number of steps: `residual` is the farthest, as a part of its bound.
+ * duck that is released alone would go farther than a thousandth of the lesser of its bound and of
+ * the farthest that one would have gone at the start, or after a number of steps: `residual` is
+ * the farthest, as a part of that.
  */
 batten_status bat_crossed_least(bat_crossed *battens, const batten_job *job, double *z,
                                 double *residual);

@@ -13,10 +13,13 @@
 enum { STEPS = 3000, STEPS_BETWEEN_LOOKS = 10 };
 
 static const double at_rest = 1e-3;
+/* Where no duck goes farther than this part of the coordinates at the start, there is nothing to gain. */
+static const double least_reach = 1e-9;
 
 typedef struct {
     bat_crossed *battens;
     double *z, *ahead, *next, *forces; /* [count_u][count_v][3] */
+    double reach; /* how far a duck that is released alone goes at the start, at most */
 } descent;
 
 static double stiffness_at(const bat_crossed *l, int i, int j)
@@ -24,12 +27,10 @@ static double stiffness_at(const bat_crossed *l, int i, int j)
     return l->u.stiffness[i] + l->v.stiffness[j];
 }
 
-/* Where the ducks go from `from`, each by `share` of the way of its release. The result is how
- * far one goes at most, as a part of its bound, from `from`. */
-static double step_all(const bat_crossed *l, const double *from, const double *forces,
-                       double share, double *to)
+/* Where the ducks go from `from`, each by `share` of the way of its release. */
+static void step_all(const bat_crossed *l, const double *from, const double *forces,
+                     double share, double *to)
 {
-    double farthest = 0;
     for (int i = 0; i < l->count_u; i++)
         for (int j = 0; j < l->count_v; j++) {
             const size_t k = (size_t)i * (size_t)l->count_v + (size_t)j, at = 3 * k;
@@ -40,11 +41,7 @@ static double step_all(const bat_crossed *l, const double *from, const double *f
                 bat_clip(3, l->given + at, l->within[k], to + at);
             else
                 memcpy(to + at, l->given + at, 3 * sizeof *to);
-            if (l->within[k] > 0)
-                farthest =
-                    bat_max(farthest, bat_distance(3, from + at, to + at) / l->within[k]);
         }
-    return farthest;
 }
 
 /* Does the step from `ahead` to `next` go against what was gained from z to `next`? */
@@ -83,12 +80,28 @@ static batten_status descend(descent *d, int *age)
     return BATTEN_OK;
 }
 
+/* How far a duck that is released alone goes at most, as a part of the lesser of its bound and the
+ * reach, so that a wider bound is no reason to end earlier. The first time that sets the reach. */
 static batten_status find_residual(descent *d, double *residual)
 {
-    double energy;
+    const bat_crossed *l = d->battens;
+    const size_t nodes = (size_t)l->count_u * (size_t)l->count_v;
+    const bool is_first = !(d->reach > 0);
+    double energy, farthest = 0;
     const batten_status status = bat_crossed_bend(d->battens, d->z, d->forces, &energy);
-    *residual = step_all(d->battens, d->z, d->forces, 1, d->next);
-    return status;
+    if (status != BATTEN_OK)
+        return status;
+    step_all(l, d->z, d->forces, 1, d->next);
+    for (size_t k = 0; k < nodes && is_first; k++)
+        d->reach = bat_max(d->reach, bat_distance(3, d->z + 3 * k, d->next + 3 * k));
+    if (is_first)
+        d->reach = bat_max(d->reach, least_reach * bat_largest(3 * (int)nodes, l->given));
+    for (size_t k = 0; k < nodes; k++)
+        if (l->within[k] > 0)
+            farthest = bat_max(farthest, bat_distance(3, d->z + 3 * k, d->next + 3 * k) /
+                                             bat_min(l->within[k], d->reach));
+    *residual = farthest;
+    return BATTEN_OK;
 }
 
 batten_status bat_crossed_least(bat_crossed *battens, const batten_job *job, double *z,
@@ -99,7 +112,7 @@ batten_status bat_crossed_least(bat_crossed *battens, const batten_job *job, dou
     double *room = bat_array3(nodes, 9, sizeof *room);
     if (!room)
         return BATTEN_OUT_OF_MEMORY;
-    descent d = {battens, z, room, room + total, room + 2 * total};
+    descent d = {battens, z, room, room + total, room + 2 * total, 0};
     memcpy(d.ahead, z, total * sizeof *z);
     batten_status status = find_residual(&d, residual);
     for (int k = 0, age = 0; k < STEPS && status == BATTEN_OK && *residual > at_rest; k++) {

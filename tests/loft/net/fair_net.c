@@ -104,6 +104,28 @@ TEST(least_change_leaves_no_section_of_a_noisy_sheet_an_inflection_and_runs_twic
     }
 }
 
+/* Once no bound is met, a wider one changes nothing at all. */
+TEST(a_wider_bound_never_ends_with_more_energy)
+{
+    enum { WIDE = 8, HIGH = 7 };
+    static const double bounds[] = {0.1, 1, 10, 1000, 1e6};
+    test_random random = test_random_begin("wider bounds");
+    double given[3 * WIDE * HIGH], faired[3 * WIDE * HIGH], before = HUGE_VAL;
+    sheet(WIDE, HIGH, given);
+    shake(&random, 0.1, WIDE * HIGH, given);
+    for (int k = 0; k < COUNT(bounds); k++) {
+        const batten_net_fair_options options = uniform(bounds[k], BATTEN_NET_FAIR_ENERGY);
+        batten_net_fair_report report = {0};
+        CHECK_OK(batten_fair_net((batten_grid){3, WIDE, HIGH, given}, &options, NULL, &report,
+                                 faired, NULL));
+        CHECK(report.points.after.energy <= before);
+        CHECK(report.points.after.energy < 0.1 * report.points.before.energy);
+        CHECK(report.residual <= 1e-3);
+        before = report.points.after.energy;
+        batten_net_fair_report_release(&report);
+    }
+}
+
 TEST(the_report_tells_what_moved_and_how_far)
 {
     test_random random = test_random_begin("net report");

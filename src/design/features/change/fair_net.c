@@ -90,6 +90,27 @@ static void note_suspects(const bat_run *run, const batten_fair_report *found)
                  bat_one_or_many(found->suspect_count - MOST_SUSPECTS, "looks", "look"));
 }
 
+static void note_excess(const bat_run *run, const batten_net_fair_report *found)
+{
+    const int count = found->sections_after;
+    const bool holds =
+        bat_word(run, "hold") > 0 || bat_argument_of(run, "held-points")->count > 0;
+    if (count == 0)
+        return;
+    if (bat_word(run, "method") == BATTEN_NET_FAIR_ENERGY)
+        bat_note(
+            run,
+            "%d of %d sections %s inflections in excess: least energy does not count them, "
+            "'method: least-change' may remove them",
+            count, found->section_count, bat_one_or_many(count, "has", "have"));
+    else
+        bat_note(run,
+                 "%d of %d sections %s inflections in excess: no surface with fewer was found "
+                 "within the bound%s",
+                 count, found->section_count, bat_one_or_many(count, "keeps", "keep"),
+                 holds ? " and with the points that are held" : "");
+}
+
 static void report_net(bat_run *run, batten_net_fair_report *found)
 {
     batten_feature_result *shown = &run->result->shown;
@@ -97,16 +118,7 @@ static void report_net(bat_run *run, batten_net_fair_report *found)
         run, "%d of %d sections had inflections in excess, %d %s; no bulge up to %.2g is seen",
         found->sections_before, found->section_count, found->sections_after,
         bat_one_or_many(found->sections_after, "has", "have"), found->height);
-    if (found->sections_after > 0 && bat_word(run, "method") == BATTEN_NET_FAIR_ENERGY)
-        bat_note(run,
-                 "%d of %d sections have inflections in excess: least energy does not count "
-                 "them, 'method: least-change' removes them",
-                 found->sections_after, found->section_count);
-    else if (found->sections_after > 0)
-        bat_note(run,
-                 "%d of %d sections keep inflections in excess: the bound leaves no other "
-                 "surface that was found; a wider bound may",
-                 found->sections_after, found->section_count);
+    note_excess(run, found);
     note_suspects(run, &found->points);
     run->result->fairing = found->points;
     run->result->fairing_bound = bat_number(run, "within");

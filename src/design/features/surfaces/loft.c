@@ -81,20 +81,21 @@ static void remark_warps(const bat_run *run, const batten_loft_report *found)
 static void report_loft(const bat_run *run, const batten_loft_report *found)
 {
     int named = 0;
-    bat_remark(
-        run,
-        "%d of %d sections have inflections in excess, of bulges above %.2g; the surface "
-        "is at most %.4g from a point, %.4g in the mean",
-        found->cuts_in_excess, found->cut_count, found->height, found->max_move,
-        found->rms_move);
+    bat_remark(run,
+               "%d of %d sections %s inflections in excess, of bulges above %.2g; the surface "
+               "is at most %.4g from a point, %.4g in the mean",
+               found->cuts_in_excess, found->cut_count,
+               bat_one_or_many(found->cuts_in_excess, "has", "have"), found->height,
+               found->max_move, found->rms_move);
     for (int k = 0; k < found->cut_count && named < MOST_CUTS; k++)
         if (found->cuts[k].found > found->cuts[k].needed) {
             note_cut(run, found, found->cuts + k);
             named++;
         }
     if (found->cuts_in_excess > named)
-        bat_note(run, "%d more sections have inflections in excess",
-                 found->cuts_in_excess - named);
+        bat_note(run, "%d more section%s %s inflections in excess",
+                 found->cuts_in_excess - named, bat_plural(found->cuts_in_excess - named),
+                 bat_one_or_many(found->cuts_in_excess - named, "has", "have"));
     if (found->trimmed_count > 0)
         bat_note(run, "%d point%s on the centre plane where there is no hull %s left out",
                  found->trimmed_count, bat_plural(found->trimmed_count),

@@ -143,9 +143,12 @@ TEST(wrong_points_are_named_by_their_row_and_sections_are_counted)
     check_notes("{fair-net: net, within: 0.05, method: least-change, blunders: mend}",
                 (const char *const[]){"point 6 of row 3, (5, 2, 3.19)", "stands for it"});
     check_notes("{fair-net: net, within: 0.05}",
-                (const char *const[]){"have inflections in excess: least energy does not",
+                (const char *const[]){"least energy does not count them, 'method: "
+                                      "least-change' may remove them",
                                       "had inflections in excess"});
-    check_notes(
-        "{fair-net: net, within: 0.05, method: least-change, hold: edges}",
-        (const char *const[]){"keep inflections in excess", "had inflections in excess"});
+    check_notes("{fair-net: net, within: 0.05, method: least-change, hold: edges}",
+                (const char *const[]){
+                    "in excess: no surface with fewer was found within the bound and with "
+                    "the points that are held",
+                    "had inflections in excess"});
 }
