@@ -20,8 +20,8 @@ batten_status batten_chain_local_at(const batten_chain *chain, double u, batten_
 {
     assert(chain && out);
     const int d = batten_chain_dimension(chain);
-    double values[(BAT_CHAIN_ORDER + 1) * 3], t = 0;
-    int i = 0;
+    double values[(BAT_CHAIN_ORDER + 1) * 3], t;
+    int i;
     batten_status status = batten_chain_evaluate_side(chain, u, side, 3, values);
     if (status == BATTEN_OK)
         status = bat_chain_locate(chain, u, side, &i, &t);
@@ -137,12 +137,10 @@ static void halve(int d, const batten_span *span, const bat_ruler *r, chain_part
 }
 
 /* A span in tension bends within a few 1 / tension of its ends, where no node of a rule over
- * the whole need come: [0, m], [m, length - m], [length - m, length], or all in one. */
+ * the whole need come: [0, m], [m, length - m], [length - m, length], or all in one, as without tension. */
 static int cut_span(const batten_span *span, double at[4])
 {
-    const double margin = span->kind == BATTEN_SPAN_TENSION && span->tension > 0
-                              ? 16 / span->tension
-                              : span->length;
+    const double margin = span->kind == BATTEN_SPAN_TENSION ? 16 / span->tension : span->length;
     const bool is_loose = !(margin < span->length / 4);
     at[0] = 0;
     at[1] = is_loose ? span->length : margin;

@@ -156,3 +156,33 @@ TEST(a_plane_that_misses_gives_nothing_and_a_bad_one_is_refused)
                  BATTEN_TOO_LARGE);
     batten_surface_unref(plane);
 }
+
+/* Rounding is that of the coordinates: a torus is cut alike whatever its size. */
+TEST(a_torus_of_any_size_is_cut_in_the_same_lines)
+{
+    static const double sizes[] = {1e-12, 1e-6, 1e6, 1e12},
+                        offsets[] = {0, 0.5, 1.75, 2.5, 3.9};
+    batten_surface *torus = NULL;
+    CHECK_OK(shape_torus(3, 1, false, &torus));
+    for (int i = 0; i < COUNT(sizes); i++) {
+        const double s = sizes[i];
+        batten_surface *other = NULL;
+        CHECK_OK(shape_torus(3 * s, s, false, &other));
+        for (int k = 0; k < COUNT(offsets); k++) {
+            const batten_vec3 normal = {0.6, 0, 0.8};
+            batten_polylines lines = {0}, scaled = {0};
+            CHECK_OK(batten_surface_section(torus, normal, offsets[k], 24, 20, &lines));
+            CHECK_OK(batten_surface_section(other, normal, s * offsets[k], 24, 20, &scaled));
+            CHECK_INT(scaled.count, lines.count);
+            for (int l = 0; l < lines.count; l++) {
+                CHECK_INT(scaled.lines[l].count, lines.lines[l].count);
+                CHECK_INT(scaled.lines[l].closed, lines.lines[l].closed);
+                CHECK_NEAR(length_of(&scaled.lines[l]) / s, length_of(&lines.lines[l]), 1e-9);
+            }
+            batten_polylines_release(&lines);
+            batten_polylines_release(&scaled);
+        }
+        batten_surface_unref(other);
+    }
+    batten_surface_unref(torus);
+}

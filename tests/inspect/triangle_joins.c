@@ -209,3 +209,46 @@ TEST(a_place_without_a_normal_does_not_change_the_angle)
         batten_triangles_unref(fold);
     }
 }
+
+/* Around triangle 2 lie three others: over its first edge triangle 3, over the second 1, over the third 0. */
+TEST(joins_come_in_order_of_triangles_and_edges)
+{
+    static const double corner[6][3] = {{0, 0, 0}, {2, 0, 0},  {0, 2, 0},
+                                        {2, 2, 0}, {2, -2, 0}, {-2, 2, 0}};
+    static const int of[4][3] = {{2, 0, 5}, {3, 2, 1}, {0, 1, 2}, {4, 1, 0}};
+    double points[4][3][3];
+    batten_triangles *made = NULL;
+    batten_triangle_joins joins = {0, NULL};
+    for (int i = 0; i < 12; i++)
+        memcpy(points[i / 3][i % 3], corner[of[i / 3][i % 3]], sizeof corner[0]);
+    CHECK_OK(batten_triangles_create(
+        &(batten_triangles_parts){3, 1, 4, points[0][0], NULL, NULL}, &made));
+    CHECK_OK(batten_triangles_joins(made, 1e-9, &joins));
+    CHECK_INT(joins.count, 3);
+    for (int i = 0; i < 3; i++)
+        CHECK_INT(joins.at[i].triangle[0] == 2 ? joins.at[i].triangle[1]
+                                               : joins.at[i].triangle[0],
+                  i == 2 ? 3 : i);
+    for (int i = 1; i < 3; i++) {
+        const batten_triangle_join *a = &joins.at[i - 1], *b = &joins.at[i];
+        CHECK(a->triangle[0] < b->triangle[0] ||
+              (a->triangle[0] == b->triangle[0] && a->edge[0] < b->edge[0]));
+    }
+    batten_triangle_joins_release(&joins);
+    /* The middle one first: its edges decide. */
+    double turned[4][3][3];
+    for (int i = 0; i < 4; i++)
+        memcpy(turned[i], points[(i + 2) % 4], sizeof turned[i]);
+    batten_triangles *again = NULL;
+    CHECK_OK(batten_triangles_create(
+        &(batten_triangles_parts){3, 1, 4, turned[0][0], NULL, NULL}, &again));
+    CHECK_OK(batten_triangles_joins(again, 1e-9, &joins));
+    CHECK_INT(joins.count, 3);
+    for (int i = 0; i < 3; i++) {
+        CHECK_INT(joins.at[i].triangle[0], 0);
+        CHECK_INT(joins.at[i].edge[0], i);
+    }
+    batten_triangle_joins_release(&joins);
+    batten_triangles_unref(again);
+    batten_triangles_unref(made);
+}

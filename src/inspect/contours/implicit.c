@@ -257,8 +257,8 @@ void batten_implicit_free(batten_implicit *implicit)
 /* ---- inversion ---- */
 
 /* One of the vectors v with m v = 0: elimination with the largest pivot of all, the last one
- * taken for 0. False when the one before it is lost in rounding too. */
-static bool null_vector(int n, double *m, double *v)
+ * taken for 0. v stays 0 when the one before it is lost in rounding too. */
+static void null_vector(int n, double *m, double *v)
 {
     int order[MOST];
     double first = 0;
@@ -283,7 +283,7 @@ static bool null_vector(int n, double *m, double *v)
         /* The null space has more than one vector when a pivot before the last vanishes: six
          * digits are left for rounding. */
         if (!(fabs(m[k * n + k]) > 1e-9 * first))
-            return false;
+            return;
         for (int i = k + 1; i < n; i++)
             for (int j = n - 1; j >= k; j--)
                 m[i * n + j] -= m[i * n + k] / m[k * n + k] * m[k * n + j];
@@ -298,7 +298,6 @@ static bool null_vector(int n, double *m, double *v)
     }
     for (int j = 0; j < n; j++)
         v[order[j]] = x[j];
-    return true;
 }
 
 /* p and q at t by de Casteljau, also outside [0, 1]; how far the curve is from the point. */
@@ -330,19 +329,18 @@ batten_status batten_implicit_invert(const batten_implicit *f, double x, double 
     const double xi = (x - f->origin[0]) / f->size, eta = (y - f->origin[1]) / f->size;
     double m[MOST * MOST], v[MOST] = {0}, sum = 0, first = 0, t;
     matrix_at(f, xi, eta, m);
-    bool found = true;
     if (n == 1) {
         t = invert_line(f, xi, eta);
     } else {
-        found = null_vector(n, m, v);
+        null_vector(n, m, v);
         for (int j = 0; j < n; j++) { /* in the basis of degree n - 1 t is sum j v / (n - 1) */
             sum += v[j];
             first += j * v[j] / (n - 1);
         }
         t = first / sum;
     }
-    /* Half of the digits, as for the equation. */
-    if (!found || !isfinite(t) || !(miss_at(f, t, xi, eta) <= 1e-6))
+    /* Half of the digits, as for the equation; NaN of a t that is none misses too. */
+    if (!(miss_at(f, t, xi, eta) <= 1e-6))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "(%g, %g) has no one parameter: it is not on the curve, or the curve "
                         "crosses itself there",

@@ -94,7 +94,7 @@ static batten_status follow_finely(bat_follower *f, const bat_station *start, do
         f->tolerance = finest;
         finest /= TIMES_FINER;
         status = follow_ways(f, start, &now);
-        if (status == BATTEN_OK && i > 0 && !is_other(&before, &now))
+        if (status == BATTEN_OK && !is_other(&before, &now))
             *error = line_error(&before, &now);
     }
     release_ways(&before);

@@ -98,11 +98,26 @@ TEST(fields_of_normals_have_no_value_where_there_is_no_tangent_plane)
     static const struct {
         double su[3], sv[3];
         bool is_plane;
-    } rows[] = {{{1, 0, 0}, {0, 1, 0}, true},        {{1, 0, 0}, {1e-9, 1e-9, 0}, true},
-                {{0, 0, 0}, {0, 1, 0}, false},       {{1, 0, 0}, {0, 0, 0}, false},
-                {{1, 2, 3}, {-2, -4, -6}, false},    {{1, 0, 0}, {0, 1e-14, 0}, false},
-                {{1e-14, 0, 0}, {0, 1, 0}, false},   {{HUGE_VAL, 0, 0}, {0, 1, 0}, false},
-                {{1, 0, 0}, {0, HUGE_VAL, 0}, false}};
+    } rows[] = {
+        {{1, 0, 0}, {0, 1, 0}, true},
+        {{1, 0, 0}, {1e-9, 1e-9, 0}, true},
+        {{0, 0, 0}, {0, 1, 0}, false},
+        {{1, 0, 0}, {0, 0, 0}, false},
+        {{1, 2, 3}, {-2, -4, -6}, false},
+        {{1, 0, 0}, {0, 1e-14, 0}, false},
+        {{1e-14, 0, 0}, {0, 1, 0}, false},
+        {{HUGE_VAL, 0, 0}, {0, 1, 0}, false},
+        {{1, 0, 0}, {0, HUGE_VAL, 0}, false},
+        /* on either side of 64 roundings of a right angle, and of 4096 of sqrt 3, the distance */
+        {{1, 0, 0}, {1, 60 * DBL_EPSILON, 0}, false},
+        {{1, 0, 0}, {1, 68 * DBL_EPSILON, 0}, true},
+        {{3, 0, 0}, {5, 300 * DBL_EPSILON, 0}, false},
+        {{1, 0, 0}, {0, 7090 * DBL_EPSILON, 0}, false},
+        {{1, 0, 0}, {0, 7100 * DBL_EPSILON, 0}, true},
+        {{7090 * DBL_EPSILON, 0, 0}, {0, 1, 0}, false},
+        {{7100 * DBL_EPSILON, 0, 0}, {0, 1, 0}, true},
+        {{4, 0, 0}, {0, 16380 * DBL_EPSILON, 0}, false},
+        {{4, 0, 0}, {0, 16390 * DBL_EPSILON, 0}, true}};
     const batten_surface_field field = {BATTEN_FIELD_ISOPHOTE, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
     for (int i = 0; i < COUNT(rows); i++) {
         double derivatives[BATTEN_SURFACE_DERIVATIVES(2) * 3] = {1, 1, 1}, gradient[2];

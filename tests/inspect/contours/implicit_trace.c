@@ -212,3 +212,36 @@ TEST(a_field_or_a_gradient_that_is_not_finite_is_refused_with_its_place)
         CHECK_INT(trace.lines.count, 7);
     }
 }
+
+/* x y over [-1, 1]^2, but no number at one place, in its value or in a gradient. */
+typedef struct {
+    double x, y;
+    int what; /* 0: the value, 1 and 2: the gradient */
+} hole;
+
+static double saddle_with_a_hole(const void *context, double x, double y, double *g)
+{
+    const hole *h = context;
+    const bool is_there = x == h->x && y == h->y;
+    g[0] = is_there && h->what == 1 ? NAN : y;
+    g[1] = is_there && h->what == 2 ? HUGE_VAL : x;
+    return is_there && h->what == 0 ? NAN : x * y + 1e-3;
+}
+
+/* At a node, in the middle of a crossed edge, and in the middle of a cell with four crossed edges. */
+TEST(a_field_that_is_no_number_where_it_is_asked_is_refused)
+{
+    static const double places[3][2] = {{1, -1}, {0, -1}, {0, 0}};
+    const batten_box window = {{-3, -3, 0}, {3, 3, 0}};
+    for (int i = 0; i < 3; i++)
+        for (int what = 0; what < 3; what++) {
+            const hole h = {places[i][0], places[i][1], what};
+            char says[60];
+            batten_trace trace = {{7, NULL}, 0, NULL};
+            snprintf(says, sizeof says, "the field at (%g, %g) is ", h.x, h.y);
+            CHECK_STATUS(batten_trace_field(saddle_with_a_hole, &h, window, 3, 1e-3, &trace),
+                         BATTEN_NOT_FINITE);
+            CHECK_MESSAGE(says);
+            CHECK_INT(trace.lines.count, 7);
+        }
+}

@@ -3,6 +3,8 @@
 
 #include "support/test.h"
 
+#include <stdlib.h>
+
 enum { ROWS = 97 };
 
 /* A search along the x axis, over u in [2, 5], with rows at even places of 0 .. 9.6. */
@@ -217,4 +219,22 @@ TEST(arcs_lead_from_a_held_end_towards_the_middle_of_the_band)
         CHECK_INT(bat_smooth_leads_in(&b.search, rows[i].lean, false), rows[i].leaves);
         CHECK_INT(bat_smooth_leads_in(&b.search, rows[i].lean, true), rows[i].arrives);
     }
+}
+
+/* The rows at both ends are those of the neighbours. */
+TEST(every_row_between_the_ends_of_a_short_arc_is_looked_at_and_no_other)
+{
+    for (int to = 12; to <= 40; to++)
+        for (int moved = 8; moved <= to + 2; moved++) {
+            bench b;
+            batten_biarc line = {.count = 1};
+            begin_bench(&b);
+            const double start[] = {0, 0};
+            bat_arc_span(start, 9.6, 0, 0, &line.arcs[0]);
+            /* Neighbours lead to it. */
+            for (int i = moved - 4; i <= moved + 4; i++)
+                b.rows[i].point[1] = 0.0095 - 0.0005 * abs(i - moved);
+            b.rows[moved].point[1] = 0.011;
+            CHECK_INT(bat_smooth_fits(&b.search, &line, 10, to), moved <= 10 || moved >= to);
+        }
 }

@@ -191,3 +191,26 @@ TEST(a_loop_reports_every_lack_of_memory)
     batten_curve_unref(bend);
     hole_free(&h);
 }
+
+/* On either side of a millionth of the derivative. */
+TEST(a_side_is_divided_where_its_derivative_jumps_by_more_than_rounding)
+{
+    static const double sides[2][2][3] = {{{1, 1, 1}, {5, 1, 1}}, {{5, 1, 1}, {5, 3, 2}}},
+                        knots[5] = {0, 0, 1, 2, 2};
+    for (int more = 0; more < 2; more++) {
+        const double off = (more ? 1.05e-6 : 0.95e-6) * sqrt(5.25) / 2;
+        const double points[3][3] = {{5, 3, 2}, {3, 2, 1.5 + off}, {1, 1, 1}};
+        hole h = {0};
+        bat_fill_loop loop = {0};
+        batten_surface_fill_report report = {0};
+        for (int i = 0; i < 2; i++)
+            hole_add(&h, 1, sides[i][0], 1, NULL);
+        CHECK_OK(batten_curve_create((batten_points){3, 3, points[0]}, 1, NULL, knots,
+                                     &h.curves[2]));
+        h.ribbons[h.count++] = (batten_ribbon){h.curves[2], NULL, NULL};
+        CHECK_OK(bat_fill_loop_make(3, h.ribbons, 0.03, &report, &loop));
+        CHECK_INT(loop.count, 3 + more);
+        bat_fill_loop_free(&loop);
+        hole_free(&h);
+    }
+}
