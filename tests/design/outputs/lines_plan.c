@@ -39,3 +39,27 @@ TEST(stations_stand_where_they_are_asked_for)
     };
     EXPECT_OUTPUTS(hull, rows);
 }
+
+TEST(a_plan_takes_title_size_and_diagonals_from_its_parameters)
+{
+    static const expect_row rows[] = {
+        {"l.svg: {lines-plan: boat, stations: 1, waterlines: 0.5, buttocks: 1}", BATTEN_OK,
+         "width=\"1684pt\" height=\"1191pt\""},
+        {"l.svg: {lines-plan: boat, stations: 1, width: 700, height: 500}", BATTEN_OK,
+         "width=\"700pt\" height=\"500pt\""},
+        {"l.dxf: {lines-plan: boat, stations: 1, title: Ketch}", BATTEN_OK, "\nKetch"},
+        {"l.dxf: {lines-plan: boat, stations: 1}", BATTEN_OK, "!\nKetch"},
+        {"l.dxf: {lines-plan: boat, waterlines: 0.5, buttocks: 1, diagonals: 0}", BATTEN_OK,
+         "!\ndiagonals\n 10"},
+        {"l.dxf: {lines-plan: boat, waterlines: 0.5, buttocks: 1, diagonal-at: [0.8, 1.2], "
+         "diagonal-angle: [30 deg, 60 deg]}",
+         BATTEN_OK, "\ndiagonals\n 10"},
+        {"l.eps: {lines-plan: boat}", BATTEN_UNSUPPORTED,
+         "'l.eps' must end in .pdf, .svg, .png or .dxf"},
+        {"l.svg: {lines-plan: boat, diagonal-at: [1, 1.1, 1.2], diagonal-angle: [30 deg, 40 "
+         "deg]}",
+         BATTEN_BAD_ARGUMENT,
+         "2 angles for 3 diagonals: give one for all, or one for each"},
+    };
+    EXPECT_OUTPUTS(hull, rows);
+}
