@@ -60,3 +60,133 @@ TEST(bounds_below_zero_are_refused)
     CHECK_STATUS(batten_body_joins(box, &bounds, NULL, &joins), BATTEN_BAD_ARGUMENT);
     batten_body_unref(box);
 }
+
+TEST(worst_places_lie_on_their_edges)
+{
+    batten_body *box = test_box((batten_vec3){5, 6, 7}, (batten_vec3){6, 8, 10});
+    batten_joins joins = joins_of(box);
+    const batten_body_parts *p = batten_body_view(box);
+    for (int i = 0; i < joins.count; i++) {
+        const double *a = p->vertices + 3 * (size_t)p->edges[i].vertices[0],
+                     *b = p->vertices + 3 * (size_t)p->edges[i].vertices[1];
+        const batten_vec3 at = joins.at[i].angle.at;
+        const double x[3] = {at.x, at.y, at.z};
+        for (int k = 0; k < 3; k++) {
+            CHECK(x[k] >= fmin(a[k], b[k]) - 1e-12);
+            CHECK(x[k] <= fmax(a[k], b[k]) + 1e-12);
+        }
+    }
+    batten_joins_release(&joins);
+    batten_body_unref(box);
+}
+
+/* Two square plates from (0, 0) to (1, 1) and to (-1, 1), the second turned up about x = 0 by an angle; the third
+ * one hangs down. All border the edge between (0, 0) and (0, 1). */
+static batten_body *folded_plates(double angle, int plates)
+{
+    const double c = cos(angle), s = sin(angle);
+    const double vertices[] = {0,  0, 0, 0,  1, 0, 1, 0, 0,  1, 1, 0,
+                               -c, 0, s, -c, 1, s, 0, 0, -1, 0, 1, -1};
+    static const int ends[10][2] = {{0, 1}, {0, 2}, {2, 3}, {3, 1}, {0, 4},
+                                    {4, 5}, {5, 1}, {0, 6}, {6, 7}, {7, 1}};
+    batten_body_edge edges[10];
+    batten_body_use uses[12];
+    batten_body_loop loops[3];
+    batten_body_face faces[3];
+    static const double knots[] = {0, 0, 1, 1};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_body *made = NULL;
+    batten_curve *lines[10];
+    batten_surface *sheets[3];
+    for (int e = 0; e < 3 * plates + 1; e++) {
+        batten_curve *line = NULL;
+        CHECK_OK(
+            batten_curve_line(3, vertices + 3 * ends[e][0], vertices + 3 * ends[e][1], &line));
+        lines[e] = line;
+        edges[e] = (batten_body_edge){.curve = line, .vertices = {ends[e][0], ends[e][1]}};
+    }
+    for (int f = 0; f < plates; f++) {
+        const bool back = f == 1; /* the edge in the middle runs once each way */
+        double net[12];
+        batten_surface *surface = NULL;
+        memcpy(net, vertices, 6 * sizeof *net);
+        memcpy(net + 6, vertices + 6 * (f + 1), 6 * sizeof *net);
+        CHECK_OK(batten_surface_create(3, &axis, &axis, net, NULL, &surface));
+        sheets[f] = surface;
+        for (int i = 0; i < 4; i++) {
+            const int edge = i == 3 ? 0 : 3 * f + 1 + i;
+            const bool reversed = i == 3;
+            uses[4 * f + (back ? 3 - i : i)] = (batten_body_use){edge, reversed != back, NULL};
+        }
+        loops[f] = (batten_body_loop){4 * f, 4};
+        faces[f] = (batten_body_face){
+            .name = "plate", .surface = surface, .first = f, .count = 1, .reversed = back};
+    }
+    const batten_body_shell shell = {0, plates, false};
+    CHECK_OK(batten_body_create(&(batten_body_parts){.vertex_count = 2 + 2 * plates,
+                                                     .vertices = vertices,
+                                                     .edge_count = 3 * plates + 1,
+                                                     .edges = edges,
+                                                     .use_count = 4 * plates,
+                                                     .uses = uses,
+                                                     .loop_count = plates,
+                                                     .loops = loops,
+                                                     .face_count = plates,
+                                                     .faces = faces,
+                                                     .shell_count = 1,
+                                                     .shells = &shell,
+                                                     .tolerance = 1e-6},
+                                &made));
+    for (int e = 0; e < 3 * plates + 1; e++)
+        batten_curve_unref(lines[e]);
+    for (int f = 0; f < plates; f++)
+        batten_surface_unref(sheets[f]);
+    return made;
+}
+
+TEST(plates_join_along_their_common_edge_alone_by_the_angle_of_their_fold)
+{
+    static const double angles[] = {0, 0.25, 1, 2.5};
+    for (int i = 0; i < COUNT(angles); i++) {
+        batten_body *body = folded_plates(angles[i], 2);
+        batten_joins joins = joins_of(body);
+        CHECK_INT(joins.count, 1);
+        CHECK_INT(joins.at[0].edge, 0);
+        CHECK_INT(joins.at[0].shape[0], 0);
+        CHECK_INT(joins.at[0].shape[1], 1);
+        CHECK_NEAR(joins.at[0].angle.value, angles[i], 1e-12);
+        CHECK_NEAR(joins.at[0].gap.value, 0, 1e-15);
+        CHECK_INT(joins.at[0].geometric, i ? 0 : 3);
+        batten_joins_release(&joins);
+        batten_body_unref(body);
+    }
+}
+
+TEST(an_edge_of_one_face_or_of_three_joins_nothing)
+{
+    for (int plates = 1; plates <= 3; plates += 2) {
+        batten_body *body = folded_plates(1, plates);
+        batten_joins joins = joins_of(body);
+        CHECK_INT(joins.count, 0);
+        batten_joins_release(&joins);
+        batten_body_unref(body);
+    }
+}
+
+TEST(without_a_bound_gaps_are_those_of_the_body_and_joins_are_left_alone_on_failure)
+{
+    batten_curve_continuity_options bounds = batten_curve_continuity_defaults();
+    batten_body *body = folded_plates(0.25, 2);
+    batten_joins joins = {7, NULL, true};
+    bounds.gap = 0.5;
+    bounds.angle = 0.3;
+    CHECK_OK(batten_body_joins(body, &bounds, NULL, &joins));
+    CHECK_INT(joins.count, 1);
+    CHECK_INT(joins.at[0].geometric, 3);
+    batten_joins_release(&joins);
+    joins = (batten_joins){7, NULL, true};
+    bounds.angle = -1;
+    CHECK_STATUS(batten_body_joins(body, &bounds, NULL, &joins), BATTEN_BAD_ARGUMENT);
+    CHECK(joins.count == 7 && !joins.at && joins.left_out);
+    batten_body_unref(body);
+}

@@ -58,8 +58,7 @@ TEST(a_plan_takes_title_size_and_diagonals_from_its_parameters)
          "'l.eps' must end in .pdf, .svg, .png or .dxf"},
         {"l.svg: {lines-plan: boat, diagonal-at: [1, 1.1, 1.2], diagonal-angle: [30 deg, 40 "
          "deg]}",
-         BATTEN_BAD_ARGUMENT,
-         "2 angles for 3 diagonals: give one for all, or one for each"},
+         BATTEN_BAD_ARGUMENT, "2 angles for 3 diagonals: give one for all, or one for each"},
     };
     EXPECT_OUTPUTS(hull, rows);
 }

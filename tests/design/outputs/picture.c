@@ -52,7 +52,8 @@ TEST(shading_and_line_drawings_exclude_each_other_and_need_surfaces)
     static const expect_row rows[] = {
         {"p.png: {picture: hill, shading: zebra, hidden: dashed}", BATTEN_BAD_ARGUMENT, both},
         {"p.png: {picture: hill, shading: zebra, silhouettes: yes}", BATTEN_BAD_ARGUMENT, both},
-        {"p.png: {picture: hill, shading: zebra, contours: gaussian}", BATTEN_BAD_ARGUMENT, both},
+        {"p.png: {picture: hill, shading: zebra, contours: gaussian}", BATTEN_BAD_ARGUMENT,
+         both},
         {"p.png: {picture: hill, shading: zebra, sheet: stereo}", BATTEN_BAD_ARGUMENT, both},
         {"p.png: {picture: hill, shading: zebra, distance: 4}", BATTEN_BAD_ARGUMENT, both},
         {"p.svg: {picture: wave, hidden: dropped}", BATTEN_BAD_ARGUMENT, needed},

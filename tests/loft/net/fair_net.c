@@ -364,18 +364,59 @@ TEST(what_a_net_cannot_be_is_refused_with_its_place_and_number)
     options.hold = 4;
     check_refused(grid_of(points), options, BATTEN_BAD_ARGUMENT, "4 rows are to be held");
     options = fine;
+    options.hold = -1;
+    check_refused(grid_of(points), options, BATTEN_BAD_ARGUMENT,
+                  "-1 rows are to be held at the rim, not 0 to 3");
+    options = fine;
     options.method = (batten_net_fair_method)7;
     check_refused(grid_of(points), options, BATTEN_BAD_ARGUMENT, "no method 7");
+    options.method = (batten_net_fair_method)-1;
+    check_refused(grid_of(points), options, BATTEN_BAD_ARGUMENT, "no method -1");
+    options.method = (batten_net_fair_method)(BATTEN_NET_FAIR_LEAST_CHANGE + 1);
+    check_refused(grid_of(points), options, BATTEN_BAD_ARGUMENT, "there is no method");
+    options = fine;
+    options.within = NAN;
+    check_refused(grid_of(points), options, BATTEN_BAD_ARGUMENT, "it must be above 0");
+    options = fine;
+    within[2 * NV + 5] = INFINITY;
+    options.within_each = within;
+    check_refused(grid_of(points), options, BATTEN_BAD_ARGUMENT,
+                  "the bound of point 3 of row 6 is inf; it must be 0 or above");
     options = fine;
     options.parameters = BATTEN_GIVEN;
     check_refused(grid_of(points), options, BATTEN_BAD_ARGUMENT, "cannot be given");
     options = uniform(0.1, BATTEN_NET_FAIR_LEAST_CHANGE);
     options.closed_v = true;
     check_refused(grid_of(points), options, BATTEN_UNSUPPORTED, "the net closes");
+    options.closed_u = true;
+    check_refused(grid_of(points), options, BATTEN_UNSUPPORTED, "the net closes");
     options.closed_v = false;
+    check_refused(grid_of(points), options, BATTEN_UNSUPPORTED, "the net closes");
+    options.closed_u = false;
     sheet(32, 32, points);
     check_refused((batten_grid){3, 32, 32, points}, options, BATTEN_UNSUPPORTED,
                   "32 x 32 points");
     points[3 * (NV + 2)] = NAN;
     check_refused(grid_of(points), fine, BATTEN_NOT_FINITE, "");
+}
+
+TEST(the_smallest_net_may_hold_its_rim_and_have_bounds_of_nothing)
+{
+    double points[3 * 16], faired[3 * 16], within[16] = {0};
+    batten_net_fair_options options = uniform(0.1, BATTEN_NET_FAIR_ENERGY);
+    sheet(4, 4, points);
+    options.hold = 1;
+    CHECK_OK(
+        batten_fair_net((batten_grid){3, 4, 4, points}, &options, NULL, NULL, faired, NULL));
+    for (int n = 0; n < 16; n++) {
+        const int i = n / 4, j = n % 4;
+        if (i == 0 || i == 3 || j == 0 || j == 3)
+            CHECK_BITS(moved(points, faired, n), 0);
+    }
+    options.hold = 0;
+    options.within_each = within;
+    CHECK_OK(
+        batten_fair_net((batten_grid){3, 4, 4, points}, &options, NULL, NULL, faired, NULL));
+    for (int n = 0; n < 16; n++)
+        CHECK_BITS(moved(points, faired, n), 0);
 }

@@ -310,8 +310,7 @@ static int put_solid(bat_step *step, const char *name, const int *shells, int co
     const int id = bat_step_open(step, count > 1 ? "BREP_WITH_VOIDS" : "MANIFOLD_SOLID_BREP");
     bat_step_string(step, name, ",");
     bat_step_id(step, shells[0], count > 1 ? ",(" : "");
-    if (count > 1)
-        bat_step_range(step, first, count - 1, ")");
+    bat_step_range(step, first, count - 1, ")");
     bat_step_close(step);
     return id;
 }

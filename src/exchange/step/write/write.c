@@ -88,19 +88,9 @@ static batten_status write_points(bat_step_writing *w, const batten_object *obje
     return status == BATTEN_OK ? bat_step_mark(w, object, set) : status;
 }
 
-static void leave_mesh_out(const bat_step_writing *w, const batten_object *object)
-{
-    batten_notes_add(w->step.notes, "", 0, object->name,
-                     "left out: this mesh needs schema ap242 (--schema ap242), which alone "
-                     "has meshes");
-}
-
+/* Of a schema that has meshes; from a model for another one they were taken out before. */
 static batten_status write_mesh(bat_step_writing *w, const batten_object *object, contents *c)
 {
-    if (w->options->schema != BATTEN_STEP_AP242) {
-        leave_mesh_out(w, object);
-        return BATTEN_OK;
-    }
     if (batten_mesh_view(object->mesh)->triangle_count == 0)
         return BATTEN_OK;
     const int id = bat_step_put_mesh(&w->step, object->name, object->mesh);

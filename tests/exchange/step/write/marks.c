@@ -137,3 +137,64 @@ TEST(meshes_go_with_AP242_only)
     batten_mesh_unref(mesh);
     batten_model_unref(model);
 }
+
+/* The date of the file where it has the form of the standard; else a neutral one, never a part of it. */
+TEST(dates_of_AP203_are_whole_or_neutral)
+{
+    static const struct {
+        const char *date, *day, *time;
+    } rows[] = {
+        {"2026-11-21T10:25:30", "CALENDAR_DATE(2026,21,11)", "LOCAL_TIME(10,25,30.,#"},
+        {"1987-06-05T04:03:02", "CALENDAR_DATE(1987,5,6)", "LOCAL_TIME(4,3,2.,#"},
+        {NULL, "CALENDAR_DATE(2000,1,1)", "LOCAL_TIME(0,0,0.,#"},
+        {"2026-11-21 10:25:30", "CALENDAR_DATE(2000,1,1)", "LOCAL_TIME(0,0,0.,#"},
+        {"2026-11-21T10:25:3", "CALENDAR_DATE(2000,1,1)", "LOCAL_TIME(0,0,0.,#"},
+        {"2026-1:-21T10:25:30", "CALENDAR_DATE(2000,1,1)", "LOCAL_TIME(0,0,0.,#"},
+        {"2026-1/-21T10:25:30", "CALENDAR_DATE(2000,1,1)", "LOCAL_TIME(0,0,0.,#"},
+        {"", "CALENDAR_DATE(2000,1,1)", "LOCAL_TIME(0,0,0.,#"},
+    };
+    batten_model *model = marked_model();
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_write_options options = batten_write_defaults();
+        char *data = NULL;
+        size_t size = 0;
+        options.format = BATTEN_FORMAT_STEP;
+        options.schema = BATTEN_STEP_AP203;
+        options.date = rows[i].date;
+        CHECK_OK(batten_write_memory(model, &options, NULL, &data, &size));
+        step_check(data);
+        CHECK_CONTAINS(data, rows[i].day);
+        CHECK_CONTAINS(data, rows[i].time);
+        batten_release(data);
+    }
+    batten_model_unref(model);
+}
+
+/* More colours than are remembered, twice: each is written, and those that repeat at once only once. */
+TEST(colours_that_repeat_are_written_once_while_they_are_remembered)
+{
+    enum { COLOURS = 40 };
+    const double point[] = {1, 2, 3};
+    for (int twice = 1; twice <= 2; twice++) {
+        batten_model *model = NULL;
+        CHECK_OK(batten_model_create(1, &model));
+        for (int i = 0; i < COLOURS * twice; i++) {
+            batten_object data = {.name = "p",
+                                  .has_colour = true,
+                                  .kind = BATTEN_OBJECT_POINTS,
+                                  .point_count = 1,
+                                  .points = point};
+            data.colour[0] = i / twice / 64.;
+            data.colour[1] = 0.25;
+            data.colour[2] = 1;
+            CHECK_OK(batten_model_add(model, &data));
+        }
+        const char *text = step_text(model, NULL);
+        step_check(text);
+        CHECK_INT(step_count(text, "POINT_STYLE"), COLOURS);
+        CHECK_INT(step_count(text, "STYLED_ITEM"), COLOURS * twice);
+        CHECK_INT(step_count(text, "COLOUR_RGB"), COLOURS);
+        CHECK_CONTAINS(text, "COLOUR_RGB('',0.609375,0.25,1.)");
+        batten_model_unref(model);
+    }
+}
