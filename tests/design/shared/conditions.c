@@ -1,4 +1,5 @@
 #include "design/evaluate.h"
+#include "design/expect.h"
 
 /* Least squares under conditions, and robust, as a user writes them. */
 
@@ -118,4 +119,43 @@ TEST(least_squares_says_what_cannot_be_met)
         CHECK(status != BATTEN_OK);
         CHECK_MESSAGE(rows[i].says);
     }
+}
+
+TEST(conditions_out_of_place_are_refused_by_their_whole_sentence)
+{
+    static const char ducks[] =
+        "  ducks: {points: [[0, 0], [1, 1], [2, -1], [3, 1], [4, 0]]}\n";
+    static const expect_row rows[] = {
+        {"{least-squares: ducks, points: 4, start-direction: [1, 0], closed: yes}",
+         BATTEN_BAD_ARGUMENT, "a closed curve has no ends: 'start-direction'"},
+        {"{least-squares: ducks, points: 4, end-direction: [1, 0], closed: yes}",
+         BATTEN_BAD_ARGUMENT, "a closed curve has no ends: 'end-direction'"},
+        {"{least-squares: ducks, points: 4, pass: [[1, 1.5]]}", BATTEN_BAD_ARGUMENT,
+         "point 1 of 'pass' is not one of the points: the nearest, point 2, is 0.5 away"},
+        {"{least-squares: ducks, points: 4, pass: [[1, 1], [4.03, 0.04]]}", BATTEN_BAD_ARGUMENT,
+         "point 2 of 'pass' is not one of the points: the nearest, point 5, is 0.05 away"},
+        {"{least-squares: ducks, points: 4, pass: [[0, 0]]}", BATTEN_OK, "at 0 0 0 0"},
+        {"{least-squares: ducks, points: 4, over: [[1, 1]]}", BATTEN_BAD_ARGUMENT,
+         "'over' is for functions: add 'as: function'"},
+        {"{least-squares: ducks, points: 4, under: [[1, 1]]}", BATTEN_BAD_ARGUMENT,
+         "'under' is for functions: add 'as: function'"},
+        {"{least-squares: ducks, points: 4, shape: convex}", BATTEN_BAD_ARGUMENT,
+         "'shape' is for functions: add 'as: function'"},
+        {"{least-squares: ducks, points: 4, side: over}", BATTEN_BAD_ARGUMENT,
+         "'side' is for functions: add 'as: function'"},
+        {"{least-squares: ducks, points: 4, within: 0}", BATTEN_BAD_ARGUMENT,
+         "'within' is 0; it must be above 0"},
+        {"{least-squares: ducks, points: 4, as: function, start-direction: [0, 1]}",
+         BATTEN_BAD_ARGUMENT,
+         "'start-direction' must go forward along the abscissa of the function"},
+        {"{least-squares: ducks, points: 4, as: function, end-direction: [-1, 1]}",
+         BATTEN_BAD_ARGUMENT,
+         "'end-direction' must go forward along the abscissa of the function"},
+        {"{least-squares: ducks, points: 4, as: function, start-direction: [2, 1], "
+         "end-direction: [1, 3]}",
+         BATTEN_OK, "heads 0 0.8944271909999159 0.447213595499958 0;heads 1 0.3162277660168379 0.9486832980505138 0"},
+        {"{least-squares: ducks, points: 4, start-direction: [0, 1], end-direction: [1, 1]}",
+         BATTEN_OK, "heads 0 0 1 0;heads 1 0.7071067811865476 0.7071067811865476 0"},
+    };
+    EXPECT(ducks, rows);
 }

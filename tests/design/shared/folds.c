@@ -39,3 +39,12 @@ TEST(what_is_bent_or_sharp_or_has_a_pole_is_no_fold)
     };
     EXPECT(lines, rows);
 }
+
+TEST(one_surface_that_folds_is_not_said_to_be_several)
+{
+    static const expect_row rows[] = {
+        {"{ruled: [la, lb]}", BATTEN_OK,
+         "notes keep their order and do not cross;lacks other surfaces fold too"},
+    };
+    EXPECT(lines, rows);
+}

@@ -1,4 +1,5 @@
 #include "design/evaluate.h"
+#include "design/expect.h"
 
 #include <batten/base.h>
 
@@ -146,4 +147,21 @@ TEST(g3_what_local_methods_cannot_keep_is_noted)
         CHECK(said);
         batten_notes_free(notes);
     }
+}
+
+TEST(as_many_vectors_as_points_are_needed)
+{
+    static const char ducks[] =
+        "  ducks: {points: [[0, 0], [1, 1], [2, -1], [3, 1], [4, 0]]}\n";
+    static const expect_row rows[] = {
+        {"{hermite: ducks, tangents: [[1, 0]]}", BATTEN_BAD_ARGUMENT,
+         "'tangents' has 1 vector for 5 points"},
+        {"{hermite: ducks, tangents: [[1, 0], [1, 0]]}", BATTEN_BAD_ARGUMENT,
+         "'tangents' has 2 vectors for 5 points"},
+        {"{tangents-and-curvatures: ducks, tangents: [[1, 0]]}", BATTEN_BAD_ARGUMENT,
+         "'tangents' has 1 vector for 5 points"},
+        {"{hermite: ducks, tangents: [[1, 0], [1, 0], [0, 2], [1, 0], [1, 0]]}", BATTEN_OK,
+         "passes;heads 0 1 0 0;heads 1 1 0 0"},
+    };
+    EXPECT(ducks, rows);
 }

@@ -1,3 +1,4 @@
+#include "design/shared/solids.h"
 #include "design/expect.h"
 #include "support/bodies.h"
 
@@ -67,4 +68,94 @@ TEST(a_box_has_its_area_volume_centroid_and_counts)
     };
     write_box();
     EXPECT_OUTPUTS(solids, rows);
+}
+
+/* ---- faults ---- */
+
+static void set_fault(batten_body_faults *f, int which, int count)
+{
+    int *const all[] = {&f->shared_edges, &f->free_edges, &f->wrong_edges, &f->crowded_edges,
+                        &f->tiny_edges,   &f->gaps,       &f->loose,       &f->crossing_loops,
+                        &f->poles,        &f->seams,      &f->close_knots, &f->open_shells,
+                        &f->turned_shells};
+    *all[which] = count;
+}
+
+static const struct {
+    const char *one, *two, *key;
+    bool holds;
+} faults_of_bodies[] = {
+    {"1 shared edge", "2 shared edges", "shared_edges", true},
+    {"1 free edge", "2 free edges", "free_edges", true},
+    {"1 edge between faces turned against each other",
+     "2 edges between faces turned against each other", "wrong_edges", false},
+    {"1 edge of more than two faces", "2 edges of more than two faces", "crowded_edges", false},
+    {"1 edge shorter than that", "2 edges shorter than that", "tiny_edges", true},
+    {"1 end that misses its vertex; gaps up to 0.25",
+     "2 ends that miss their vertices; gaps up to 0.25", "gaps", false},
+    {"1 edge off its face; edges up to 0.5 off", "2 edges off their faces; edges up to 0.5 off",
+     "loose", false},
+    {"1 loop that crosses", "2 loops that cross", "crossing_loops", false},
+    {"1 pole", "2 poles", "poles", true},
+    {"1 seam", "2 seams", "seams", true},
+    {"1 curve or surface with close knots", "2 curves and surfaces with close knots",
+     "close_knots", true},
+    {"1 shell marked as closed that is open", "2 shells marked as closed that are open",
+     "open_shells", false},
+    {"1 shell turned inside out", "2 shells turned inside out", "turned_shells", false}};
+
+static void check_texts(const batten_object *object, const bat_solid_faults *faults,
+                        const char *text, const char *json)
+{
+    batten_text said = BATTEN_TEXT, written = BATTEN_TEXT;
+    bat_solid_text(object, faults, &said);
+    bat_solid_json(object, faults, &written);
+    if (!said.failed)
+        CHECK_TEXT(said.bytes, text);
+    if (!written.failed)
+        CHECK_CONTAINS(written.bytes, json);
+    batten_text_free(&said);
+    batten_text_free(&written);
+}
+
+TEST(each_fault_of_a_body_has_its_words_and_its_verdict)
+{
+    const batten_object body = {.name = "b", .kind = BATTEN_OBJECT_BODY};
+    for (int k = 0; k < COUNT(faults_of_bodies); k++)
+        for (int count = 1; count <= 2; count++) {
+            bat_solid_faults faults = {.tolerance = 0.125};
+            char text[200], json[200];
+            faults.body.largest_gap = 0.25;
+            faults.body.largest_miss = 0.5;
+            set_fault(&faults.body, k, count);
+            CHECK(bat_solid_holds(&body, &faults) == faults_of_bodies[k].holds);
+            snprintf(text, sizeof text, "    within 0.125: %s\n",
+                     count == 1 ? faults_of_bodies[k].one : faults_of_bodies[k].two);
+            snprintf(json, sizeof json, "\"%s\": %d", faults_of_bodies[k].key, count);
+            check_texts(&body, &faults, text, json);
+            snprintf(json, sizeof json,
+                     ", \"holds\": %s, \"tolerance\": 0.125, \"shared_edges\": ",
+                     faults_of_bodies[k].holds ? "true" : "false");
+            check_texts(&body, &faults, text, json);
+            check_texts(&body, &faults, text, ", \"largest_gap\": 0.25, \"largest_miss\": 0.5");
+        }
+}
+
+TEST(a_mesh_holds_when_it_is_closed)
+{
+    const batten_object mesh = {.name = "m", .kind = BATTEN_OBJECT_MESH};
+    for (int closed = 0; closed < 2; closed++) {
+        bat_solid_faults faults = {.tolerance = 0.125};
+        faults.mesh.is_watertight = closed;
+        faults.mesh.pieces = 1;
+        faults.mesh.flat_triangles = 2;
+        CHECK(bat_solid_holds(&mesh, &faults) == closed);
+        check_texts(&mesh, &faults,
+                    closed ? "    closed; 2 triangles without area, 1 piece\n"
+                           : "    not closed; 2 triangles without area, 1 piece\n",
+                    closed ? ", \"holds\": true, \"closed\": true, \"rim_edges\": 0, "
+                             "\"wrong_edges\": 0, \"crowded_edges\": 0, \"flat_triangles\": 2, "
+                             "\"loose_vertices\": 0, \"pieces\": 1"
+                           : ", \"holds\": false, \"closed\": false, \"rim_edges\": 0");
+    }
 }

@@ -1,4 +1,5 @@
 #include "design/shared/surface_fit.h"
+#include "design/expect.h"
 
 #include "design/text/document.h"
 #include "support/test.h"
@@ -84,4 +85,20 @@ TEST(a_surface_near_points_is_reported_with_all_its_figures)
         }
         batten_notes_free(notes);
     }
+}
+
+TEST(smoothing_has_one_measure)
+{
+    static const char grid[] =
+        "  grid: {points: [[0, 0, 0], [1, 0, 1], [2, 0, 0], [0, 1, 0], [1, 1, 1], [2, 1, 0], [0, "
+        "2, 0], [1, 2, 1], [2, 2, 0]], columns: 3}\n";
+    static const expect_row rows[] = {
+        {"{fit-grid: grid, rms: 0.1, lambda: 1}", BATTEN_BAD_ARGUMENT,
+         "give either 'rms' or 'lambda', not both"},
+        {"{fit-grid: grid, rms: 0.1}", BATTEN_OK, "notes distance at most 0.141, at (1, 0, 1)"},
+        {"{fit-grid: grid, lambda: 1}", BATTEN_OK,
+         "notes distance at most 0.66, at (1, 0, 1)"},
+        {"{fit-grid: grid, lambda: 0}", BATTEN_OK, "on 0 0 0 0;error 1e-12"},
+    };
+    EXPECT(grid, rows);
 }

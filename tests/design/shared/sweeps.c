@@ -38,3 +38,27 @@ TEST(laws_hold_at_the_ends_and_between)
     };
     EXPECT(shapes, rows);
 }
+
+/* A cone of radius 1 and height 3: pi times the root of 10. */
+TEST(one_point_is_a_section_at_an_end_alone)
+{
+    static const char ends[] = "  ring: {circle: 1}\n"
+                               "  tip: {points: [[0, 0, 3]]}\n"
+                               "  two: {points: [[0, 0, 3], [1, 0, 3]]}\n"
+                               "  low: {line: [[0, 0, 0], [2, 0, 0]]}\n"
+                               "  back: {line: [[2, 0, 1], [0, 0, 1]]}\n"
+                               "  top: {line: [[0, 0, 2], [2, 0, 2]]}\n";
+    static const expect_row rows[] = {
+        {"{skin: [ring, tip]}", BATTEN_OK, "within 1e-6;area 9.934588265796101"},
+        {"{skin: [tip, ring]}", BATTEN_OK, "within 1e-6;area 9.934588265796101"},
+        {"{skin: [ring, two]}", BATTEN_BAD_ARGUMENT,
+         "'two' is 2 points: one point may be the first or the last section; 'interpolate' makes "
+         "a curve through several"},
+        {"{skin: [ring, tip, ring]}", BATTEN_BAD_ARGUMENT,
+         "'tip' is 1 point: one point may be the first or the last section"},
+        {"{skin: [low, back, top]}", BATTEN_OK,
+         "area 4;notes 1 section was reversed, the first of them section 2"},
+        {"{skin: [low, top]}", BATTEN_OK, "area 4;lacks reversed"},
+    };
+    EXPECT(ends, rows);
+}

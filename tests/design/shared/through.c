@@ -199,3 +199,33 @@ TEST(points_that_are_no_function_or_in_no_plane_are_refused_with_their_numbers)
     };
     EXPECT(of_planes, refused);
 }
+
+/* One number stands for all; others are one for each, and points are counted from 1. */
+TEST(lists_of_numbers_and_points_fit_their_rows)
+{
+    static const char ducks[] =
+        "  ducks: {points: [[0, 0], [1, 1], [2, -1], [3, 1], [4, 0]]}\n";
+    static const expect_row lists[] = {
+        {"{tension: ducks, amount: [1, 2]}", BATTEN_BAD_ARGUMENT,
+         "'amount' has 2 numbers for 4 spans"},
+        {"{tension: ducks, amount: 2}", BATTEN_OK, "passes"},
+        {"{tension: ducks, amount: [2, 2, 2, 2]}", BATTEN_OK, "passes"},
+        {"{cardinal: ducks, tension: [1, 2]}", BATTEN_BAD_ARGUMENT,
+         "'tension' has 2 numbers for 5 points"},
+        {"{cardinal: ducks, tension: [1]}", BATTEN_OK, "passes"},
+        {"{least-squares: ducks, points: 4, weights: [1, 2]}", BATTEN_BAD_ARGUMENT,
+         "'weights' has 2 numbers for 5 points"},
+        {"{cornered-spline: ducks, corners: [0]}", BATTEN_BAD_ARGUMENT,
+         "'corners' names point 0; points are counted from 1"},
+        {"{cornered-spline: ducks, corners: [2, 0]}", BATTEN_BAD_ARGUMENT,
+         "'corners' names point 0; points are counted from 1"},
+        {"{cornered-spline: ducks, corners: [2, 9]}", BATTEN_BAD_ARGUMENT,
+         "corner 2 is point 9; of 5 points it may be 1 to 5"},
+        {"{cornered-spline: ducks, corners: [1, 3, 5]}", BATTEN_OK, "passes"},
+        {"{spiro: ducks, corners: [0]}", BATTEN_BAD_ARGUMENT, "points are counted from 1"},
+        {"{fit-within: ducks, within: 0.1, corners: [0]}", BATTEN_BAD_ARGUMENT,
+         "points are counted from 1"},
+        {"{fit-within: ducks, within: 0.1, corners: [3]}", BATTEN_OK, "notes 1 corner"},
+    };
+    EXPECT(ducks, lists);
+}

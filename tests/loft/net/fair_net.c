@@ -1,23 +1,6 @@
-#include "support/test.h"
+#include "loft/net/sheet.h"
 
-#include <batten/fair.h>
-#include <math.h>
 #include <string.h>
-
-enum { NU = 12, NV = 8, NODES = NU * NV };
-
-/* A sheet that bends one way along the rows and the other way nowhere: no section of it turns. */
-static void sheet(int nu, int nv, double *out)
-{
-    for (int i = 0; i < nu; i++)
-        for (int j = 0; j < nv; j++) {
-            const double x = i / (nu - 1.), y = j / (nv - 1.);
-            double *p = out + 3 * (i * nv + j);
-            p[0] = 6 * x;
-            p[1] = 3 * y;
-            p[2] = 1.2 * x * (1 - x) - 0.5 * y * y + 0.1 * x * y;
-        }
-}
 
 /* Each point somewhere in the ball of this radius. */
 static void shake(test_random *random, double radius, int nodes, double *z)
@@ -34,32 +17,12 @@ static void shake(test_random *random, double radius, int nodes, double *z)
     }
 }
 
-static double moved(const double *a, const double *b, int n)
-{
-    const double *p = a + 3 * n, *q = b + 3 * n;
-    return sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
-                (p[2] - q[2]) * (p[2] - q[2]));
-}
-
 static double rms_of(const double *a, const double *b)
 {
     double sum = 0;
     for (int n = 0; n < NODES; n++)
         sum += moved(a, b, n) * moved(a, b, n) / NODES;
     return sqrt(sum);
-}
-
-static batten_net_fair_options uniform(double within, batten_net_fair_method method)
-{
-    batten_net_fair_options options = batten_net_fair_defaults(within);
-    options.parameters = BATTEN_UNIFORM;
-    options.method = method;
-    return options;
-}
-
-static batten_grid grid_of(const double *points)
-{
-    return (batten_grid){3, NU, NV, points};
 }
 
 /* The surface passes through the points where they are uniform. */
