@@ -5,6 +5,7 @@
  */
 #include "loft/rounds.h"
 #include "base/work.h"
+#include "loft/outline/outline.h"
 #include <batten/fair.h>
 
 enum { ROUNDS = 10, ROUNDS_WITHOUT_GAIN = 4, FITS = 6, FITS_OF_GRAPH = 1, MOST_FITS = 10 };
@@ -110,6 +111,8 @@ static batten_status add_rows(const bat_loft *loft, bool signs, double trust,
         status = add_cuts(loft, p);
     if (status == BATTEN_OK)
         status = add_limits(loft, p);
+    if (status == BATTEN_OK)
+        status = bat_loft_add_stems(loft, p);
     if (status == BATTEN_OK && loft->one_side)
         status = add_side(loft, p);
     if (status == BATTEN_OK && trust < HUGE_VAL)
