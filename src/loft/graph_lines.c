@@ -5,7 +5,7 @@
  */
 #include "fair/fairness.h"
 #include "loft/hull.h"
-#include "loft/line.h"
+#include "loft/lines/line.h"
 
 enum { X, Z, SAMPLES = 400, FEWEST = 3 };
 

@@ -5,7 +5,7 @@
  */
 #include "loft/rails.h"
 #include "fair/fairness.h"
-#include "loft/line.h"
+#include "loft/lines/line.h"
 #include "model/offset_table.h"
 
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef BAT_LOFT_RAILS_H
 #define BAT_LOFT_RAILS_H
 #include "loft/hull.h"
-#include "loft/line_program.h"
+#include "loft/lines/line_program.h"
 #include <batten/fair.h>
 
 typedef struct {

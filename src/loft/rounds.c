@@ -5,7 +5,7 @@
  */
 #include "loft/rounds.h"
 #include "base/work.h"
-#include "loft/outline/outline.h"
+#include "loft/outline.h"
 #include <batten/fair.h>
 
 enum { ROUNDS = 10, ROUNDS_WITHOUT_GAIN = 4, FITS = 6, FITS_OF_GRAPH = 1, MOST_FITS = 10 };

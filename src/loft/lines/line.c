@@ -2,7 +2,7 @@
  * A line of a hull made fair. What is sought is the difference from the quadratic nearest to the
  * values: the program for it has small numbers, and what is quadratic stays so.
  */
-#include "loft/line.h"
+#include "loft/lines/line.h"
 #include "fair/sign_pattern.h"
 #include "numeric/banded.h"
 

@@ -1,4 +1,4 @@
-#include "loft/line_program.h"
+#include "loft/lines/line_program.h"
 
 #include "support/test.h"
 

@@ -1,7 +1,7 @@
 /* A line of a hull made fair: a function of one parameter in the knots of the patches beside it. */
 #ifndef BAT_LOFT_LINE_H
 #define BAT_LOFT_LINE_H
-#include "loft/line_program.h"
+#include "loft/lines/line_program.h"
 
 /*
  * f [count]: the function of least change within the bounds, that is with the least sum of the

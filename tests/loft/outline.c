@@ -1,5 +1,5 @@
 /* Double-enders with upright stems: their corners do not fold. */
-#include "loft/outline/outline.h"
+#include "loft/outline.h"
 
 #include "support/test.h"
 #include <batten/fair.h>

@@ -1,5 +1,5 @@
 /* A stem or sternpost in one plane of the table: it runs upwards without turning back. */
-#include "loft/outline/outline.h"
+#include "loft/outline.h"
 
 /* So many samples in a span, and this part of the mean slope at each: the cubic between them does not fall. */
 enum { SAMPLES_OF_SPAN = 4 };

@@ -1,4 +1,4 @@
-#include "loft/line.h"
+#include "loft/lines/line.h"
 
 #include "loft/patch.h"
 #include "spline/spline.h"

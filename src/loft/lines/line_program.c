@@ -1,5 +1,5 @@
 /* The program of a line: squares, rows, and how it is solved. */
-#include "loft/line_program.h"
+#include "loft/lines/line_program.h"
 #include "numeric/banded.h"
 #include "numeric/programs/convex_program.h"
 #include "numeric/vector.h"
