@@ -44,6 +44,8 @@ typedef struct {
     const char *displacing;
     /* Parameters of whose features the points stay beside the result: "path guide". */
     const char *beside;
+    /* Keeps a part of the curves and surfaces of its first parameter: points on the others go. */
+    bool cuts;
     /* Of an output: does "hull.step: hull", without an operation, mean this one? Of several the
      * last of the list is taken. NULL: never. */
     bool (*takes_file)(const char *name);

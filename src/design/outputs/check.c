@@ -106,8 +106,10 @@ const bat_feature bat_feature_check = {
          "closed. The verdict says for what it is made: a curve, a family of curves, a hull or a\n"
          "free surface. Not fair are corners and cusps of curves, creases where edges of surfaces\n"
          "meet (both beyond 'angle'), jumps of curvature (beyond 'curvature'), inflections in\n"
-         "excess, and surfaces that fold over. As JSON, with all digits, when the file ends in\n"
-         ".json.",
+         "excess, and surfaces that fold over. Where the ends of two curves meet, and of no third,\n"
+         "they are one line: its corners and jumps there count. Points on what 'part', 'split',\n"
+         "'trim' and 'select' leave away are left out, and counted. As JSON, with all digits and\n"
+         "numbers from 1, when the file ends in .json.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"

@@ -130,7 +130,8 @@ bool bat_check_is_fair(const bat_check *check)
 {
     const bat_unfairness *u = &check->unfairness;
     return u->corners == 0 && u->curvature_jumps == 0 && u->inflections == 0 &&
-           u->unbounded == 0 && u->creases == 0 && u->edge_jumps == 0 && u->folds == 0;
+           u->unbounded == 0 && u->joint_corners == 0 && u->joint_jumps == 0 &&
+           u->creases == 0 && u->edge_jumps == 0 && u->folds == 0;
 }
 
 /* Inflections in excess of the edges of what was lofted, which no family of sections shows. */
@@ -160,19 +161,27 @@ static bool is_declared(const bat_check *check, const bat_join *join)
            low == v_low && high == v_high;
 }
 
-/* Of whole edges of surfaces. A knuckle that the bound allows, or that is declared, has no common
- * curvature. */
-static void judge_join(bat_check *check, bat_join *join)
+/* Where more than two ends meet nothing says which curves make one line; a curve may begin and end in a corner, as an
+ * aerofoil at its trailing edge. */
+static void judge_ends(bat_check *check, const bat_join *join)
 {
     bat_unfairness *u = &check->unfairness;
-    join->is_knuckle = is_declared(check, join);
-    if (join->is_knuckle) {
-        check->judged_count++;
-        return;
-    }
-    if (check->objects[join->of.shape[0]].object->kind != BATTEN_OBJECT_SURFACE ||
+    if (join->is_branch || join->of.shape[0] == join->of.shape[1] ||
         !isfinite(join->of.angle.value))
         return;
+    if (join->of.angle.value > check->curve_bounds.angle) {
+        u->joint_corners++;
+        u->largest_joint = bat_max(u->largest_joint, join->of.angle.value);
+    } else if (join->of.curvature.value > check->curve_bounds.curvature) {
+        u->joint_jumps++;
+    }
+}
+
+/* Of whole edges of surfaces. A knuckle that the bound allows, or that is declared, has no common
+ * curvature. */
+static void judge_edges(bat_check *check, const bat_join *join)
+{
+    bat_unfairness *u = &check->unfairness;
     check->judged_count++;
     u->largest_crease = bat_max(u->largest_crease, join->of.angle.value);
     if (join->of.angle.value > check->edge_bounds.angle)
@@ -180,6 +189,18 @@ static void judge_join(bat_check *check, bat_join *join)
     else if (join->of.angle.value <= BAT_EDGE_ANGLE &&
              join->of.curvature.value > check->edge_bounds.curvature)
         u->edge_jumps++;
+}
+
+static void judge_join(bat_check *check, bat_join *join)
+{
+    const batten_object_kind kind = check->objects[join->of.shape[0]].object->kind;
+    join->is_knuckle = is_declared(check, join);
+    if (join->is_knuckle)
+        check->judged_count++;
+    else if (kind == BATTEN_OBJECT_CURVE)
+        judge_ends(check, join);
+    else if (kind == BATTEN_OBJECT_SURFACE && isfinite(join->of.angle.value))
+        judge_edges(check, join);
 }
 
 static void judge_joins(bat_check *check)
@@ -250,15 +271,21 @@ static batten_status judge_curve(bat_check *check, bat_checked *checked)
     return status;
 }
 
+static bool has_own_points(const batten_object *object)
+{
+    return object->point_count && !object->points_are_vertices;
+}
+
 static batten_status check_curve(bat_check *check, bat_checked *checked)
 {
     batten_status status = judge_curve(check, checked);
     if (status == BATTEN_OK)
         status = add_knots(check, checked);
-    return status == BATTEN_OK && checked->object->point_count &&
-                   !checked->object->points_are_vertices
-               ? add_curve_distance(check, checked)
-               : status;
+    if (status != BATTEN_OK)
+        return status;
+    if (has_own_points(checked->object))
+        return add_curve_distance(check, checked);
+    return bat_check_is_cut(checked) ? bat_check_add_distances(check, checked) : BATTEN_OK;
 }
 
 /* How a set of triangles hangs together. */
@@ -338,6 +365,8 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
         out->objects[i].object = objects.at[i];
     if (status == BATTEN_OK)
         status = bat_check_trace(out, parameter);
+    if (status == BATTEN_OK)
+        status = bat_check_cuts(out);
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
         status = check_object(out, &out->objects[i]);
     if (status == BATTEN_OK)

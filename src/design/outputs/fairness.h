@@ -17,6 +17,7 @@ typedef struct {
     int count;
     double max, rms;
     double worst[3]; /* the point that lies farthest */
+    int left_out;    /* points that were cut off, beside these */
 } bat_data_distance;
 
 /* A plane section of a surface where the data have a row. */
@@ -46,12 +47,15 @@ typedef struct {
     int feature;
     bool is_faired; /* they are those after fairing, not those given */
     bool is_last;   /* nothing on the way to the shape made them fair again */
+    bool *stays;    /* of each point, in the order of its rows: it was not cut off; NULL: none was */
 } bat_data_root;
 
 /* Those given come first. */
 typedef struct {
     int count;
     bat_data_root *at;
+    int feature;  /* that of the shape */
+    bool *passed; /* [feature_count]: those on the ways to it, itself among them */
 } bat_data_roots;
 
 typedef struct {
@@ -74,11 +78,21 @@ typedef struct {
     bat_edge edges[4];
 } bat_checked;
 
+/* Were points cut off that it was made from, or might have been? */
+static inline bool bat_check_is_cut(const bat_checked *checked)
+{
+    for (int i = 0; i < checked->data.count; i++)
+        if (checked->data.at[i].stays)
+            return true;
+    return false;
+}
+
 /* Where two ends of curves or two edges of surfaces meet, or two faces of a body. */
 typedef struct {
     batten_join of;  /* `shape`: objects of the check, of a body the same one twice */
     int face[2];     /* of a body; else -1 */
     bool is_knuckle; /* between panels of one lofting: declared to be sharp */
+    bool is_branch;  /* of curves: other ends meet there, too, and no line passes through */
 } bat_join;
 
 /* What keeps a result from being fair, over all that was judged. */
@@ -87,6 +101,8 @@ typedef struct {
     int unbounded;                /* places of curves where curvature is */
     int inflections;              /* in excess: of curves; visible ones of sections */
     double largest_turn;          /* the sharpest corner, radians */
+    int joint_corners, joint_jumps; /* where the ends of two curves meet, and no third */
+    double largest_joint;           /* the sharpest corner there, radians */
     int creases, edge_jumps;      /* edges of surfaces with a turn or a curvature step */
     double largest_crease;        /* radians */
     int folds;                    /* surfaces that fold over */
@@ -130,10 +146,14 @@ bool bat_check_is_fair(const bat_check *check);
 
 /* ---- provenance.c ---- */
 
-/* Find for each object of the argument the features that its data are from; marks `upstream`. */
+/* Find for each object of the argument, in its order, the features that its data are from; marks `upstream`. */
 batten_status bat_check_trace(bat_check *check, const char *parameter);
 /* Were its points made fair? */
 bool bat_check_is_faired(const bat_checked *checked);
+typedef void (*bat_parent_visit)(void *context, int parent, int child);
+/* Calls `visit` for each feature whose points come to lie on the result of this one. */
+void bat_check_visit_parents(const bat_check *check, int feature, bat_parent_visit visit,
+                             void *context);
 typedef batten_status (*bat_row_visit)(void *context, const bat_row *row);
 /* Every row of a feature; the lines of a table too when `with_lines`. */
 batten_status bat_check_visit_rows(const bat_check *check, int feature, bool with_lines,
@@ -143,9 +163,25 @@ batten_status bat_check_visit_rows(const bat_check *check, int feature, bool wit
 batten_status bat_check_given_row(const bat_check *check, const bat_checked *checked, int count,
                                   const double *row, int axis, double **points, double *bound);
 
+/* ---- cuts.c ---- */
+
+/* Find of each object the points that were cut off on every way to it. */
+batten_status bat_check_cuts(bat_check *check);
+
 /* ---- distances.c ---- */
 
-/* Measure the points that a surface is made from against the surfaces made from the same. */
+typedef struct {
+    int count;
+    double *points; /* [count][3] */
+} bat_cloud;
+
+/* The points of a feature; release its points. */
+batten_status bat_cloud_of(const bat_check *check, int feature, bat_cloud *out);
+/* Of each point the distance from a curve or surface where it is less than `nearest` says. `room` [count] */
+batten_status bat_cloud_approach(const bat_check *check, const bat_cloud *cloud,
+                                 const batten_object *object, double *room, double *nearest);
+
+/* Measure the points that a shape is made from against the shapes made from the same. */
 batten_status bat_check_add_distances(bat_check *check, bat_checked *checked);
 
 /* ---- sections.c ---- */

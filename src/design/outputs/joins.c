@@ -38,12 +38,29 @@ static batten_status keep_joins(bat_check *check, const chosen *from, const batt
     check->joins = grown;
     for (int i = 0; i < found->count; i++) {
         bat_join *join = &check->joins[check->join_count++];
-        *join = (bat_join){found->at[i], {-1, -1}, false};
+        *join = (bat_join){found->at[i], {-1, -1}, false, false};
         for (int k = 0; from && k < 2; k++)
             join->of.shape[k] = from->objects[join->of.shape[k]];
     }
     if (found->left_out)
         bat_note(check->run, "more than %d joins; the others are not listed", found->count);
+    return BATTEN_OK;
+}
+
+/* Ends of curves where more than two meet. */
+static batten_status mark_branches(bat_check *check)
+{
+    int(*met)[2] = bat_array((size_t)check->object_count + 1, sizeof *met);
+    if (!met)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < check->join_count; i++)
+        for (int k = 0; k < 2; k++)
+            met[check->joins[i].of.shape[k]][check->joins[i].of.side[k]]++;
+    for (int i = 0; i < check->join_count; i++)
+        for (int k = 0; k < 2; k++)
+            check->joins[i].is_branch |=
+                met[check->joins[i].of.shape[k]][check->joins[i].of.side[k]] > 1;
+    bat_release(met);
     return BATTEN_OK;
 }
 
@@ -108,6 +125,8 @@ static int by_shape(const void *a, const void *b)
 batten_status bat_joins_find(bat_check *check)
 {
     batten_status status = add_joins(check, BATTEN_OBJECT_CURVE);
+    if (status == BATTEN_OK)
+        status = mark_branches(check);
     if (status == BATTEN_OK)
         status = add_joins(check, BATTEN_OBJECT_SURFACE);
     for (int i = 0; i < check->object_count && status == BATTEN_OK; i++)

@@ -73,9 +73,8 @@ typedef struct {
     double moved_by;   /* by fairing: the sum of the bounds on the way here */
 } ancestry;
 
-/* Calls `visit` for each feature whose points come to lie on the result of this one. */
-static void visit_parents(const bat_check *check, int feature, ancestry *all,
-                          void (*visit)(ancestry *parent, ancestry *child))
+void bat_check_visit_parents(const bat_check *check, int feature, bat_parent_visit visit,
+                             void *context)
 {
     const bat_entry *entry = &check->run->document->features[feature];
     const batten_feature *shown = &entry->feature->shown;
@@ -85,9 +84,28 @@ static void visit_parents(const bat_check *check, int feature, ancestry *all,
             const bat_item *item = &entry->arguments[k].items[i];
             if (bat_item_is_feature(parameter->kind, item) && item->count >= 0 &&
                 !is_beside(entry->feature, parameter->name))
-                visit(&all[item->count], &all[feature]);
+                visit(context, item->count, feature);
         }
     }
+}
+
+typedef struct {
+    ancestry *all;
+    void (*visit)(ancestry *parent, ancestry *child);
+} kinship;
+
+static void visit_kin(void *context, int parent, int child)
+{
+    const kinship *kin = context;
+    kin->visit(&kin->all[parent], &kin->all[child]);
+}
+
+/* Calls `visit` for each feature whose points come to lie on the result of this one. */
+static void visit_parents(const bat_check *check, int feature, ancestry *all,
+                          void (*visit)(ancestry *parent, ancestry *child))
+{
+    kinship kin = {all, visit};
+    bat_check_visit_parents(check, feature, visit_kin, &kin);
 }
 
 static void inherit(ancestry *parent, ancestry *child)
@@ -173,7 +191,7 @@ static bool find_root(const bat_check *check, int feature, const ancestry *own,
 {
     const bool is_last = check->run->results[feature].shown.has_moves && own->met == MET_OPENLY;
     const bool is_first = !own->has_upstream;
-    *root = (bat_data_root){feature, own->is_faired, own->met == MET_OPENLY};
+    *root = (bat_data_root){feature, own->is_faired, own->met == MET_OPENLY, NULL};
     return own->met && own->has_points && (is_first || is_last);
 }
 
@@ -196,6 +214,18 @@ static batten_status collect_roots(bat_check *check, const ancestry *all, bat_da
     return BATTEN_OK;
 }
 
+/* The features whose results the points come to lie on. */
+static batten_status keep_passed(bat_check *check, int feature, const ancestry *all,
+                                 bat_data_roots *roots)
+{
+    const int count = check->run->document->feature_count;
+    roots->feature = feature;
+    roots->passed = bat_arena_array(&check->arena, (size_t)count, sizeof *roots->passed);
+    for (int i = 0; i < count && roots->passed; i++)
+        roots->passed[i] = all[i].met && !all[i].is_displacing;
+    return roots->passed ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
 /* How far the points of a feature's result may have been moved, and which they are. */
 static batten_status find_data(bat_check *check, int feature, bat_data_roots *roots,
                                double *moved_by)
@@ -206,7 +236,9 @@ static batten_status find_data(bat_check *check, int feature, bat_data_roots *ro
     look_down(check, all);
     look_up(check, feature, all);
     *moved_by = all[feature].moved_by;
-    const batten_status status = collect_roots(check, all, roots);
+    batten_status status = collect_roots(check, all, roots);
+    if (status == BATTEN_OK)
+        status = keep_passed(check, feature, all, roots);
     bat_release(all);
     return status;
 }
@@ -222,9 +254,7 @@ static int find_panels(const bat_check *check, const bool *upstream)
     return -1;
 }
 
-/* The data of the objects that come of one feature of the argument: the `count` from `first`
- * on.
- */
+/* The data of the objects that come of one feature of the argument: the `count` from `first` on. */
 static batten_status trace_feature(bat_check *check, bat_graph *graph, int feature, int first,
                                    int count)
 {
@@ -232,7 +262,7 @@ static batten_status trace_feature(bat_check *check, bat_graph *graph, int featu
     bool *upstream = bat_array((size_t)feature_count, sizeof *upstream);
     batten_status status =
         upstream ? bat_graph_mark(graph, feature, upstream) : BATTEN_OUT_OF_MEMORY;
-    bat_data_roots roots = {0, NULL};
+    bat_data_roots roots = {0};
     double moved_by = 0;
     if (status == BATTEN_OK)
         status = find_data(check, feature, &roots, &moved_by);
@@ -248,7 +278,6 @@ static batten_status trace_feature(bat_check *check, bat_graph *graph, int featu
     return status;
 }
 
-/* What each object was made from; the objects stand in the order of the argument. */
 batten_status bat_check_trace(bat_check *check, const char *parameter)
 {
     const bat_argument *argument = bat_argument_of(check->run, parameter);

@@ -104,22 +104,33 @@ static void text_fairness(batten_text *out, const batten_fairness *f)
     }
 }
 
+static void text_distance(batten_text *out, const bat_check *check, const bat_data_distance *d)
+{
+    const char *when = d->is_faired ? "after fairing," : "given,";
+    if (d->count == 0) {
+        batten_text_add(out, "    all %d point%s %s '%s', were cut off\n", d->left_out,
+                        bat_plural(d->left_out), when, d->feature);
+        return;
+    }
+    batten_text_add(out, "    distance from the %d point%s %s '%s': at most ", d->count,
+                    bat_plural(d->count), when, d->feature);
+    bat_report_length(out, check, d->max);
+    batten_text_add(out, " (rms ");
+    bat_report_rounded(out, d->rms);
+    batten_text_add(out, "), at ");
+    for (int k = 0; k < 3; k++) {
+        bat_report_rounded(out, d->worst[k]);
+        batten_text_add(out, k < 2 ? ", " : "");
+    }
+    if (d->left_out)
+        batten_text_add(out, "; %d cut off, left out", d->left_out);
+    batten_text_add(out, "\n");
+}
+
 static void text_distances(batten_text *out, const bat_check *check, const bat_checked *c)
 {
-    for (int i = 0; i < c->distance_count; i++) {
-        const bat_data_distance *d = &c->distances[i];
-        batten_text_add(out, "    distance from the %d point%s %s '%s': at most ", d->count,
-                        bat_plural(d->count), d->is_faired ? "after fairing," : "given,",
-                        d->feature);
-        bat_report_length(out, check, d->max);
-        batten_text_add(out, " (rms ");
-        bat_report_rounded(out, d->rms);
-        batten_text_add(out, "), at ");
-        for (int k = 0; k < 3; k++) {
-            bat_report_rounded(out, d->worst[k]);
-            batten_text_add(out, k < 2 ? ", " : "\n");
-        }
-    }
+    for (int i = 0; i < c->distance_count; i++)
+        text_distance(out, check, &c->distances[i]);
     if (c->fold.found) {
         const double at[3] = {c->fold.point.x, c->fold.point.y, c->fold.point.z};
         batten_text_add(out, "    it folds over near ");
@@ -253,6 +264,10 @@ static void text_reasons(batten_text *out, const bat_check *check)
                     purpose_of(check));
     if (text_reason(out, &separator, u->corners, "corner"))
         text_turn(out, u->corners, u->largest_turn);
+    if (text_reason(out, &separator, u->joint_corners, "corner")) {
+        batten_text_add(out, " where two curves meet");
+        text_turn(out, u->joint_corners, u->largest_joint);
+    }
     if (text_reason(out, &separator, u->creases, "edge")) {
         batten_text_add(out, " with a crease");
         text_turn(out, u->creases, u->largest_crease);
@@ -261,6 +276,8 @@ static void text_reasons(batten_text *out, const bat_check *check)
         batten_text_add(out, u->folds > 1 ? " that fold over" : " that folds over");
     if (text_reason(out, &separator, u->curvature_jumps, "jump"))
         batten_text_add(out, " of curvature");
+    if (text_reason(out, &separator, u->joint_jumps, "jump"))
+        batten_text_add(out, " of curvature where two curves meet");
     if (text_reason(out, &separator, u->unbounded, "place"))
         batten_text_add(out, " of unbounded curvature");
     if (text_reason(out, &separator, u->edge_jumps, "edge"))

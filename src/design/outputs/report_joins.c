@@ -161,7 +161,10 @@ static void text_join(batten_text *out, const bat_check *check, const bat_join *
         batten_text_add(out, ": G%d", of->geometric);
         add_failing_place(out, join);
     }
-    batten_text_add(out, "%s\n", join->is_knuckle ? ": a declared knuckle" : "");
+    batten_text_add(out, "%s\n",
+                    join->is_knuckle  ? ": a declared knuckle"
+                    : join->is_branch ? ": not judged, other ends meet there"
+                                      : "");
 }
 
 void bat_joins_text(const bat_check *check, batten_text *out)
@@ -237,7 +240,9 @@ void bat_joins_json(const bat_check *check, batten_text *out)
         if (is_of_curves)
             batten_text_add(out, ", \"c\": %d", join->of.parametric);
         batten_text_add(out, ", \"g\": %d%s", join->of.geometric,
-                        join->is_knuckle ? ", \"knuckle\": true" : "");
+                        join->is_knuckle  ? ", \"knuckle\": true"
+                        : join->is_branch ? ", \"branch\": true"
+                                          : "");
         if (is_of_curves) {
             batten_text_add(out, ", ");
             bat_report_point(out, "at", p);

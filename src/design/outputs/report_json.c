@@ -40,7 +40,7 @@ static void json_moves(batten_text *out, const batten_feature_result *r)
     batten_text_add(out, ", ");
     bat_report_number(out, "rms", f->rms_move);
     batten_text_add(out, ", \"count\": %d, \"set\": %d, \"index\": %d, \"control_points\": %s}",
-                    f->moved_count, f->worst_set, f->worst_index,
+                    f->moved_count, f->worst_set + 1, f->worst_index + 1,
                     f->control_points ? "true" : "false");
     batten_text_add(out,
                     ", \"excess_inflections\": {\"before\": %d, \"after\": %d}, \"energy\": {",
@@ -57,7 +57,7 @@ static void json_skin(batten_text *out, const batten_surface_skin_report *s)
     batten_text_add(out, ", \"skin\": {");
     bat_report_number(out, "deviation", s->error);
     batten_text_add(out, ", \"worst_section\": %d, \"exact_knots\": %d, \"knots\": %d, ",
-                    s->worst_section, s->exact_knot_count, s->knot_count);
+                    s->worst_section + 1, s->exact_knot_count, s->knot_count);
     bat_report_number(out, "span_ratio", s->span_ratio);
     batten_text_add(out, ", ");
     bat_report_number(out, "normal_jump", s->normal_jump);
@@ -102,8 +102,8 @@ static void json_loft(batten_text *out, const batten_loft_report *l)
     bat_report_number(out, "max", l->max_move);
     batten_text_add(out, ", ");
     bat_report_number(out, "rms", l->rms_move);
-    batten_text_add(out, ", \"station\": %d, \"point\": %d, ", l->worst_station,
-                    l->worst_index);
+    batten_text_add(out, ", \"station\": %d, \"point\": %d, ", l->worst_station + 1,
+                    l->worst_index + 1);
     bat_report_number(out, "height", l->height);
     batten_text_add(out,
                     ", \"sections\": %d, \"in_excess\": %d, \"excess_inflections\": %d, "
@@ -153,8 +153,11 @@ static void json_distances(batten_text *out, const bat_checked *c)
         batten_text_add(out, ", ");
         bat_report_number(out, "rms", d->rms);
         batten_text_add(out, ", ");
-        bat_report_point(out, "at", d->worst);
-        batten_text_add(out, "}");
+        if (d->count)
+            bat_report_point(out, "at", d->worst);
+        else
+            batten_text_add(out, "\"at\": null");
+        batten_text_add(out, ", \"left_out\": %d}", d->left_out);
     }
     batten_text_add(out, "]");
 }
@@ -261,8 +264,10 @@ void bat_report_json(const bat_check *check, batten_text *out)
         json_object(out, &check->objects[i]);
     }
     batten_text_add(
-        out, "\n  ],\n  \"creases\": %d, \"edge_jumps\": %d, \"folds\": %d,\n  \"joins\": [",
-        check->unfairness.creases, check->unfairness.edge_jumps, check->unfairness.folds);
+        out,
+        "\n  ],\n  \"corners_where_curves_meet\": %d, \"jumps_where_curves_meet\": %d, "
+        "\"creases\": %d, \"edge_jumps\": %d, \"folds\": %d,\n  \"joins\": [",
+        check->unfairness.joint_corners, check->unfairness.joint_jumps, check->unfairness.creases, check->unfairness.edge_jumps, check->unfairness.folds);
     bat_joins_json(check, out);
     batten_text_add(out, "],\n  \"worst_joins\": [");
     bat_worst_joins_json(check, out);

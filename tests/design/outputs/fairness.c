@@ -279,8 +279,9 @@ TEST(each_kind_of_flaw_alone_keeps_a_result_from_being_fair)
 {
     static const bat_unfairness flaws[] = {
         {.corners = 1}, {.curvature_jumps = 1}, {.inflections = 1}, {.unbounded = 1},
-        {.creases = 1}, {.edge_jumps = 1},      {.folds = 1}};
-    bat_check check = {.unfairness = {.largest_turn = 1, .largest_crease = 1}};
+        {.creases = 1}, {.edge_jumps = 1},      {.folds = 1},        {.joint_corners = 1},
+        {.joint_jumps = 1}};
+    bat_check check = {.unfairness = {.largest_turn = 1, .largest_crease = 1, .largest_joint = 1}};
     CHECK(bat_check_is_fair(&check));
     for (int i = 0; i < COUNT(flaws); i++) {
         check.unfairness = flaws[i];

@@ -54,6 +54,34 @@ static int join_count(const char *json)
     return count;
 }
 
+/* ---- the verdict on lines of several curves ---- */
+
+static const char met[] = "  a: {line: [[0, 0], [1, 0]]}\n"
+                            "  up: {line: [[1, 0], [1, 1]]}\n"
+                            "  on: {line: [[1, 0], [2, 0]]}\n"
+                            "  bend: {arc: 1, start: -90 deg, angle: 90 deg, at: [1, 1]}\n";
+
+TEST(corners_and_jumps_where_two_curves_meet_and_no_third_count_in_the_verdict)
+{
+    static const struct {
+        const char *what, *verdict, *counts;
+    } cases[] = {
+        {"[a, up]", "\"fair\": false", "\"corners_where_curves_meet\": 1, \"jumps"},
+        {"[a, on]", "\"fair\": true",
+         "\"corners_where_curves_meet\": 0, \"jumps_where_curves_meet\": 0, "},
+        /* A third end: no line passes through. */
+        {"[a, up, on]", "\"fair\": true", "\"branch\": true"},
+        {"[a, bend]", "\"fair\": false",
+         "\"corners_where_curves_meet\": 0, \"jumps_where_curves_meet\": 1, "},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        char *json = check(met, cases[i].what);
+        CHECK_CONTAINS(json, cases[i].verdict);
+        CHECK_CONTAINS(json, cases[i].counts);
+        batten_release(json);
+    }
+}
+
 TEST(a_line_that_leaves_an_arc_along_its_tangent_lacks_its_curvature)
 {
     /* The quarter circle from (1, 0) to (0, 1) and a line on from there. */

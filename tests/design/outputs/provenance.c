@@ -36,6 +36,55 @@ TEST(shapes_are_measured_against_the_points_that_they_come_from)
     EXPECT_OUTPUTS(curves, rows);
 }
 
+/* ---- points that are cut off ---- */
+
+static const char parts[] =
+    "  ducks: {points: [[0, 0], [1, 0.2], [2, 0.31], [3, 0.29], [4, 0]]}\n"
+    "  above: {points: [[0, 0, 1], [1, 0.2, 1], [2, 0.31, 1], [3, 0.29, 1], [4, 0, 1]]}\n"
+    "  sheer: {interpolate: ducks}\n"
+    "  rail: {interpolate: above}\n"
+    "  fore: {part: sheer, from: 0, to: 2.5}\n"
+    "  bow: {part: fore, from: 0, to: 1.5}\n"
+    "  halves: {split: sheer, parameter: 2.5}\n"
+    "  aft: {select: halves, names: [sheer 2]}\n"
+    "  middle: {trim: sheer, between: [1.5, 2.5]}\n"
+    "  short: {part: sheer, from: 1.4, to: 1.5}\n"
+    "  both: {skin: [bow, rail]}\n"
+    "  band: {skin: [bow, sheer]}\n";
+
+static const expect_row cut_rows[] = {
+    {"k.json: {check: fore, within: 1e-6}", BATTEN_OK,
+     "\"ok\": true|\"distances\": [{\"from\": \"ducks\", \"faired\": false, \"points\": 3, "
+     "|\"left_out\": 2}"},
+    {"k.json: {check: bow, within: 1e-6}", BATTEN_OK,
+     "\"ok\": true|\"points\": 2, |\"left_out\": 3}"},
+    {"k.json: {check: middle, within: 1e-6}", BATTEN_OK,
+     "\"ok\": true|\"points\": 1, |\"left_out\": 4}"},
+    {"k.json: {check: halves, within: 1e-6}", BATTEN_OK,
+     "\"ok\": true|\"points\": 5, |\"left_out\": 0}"},
+    {"k.json: {check: aft, within: 1e-6}", BATTEN_OK,
+     "\"ok\": true|\"points\": 2, |\"left_out\": 3}"},
+    {"k.json: {check: [aft, bow], within: 1e-6}", BATTEN_OK,
+     "\"ok\": true|\"points\": 4, |\"left_out\": 1}"},
+    {"k.json: {check: both, within: 1e-6}", BATTEN_OK,
+     "\"ok\": true|\"from\": \"ducks\", \"faired\": false, \"points\": 2, |\"left_out\": 3}"
+     "|\"from\": \"above\", \"faired\": false, \"points\": 5, |\"left_out\": 0}"},
+    /* Half of its points come by two ways, all of them by one. */
+    {"k.json: {check: band, within: 1e-6}", BATTEN_OK,
+     "\"ok\": true|\"points\": 5, |\"left_out\": 0}"},
+    {"k.json: {check: short, within: 1e-6}", BATTEN_OK,
+     "\"ok\": true|\"points\": 0, \"max\": null, \"rms\": null, \"at\": null, "
+     "\"left_out\": 5}"},
+    {"k.txt: {check: short, within: 1e-6}", BATTEN_OK,
+     "all 5 points given, 'ducks', were cut off\n|there are no points to measure"},
+    {"k.txt: {check: fore}", BATTEN_OK, "3 points given, 'ducks'|; 2 cut off, left out\n"},
+};
+
+TEST(points_on_what_was_cut_off_are_left_out_and_counted)
+{
+    EXPECT_OUTPUTS(parts, cut_rows);
+}
+
 /* ---- where each object comes from ---- */
 
 static const double row[] = {0, 0, 0, 1, 0.5, 0, 2, 0.25, 0};

@@ -101,7 +101,8 @@ static const char objects_and_joins[] =
     "    3 inflections, 2 in excess; curvature extrema 5, largest curvature without bound, energy "
     "infinite: 1 corner, 2 jumps of curvature\n"
     "  bottom (surface)\n"
-    "    distance from the 9 points given, 'ducks': at most 0.5 in (rms 0.25), at 4, 5, 6\n"
+    "    distance from the 9 points given, 'ducks': at most 0.5 in (rms 0.25), at 4, 5, 6; 3 "
+    "cut off, left out\n"
     "    distance from the 9 points after fairing, 'faired': at most 123500 in (rms 0), at 7, 8, "
     "9\n"
     "    it folds over near 1, 2, 3.142\n"
@@ -179,6 +180,12 @@ static const struct {
      "not fair as a hull: 1 corner of 45 degrees.\n"},
     {{.corners = 2, .largest_turn = BAT_PI / 2},
      "not fair as a hull: 2 corners, the sharpest of 90 degrees.\n"},
+    {{.joint_corners = 1, .largest_joint = BAT_PI / 4},
+     "not fair as a hull: 1 corner where two curves meet of 45 degrees.\n"},
+    {{.corners = 1, .largest_turn = BAT_PI / 2, .joint_corners = 2, .largest_joint = BAT_PI / 3},
+     "not fair as a hull: 1 corner of 90 degrees, 2 corners where two curves meet, the sharpest of "
+     "60 degrees.\n"},
+    {{.joint_jumps = 2}, "not fair as a hull: 2 jumps of curvature where two curves meet.\n"},
     {{.creases = 1, .largest_crease = BAT_PI / 6},
      "not fair as a hull: 1 edge with a crease of 30 degrees.\n"},
     {{.creases = 3, .largest_crease = BAT_PI / 18},
@@ -239,8 +246,8 @@ static void check_bound(const case_of_bound *c)
 {
     made_check made;
     batten_object objects[2];
-    bat_data_distance distances[] = {{"a", false, 1, 0, 0, {0, 0, 0}},
-                                     {"b", false, 1, 0, 0, {0, 0, 0}}};
+    bat_data_distance distances[] = {{"a", false, 1, 0, 0, {0, 0, 0}, 0},
+                                     {"b", false, 1, 0, 0, {0, 0, 0}, 0}};
     make_check(&made);
     made.check.join_count = 0;
     made.check.within = 2;

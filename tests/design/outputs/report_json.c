@@ -42,7 +42,7 @@ static const expect_row of_objects[] = {
      "\"curvature_extrema\": 1, \"jumps\": 0, \"energy\": 2.6236530|, \"variation\": "
      "7.2878949|, \"max_curvature\": 2, \"corners\": 0, \"curvature_jumps\": 0, \"halts\": 0, "
      "\"cusps\": 0, \"unbounded\": 0, \"energy_error\": |, \"variation_error\": |, "
-     "\"largest_turn\": 0, \"largest_jump\": 0}|\n  ],\n  \"creases\": 0, \"edge_jumps\": 0, "
+     "\"largest_turn\": 0, \"largest_jump\": 0}|\n  ],\n  \"corners_where_curves_meet\": 0, \"jumps_where_curves_meet\": 0, \"creases\": 0, \"edge_jumps\": 0, "
      "\"folds\": 0,\n  \"joins\": [],\n  \"worst_joins\": [],\n  \"messages\": []\n}\n"},
     {"k.json: {check: [corner, 'odd\"name']}", BATTEN_OK,
      "\"fair\": false, |\"name\": \"corner\", \"type\": \"curve\", \"fairness\": {\"fair\": "
@@ -120,7 +120,7 @@ TEST(all_figures_of_a_faired_curve_are_in_its_report)
     CHECK(at && r->fairing);
     check_figure(at, "moved\": {\"max", r->move_max);
     check_figure(at, "count", r->moved_count);
-    CHECK_CONTAINS(at, "\"set\": 0, \"index\": ");
+    CHECK_CONTAINS(at, "\"set\": 1, \"index\": ");
     check_figure(at, "excess_inflections\": {\"before", r->fairing->before.excess_inflections);
     check_figure(at, "energy\": {\"before", r->fairing->before.energy);
     check_figure(at, "after", r->fairing->after.excess_inflections);
@@ -140,7 +140,7 @@ TEST(all_figures_of_a_skin_are_in_its_report)
     const batten_surface_skin_report *s = r->skin;
     CHECK(s->reversed_count == 1);
     check_figure(at, "skin\": {\"deviation", s->error);
-    check_figure(at, "worst_section", s->worst_section);
+    check_figure(at, "worst_section", s->worst_section + 1);
     check_figure(at, "exact_knots", s->exact_knot_count);
     check_figure(at, "knots", s->knot_count);
     check_figure(at, "span_ratio", s->span_ratio);
@@ -206,8 +206,8 @@ TEST(all_figures_of_a_lofting_and_its_knuckles_are_in_its_report)
     CHECK_TEXT(json_blank(json_behind(json)), "");
     check_figure(at, "loft\": {\"max", l->max_move);
     check_figure(at, "rms", l->rms_move);
-    check_figure(at, "station", l->worst_station);
-    check_figure(at, "point", l->worst_index);
+    check_figure(at, "station", l->worst_station + 1);
+    check_figure(at, "point", l->worst_index + 1);
     check_figure(at, "height", l->height);
     check_figure(at, "sections", l->cut_count);
     check_figure(at, "in_excess", l->cuts_in_excess);
@@ -228,20 +228,20 @@ static const char made_features[] =
     "{\n  \"ok\": true, \"fair\": null, \"unit\": \"in\", \"within\": null,\n  \"features\": [\n"
     "    {\"name\": \"ducks\", \"operation\": \"points\"},\n"
     "    {\"name\": \"faired\", \"operation\": \"fair\", \"moved\": {\"max\": 0.0123456, \"rms\": "
-    "0.004, \"count\": 3, \"set\": 1, \"index\": 4, \"control_points\": false}, "
+    "0.004, \"count\": 3, \"set\": 2, \"index\": 5, \"control_points\": false}, "
     "\"excess_inflections\": {\"before\": 7, \"after\": 2}, \"energy\": {\"before\": 12345.678, "
     "\"after\": 0.5}, \"suspects\": 1},\n"
     "    {\"name\": \"net\", \"operation\": \"fair\", \"moved\": {\"max\": 2, \"rms\": 0, "
-    "\"count\": 1, \"set\": 0, \"index\": 0, \"control_points\": true}, \"excess_inflections\": "
+    "\"count\": 1, \"set\": 1, \"index\": 1, \"control_points\": true}, \"excess_inflections\": "
     "{\"before\": 0, \"after\": 0}, \"energy\": {\"before\": 3, \"after\": 0}, \"suspects\": 0},\n"
     "    {\"name\": \"skin\", \"operation\": \"skin\", \"skin\": {\"deviation\": 0.25, "
-    "\"worst_section\": 3, \"exact_knots\": 12, \"knots\": 1, \"span_ratio\": 0.125, "
+    "\"worst_section\": 4, \"exact_knots\": 12, \"knots\": 1, \"span_ratio\": 0.125, "
     "\"normal_jump\": 0.375, \"speed_jump\": 0.0625, \"crease\": 0.75, \"cure\": \"rescaled\", "
     "\"reversed\": 2, \"turned\": 4, \"crossings\": 5, \"disorders\": 6}},\n"
     "    {\"name\": \"near\", \"operation\": \"arcs\", \"error\": {\"max\": 0.75, \"rms\": "
     "0.5}},\n"
     "    {\"name\": \"hull\", \"operation\": \"loft\", \"error\": {\"max\": 0.75, \"rms\": 0.5}, "
-    "\"loft\": {\"max\": 0.5, \"rms\": 0.1, \"station\": 1, \"point\": 2, \"height\": 0.001, "
+    "\"loft\": {\"max\": 0.5, \"rms\": 0.1, \"station\": 2, \"point\": 3, \"height\": 0.001, "
     "\"sections\": 30, \"in_excess\": 2, \"excess_inflections\": 4, \"rounds\": 8, "
     "\"faired_error\": 0.03125, \"corrections\": [{\"place\": \"station 1 (x = 1)\", \"point\": "
     "1, \"line\": \"\", \"from\": [1, 2, 3], \"to\": [1, 2.5, 3], \"distance\": 0.5, \"reason\": "
@@ -261,7 +261,7 @@ static const char made_figures[] =
     "1e-9, \"variation_error\": 2e-9, \"largest_turn\": 0, \"largest_jump\": 0}, "
     "\"continuity\": {\"knots\": 1, \"c\": 2, \"g\": 3},\n     \"distances\": [{\"from\": "
     "\"ducks\", \"faired\": false, \"points\": 1, \"max\": 0.00123456, \"rms\": 0.00123456, "
-    "\"at\": [1, 0.123456, 0]}]},\n"
+    "\"at\": [1, 0.123456, 0], \"left_out\": 0}]},\n"
     "    {\"name\": \"ch\\\"ine\", \"type\": \"curve\", \"fairness\": {\"fair\": false, "
     "\"inflections\": 3, \"excess_inflections\": 2, \"curvature_extrema\": 5, \"jumps\": 0, "
     "\"energy\": null, \"variation\": null, \"max_curvature\": null, \"corners\": 1, "
@@ -269,8 +269,8 @@ static const char made_figures[] =
     "\"variation_error\": 0, \"largest_turn\": 1.5, \"largest_jump\": 0.25}},\n"
     "    {\"name\": \"bottom\", \"type\": \"surface\",\n     \"distances\": [{\"from\": "
     "\"ducks\", \"faired\": false, \"points\": 9, \"max\": 0.5, \"rms\": 0.25, \"at\": [4, 5, "
-    "6]}, {\"from\": \"faired\", \"faired\": true, \"points\": 9, \"max\": 123456, \"rms\": 0, "
-    "\"at\": [7, 8, 9]}],\n     \"edges\": [{\"name\": \"v low\", \"gap\": 0.000123456, "
+    "6], \"left_out\": 3}, {\"from\": \"faired\", \"faired\": true, \"points\": 9, \"max\": 123456, \"rms\": 0, "
+    "\"at\": [7, 8, 9], \"left_out\": 0}],\n     \"edges\": [{\"name\": \"v low\", \"gap\": 0.000123456, "
     "\"at_centre\": true}, {\"name\": \"v high\", \"gap\": 7, \"at_centre\": false}],\n     "
     "\"sections\": [\n      {\"family\": \"station\", \"name\": \"S1\", \"at\": 1, "
     "\"visible_inflections\": 0, \"visible_excess\": 0, \"fairness\": {\"fair\": false, ";
@@ -283,7 +283,8 @@ static const char made_ends[] =
 static const char made_meetings[] =
     "      {\"family\": \"buttock\", \"name\": \"B1\", \"at\": 4}]},\n"
     "    {\"name\": \"side\", \"type\": \"surface\",\n     \"distances\": [],\n     \"edges\": "
-    "[],\n     \"sections\": []}\n  ],\n  \"creases\": 2, \"edge_jumps\": 3, \"folds\": 4,\n  "
+    "[],\n     \"sections\": []}\n  ],\n  \"corners_where_curves_meet\": 5, "
+    "\"jumps_where_curves_meet\": 6, \"creases\": 2, \"edge_jumps\": 3, \"folds\": 4,\n  "
     "\"joins\": [\n"
     "    {\"a\": \"sheer\", \"side_a\": \"end\", \"b\": \"ch\\\"ine\", \"side_b\": \"start\", "
     "\"g0\": 0.5, \"g1\": null, \"g2\": null, \"g3\": null, \"c\": 0, \"g\": 1, \"at\": [1, 2, "
@@ -312,7 +313,8 @@ TEST(each_figure_of_features_objects_and_joins_stands_under_its_name)
     made_check made;
     make_check(&made);
     made.check.judged_count = 0;
-    made.check.unfairness = (bat_unfairness){.creases = 2, .edge_jumps = 3, .folds = 4};
+    made.check.unfairness = (bat_unfairness){
+        .joint_corners = 5, .joint_jumps = 6, .creases = 2, .edge_jumps = 3, .folds = 4};
     char *json = write_check(&made.check, bat_report_json);
     CHECK(strncmp(json, made_features, strlen(made_features)) == 0);
     CHECK_CONTAINS(json, made_planks);

@@ -124,4 +124,5 @@ const bat_feature bat_feature_split = {
          "  quarters: {split: oval, pieces: spiral}\n",
          "[PT97 section 5.2]", "batten_curve_split", BAT_PARAMETERS(parameters), false,
          .also = "subdivide, cut in two, de Casteljau, monotone pieces, spans"},
-    .run = run_split};
+    .run = run_split,
+    .cuts = true};

@@ -154,4 +154,5 @@ const bat_feature bat_feature_trim = {
          "  inner: {trim: line, lengths: [0.2 m, -0.2 m]}\n",
          "[PT97]", "batten_curve_trim", BAT_PARAMETERS(parameters), false,
          .also = "cut a curve, clip"},
-    .run = run_trim};
+    .run = run_trim,
+    .cuts = true};

@@ -42,4 +42,5 @@ const bat_feature bat_feature_part = {
          "  fore: {part: keel, from: 0.5, to: 1}\n",
          "[PT97 section 5.2]", "batten_curve_subrange", BAT_PARAMETERS(parameters), false,
          .also = "subcurve, subpatch, segment of a curve, trim by parameters"},
-    .run = run_part};
+    .run = run_part,
+    .cuts = true};

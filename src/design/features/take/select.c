@@ -41,4 +41,5 @@ const bat_feature bat_feature_select = {
               "  upper: {select: ducks, names: row 2}\n",
               "", "batten_model_find", BAT_PARAMETERS(parameters), false,
               .also = "pick, filter by name, extract"},
-    .run = run_select};
+    .run = run_select,
+    .cuts = true};
