@@ -184,11 +184,10 @@ static batten_status spline_twists(const bat_net *net, double *twists)
 static double square_rate(const bat_net *net, int k, const double *tangents, int i, int j)
 {
     const difference by = parabola(net->count[k], net->at[k], k ? j : i);
-    const int used = bat_min_int(3, net->count[k]);
     double sum = 0;
     for (int a = 0; a < 3; a++) {
         const int at = by.first + a;
-        if (by.weights[a] == 0 || at < 0 || (used < 3 && at >= net->count[k]))
+        if (by.weights[a] == 0) /* also what a chord has beyond the net */
             continue;
         const double *t =
             tangents + (k ? bat_net_index(net, i, at) : bat_net_index(net, at, j));

@@ -125,6 +125,8 @@ TEST(derivatives_that_do_not_go_together_are_refused)
     } rows[] = {
         {-1, 1, true, true, true, false, false, "-1 orders along u, 1 along v: 0 to 25"},
         {1, 26, true, true, true, false, false, "1 orders along u, 26 along v"},
+        {26, 1, true, true, true, false, false, "26 orders along u, 1 along v: 0 to 25"},
+        {1, -1, true, true, true, false, false, "1 orders along u, -1 along v: 0 to 25"},
         {1, 1, true, false, true, false, false, "but not both `du` and `dv`"},
         {1, 1, false, true, true, false, false, "but not both `du` and `dv`"},
         {2, 1, true, true, false, false, false, "2 and 1 orders: then `twists` must be given"},
@@ -355,4 +357,42 @@ TEST(G9_gaps_that_nothing_determines_are_refused)
                  BATTEN_SINGULAR_SYSTEM);
     CHECK_MESSAGE("do not determine the 54 gaps");
     CHECK(s == NULL);
+}
+
+TEST(orders_up_to_the_highest_degree_may_stand_without_vectors)
+{
+    rim_data r;
+    fill(&r);
+    for (int k = 0; k < 2; k++) {
+        batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
+        batten_surface *s = NULL;
+        *(k ? &options.orders_v : &options.orders_u) = BATTEN_MAX_DEGREE;
+        CHECK_OK(batten_surface_interpolate((batten_grid){1, NU, NV, r.points}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s));
+        batten_surface_unref(s);
+    }
+}
+
+TEST(weights_of_grids_are_above_zero_and_finite)
+{
+    static const double bad[] = {0, -1, INFINITY, NAN};
+    static const char *const says[] = {"is 0; it must be above 0", "is -1; it must be above 0",
+                                       "is inf; it must be above 0", "it must be above 0"};
+    rim_data r;
+    double weights[NU * NV];
+    fill(&r);
+    for (int i = 0; i < COUNT(bad); i++) {
+        batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
+        batten_surface *s = NULL;
+        for (int k = 0; k < NU * NV; k++)
+            weights[k] = 1;
+        weights[4] = bad[i];
+        options.weights = weights;
+        CHECK_STATUS(batten_surface_interpolate((batten_grid){1, NU, NV, r.points}, &options,
+                                                NULL, (batten_uv_out){NULL, NULL}, NULL, &s),
+                     BATTEN_BAD_WEIGHT);
+        CHECK_MESSAGE("the weight of point 5 ");
+        CHECK_MESSAGE(says[i]);
+        CHECK(!s);
+    }
 }

@@ -285,3 +285,51 @@ TEST(nets_that_cannot_be_are_refused)
                  BATTEN_NOT_FINITE);
     CHECK_MESSAGE("the point at (2, 3)");
 }
+
+TEST(nets_have_one_to_three_coordinates_and_two_lines_at_least)
+{
+    static const int dimensions[] = {0, 4, -1};
+    double values[4 * N * M] = {0}, twists[4 * N * M];
+    for (int i = 0; i < COUNT(dimensions); i++) {
+        char words[100];
+        twists[0] = -7;
+        CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI,
+                                       &(batten_net){dimensions[i], N, M, even, across, values,
+                                                     values, values},
+                                       NULL, NULL, twists),
+                     BATTEN_BAD_ARGUMENT);
+        snprintf(words, sizeof words, "the dimension is %d; it must be 1, 2 or 3",
+                 dimensions[i]);
+        CHECK_MESSAGE(words);
+        CHECK_BITS(twists[0], -7);
+    }
+    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI,
+                                   &(batten_net){1, 1, M, even, across, values, values, values},
+                                   NULL, NULL, twists),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("the net has 1 line in u, fewer than 2");
+    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI,
+                                   &(batten_net){1, N, 1, even, across, values, values, values},
+                                   NULL, NULL, twists),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("the net has 1 line in v, fewer than 2");
+}
+
+/* z = 3 x y over two lines each way: every corner has the twist 3. */
+TEST(a_net_of_four_points_has_the_twist_of_its_saddle)
+{
+    static const batten_twists methods[] = {BATTEN_TWISTS_ADINI, BATTEN_TWISTS_ENERGY};
+    static const double x[] = {1, 3}, y[] = {0, 2};
+    double z[4], zx[4], zy[4], twists[4];
+    for (int i = 0; i < 4; i++) {
+        z[i] = 3 * x[i / 2] * y[i % 2];
+        zx[i] = 3 * y[i % 2];
+        zy[i] = 3 * x[i / 2];
+    }
+    for (int k = 0; k < COUNT(methods); k++) {
+        CHECK_OK(batten_net_twists(methods[k], &(batten_net){1, 2, 2, x, y, z, zx, zy}, NULL,
+                                   NULL, twists));
+        for (int i = 0; i < 4; i++)
+            CHECK_NEAR(twists[i], 3, 1e-12);
+    }
+}

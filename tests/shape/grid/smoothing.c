@@ -87,3 +87,31 @@ TEST(polynomials_below_the_order_of_the_penalty_are_not_smoothed)
         batten_surface_unref(surface);
     }
 }
+
+/* A plane with one datum that is far off and does not count. */
+TEST(data_of_no_weight_are_no_data_of_the_report)
+{
+    double z[NU * NV], rows[NU], none[NU] = {0};
+    for (int i = 0; i < NU * NV; i++)
+        z[i] = 2 * (i / NV) - 3 * (i % NV) + (i / NV == 4 ? 1000 : 0);
+    for (int i = 0; i < NU; i++)
+        rows[i] = i == 4 ? 0 : 1;
+    batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
+    batten_surface_fit_report report;
+    batten_surface *s = NULL;
+    options.parameters = BATTEN_UNIFORM;
+    options.points_u = options.points_v = 4;
+    options.weights_u = rows;
+    CHECK_OK(batten_surface_fit_grid((batten_grid){1, NU, NV, z}, &options, NULL,
+                                     (batten_uv_out){NULL, NULL}, &report, &s));
+    CHECK(report.error < 1e-11 && report.rms < 1e-11 && report.most < 1e-11);
+    batten_surface_unref(s);
+    s = NULL;
+    options.weights_u = none;
+    options.by = BATTEN_SMOOTH_BY_LAMBDA;
+    CHECK_STATUS(batten_surface_smooth_grid((batten_grid){1, NU, NV, z}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_SINGULAR_SYSTEM);
+    CHECK_MESSAGE("control point 1 has no grid line of its own");
+    CHECK(!s);
+}

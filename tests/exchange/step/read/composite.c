@@ -53,10 +53,10 @@ TEST(gaps_between_segments_are_closed_up_to_a_hundred_times_the_tolerance)
         const char *note;
         batten_status status;
     } cases[] = {
-        {0.9e-6, "", BATTEN_OK},
-        {1.1e-6, "#100: two of its segments are farther than 1e-06 apart; joined", BATTEN_OK},
-        {0.9e-4, "#100: two of its segments are farther than 1e-06 apart; joined", BATTEN_OK},
-        {1.1e-4, NULL, BATTEN_NOT_COMPATIBLE}};
+        {0.999e-6, "", BATTEN_OK},
+        {1.001e-6, "#100: two of its segments are farther than 1e-06 apart; joined", BATTEN_OK},
+        {0.999e-4, "#100: two of its segments are farther than 1e-06 apart; joined", BATTEN_OK},
+        {1.001e-4, NULL, BATTEN_NOT_COMPATIBLE}};
     for (int i = 0; i < COUNT(cases); i++) {
         step_text_file t = {.notes = NULL};
         batten_curve *curve = NULL;
