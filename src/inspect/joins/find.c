@@ -225,7 +225,7 @@ static batten_status find_all(search *s, end *ends)
     for (int i = 0; i < s->count && status == BATTEN_OK; i++)
         status =
             s->curves ? add_ends_of_curve(s, i, ends, &count) : add_edges(s, i, ends, &count);
-    if (status != BATTEN_OK || count == 0)
+    if (status != BATTEN_OK)
         return status;
     qsort(ends, (size_t)count, sizeof *ends, by_key);
     status = find_whole(s, count, ends);

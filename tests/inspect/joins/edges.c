@@ -255,7 +255,8 @@ TEST(rims_of_tubes_join_wherever_their_seams_are)
 /* Parameters that run very unevenly make no pole. */
 TEST(wide_and_narrow_domains_change_no_join)
 {
-    static const double wide[4] = {0, 0, 1e6, 1e6}, narrow[4] = {0, 0, 1e-6, 1e-6};
+    static const double wide[4] = {-5e5, -5e5, 5e5, 5e5},
+                        narrow[4] = {-5e-7, -5e-7, 5e-7, 5e-7};
     static const double left[12] = {-1, 0, 0, -1, 1, 0, 0, 0, 0, 0, 1, 0},
                         right[12] = {0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 1};
     const batten_axis u = {1, 2, wide, false}, v = {1, 2, narrow, false};
