@@ -1,4 +1,4 @@
-/* Which of the points given still belong to a shape: those of a part are the ones that lie on it, not on what was cut off. */
+/* Which of the points given still belong to a shape: not those on what was cut off, nor where a table says that no hull is. */
 #include "design/outputs/fairness.h"
 
 #include <string.h>
@@ -70,6 +70,53 @@ static batten_status cut(follower *f, int feature)
     return status;
 }
 
+/* Points that moved, by the numbers of a table whose stations have `count` points in all. */
+static void mark_moved(const batten_loft_report *loft, int count, bool *moved)
+{
+    for (int c = 0; c < loft->correction_count; c++) {
+        int at = loft->corrections[c].index;
+        for (int k = 0; k < loft->corrections[c].station; k++)
+            at += batten_offset_table_station(loft->faired, k)->point_count;
+        if (at < count)
+            moved[at] = true;
+    }
+}
+
+/* A lofting names every point of its table that the surface is not at: others that lie off it are those that only say
+ * that there is no hull. */
+static batten_status leave_no_hull(follower *f, int feature)
+{
+    const bat_run *run = f->check->run;
+    const batten_loft_report *loft = run->results[feature].shown.loft;
+    follower table = {.check = f->check, .rooms = f->rooms};
+    double *off = f->rooms + f->cloud.count;
+    bool *moved = bat_array((size_t)f->cloud.count, sizeof *moved);
+    batten_status status = moved ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = bat_cloud_of(
+            f->check, run->document->features[feature].arguments[0].items[0].count,
+            &table.cloud);
+    for (int i = 0; i < f->cloud.count; i++)
+        off[i] = HUGE_VAL;
+    const bool is_alike = table.cloud.count == f->cloud.count; /* else it is not this table */
+    if (status == BATTEN_OK && is_alike) {
+        mark_moved(loft, f->cloud.count, moved);
+        status = approach(&table, run->results[feature].value, off);
+    }
+    for (int i = 0; i < f->cloud.count && status == BATTEN_OK && is_alike; i++)
+        f->stays[feature][i] &= moved[i] || !(off[i] > bat_tolerance(run));
+    f->is_cut |= is_alike;
+    bat_release(table.cloud.points);
+    bat_release(moved);
+    return status;
+}
+
+static bool leaves_points_out(const bat_check *check, int feature)
+{
+    const batten_loft_report *loft = check->run->results[feature].shown.loft;
+    return loft && loft->trimmed_count > 0;
+}
+
 static batten_status follow(follower *f, int last, const bat_data_root *root)
 {
     const bat_document *d = f->check->run->document;
@@ -84,6 +131,8 @@ static batten_status follow(follower *f, int last, const bat_data_root *root)
         bat_check_visit_parents(f->check, i, take_over, f);
         if (f->has_room && f->stays[i] && d->features[i].feature->cuts)
             status = cut(f, i);
+        else if (f->has_room && f->stays[i] && leaves_points_out(f->check, i))
+            status = leave_no_hull(f, i);
         if (i == last)
             break;
     }
@@ -94,7 +143,7 @@ static bool passes_a_cut(const bat_check *check, const bool *passed)
 {
     const bat_document *d = check->run->document;
     for (int i = 0; i < d->feature_count; i++)
-        if (passed[i] && d->features[i].feature->cuts)
+        if (passed[i] && (d->features[i].feature->cuts || leaves_points_out(check, i)))
             return true;
     return false;
 }

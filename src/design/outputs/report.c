@@ -108,7 +108,7 @@ static void text_distance(batten_text *out, const bat_check *check, const bat_da
 {
     const char *when = d->is_faired ? "after fairing," : "given,";
     if (d->count == 0) {
-        batten_text_add(out, "    all %d point%s %s '%s', were cut off\n", d->left_out,
+        batten_text_add(out, "    all %d point%s %s '%s', lie beyond the shape\n", d->left_out,
                         bat_plural(d->left_out), when, d->feature);
         return;
     }
@@ -123,7 +123,7 @@ static void text_distance(batten_text *out, const bat_check *check, const bat_da
         batten_text_add(out, k < 2 ? ", " : "");
     }
     if (d->left_out)
-        batten_text_add(out, "; %d cut off, left out", d->left_out);
+        batten_text_add(out, "; %d beyond the shape left out", d->left_out);
     batten_text_add(out, "\n");
 }
 

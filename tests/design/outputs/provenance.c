@@ -76,13 +76,58 @@ static const expect_row cut_rows[] = {
      "\"ok\": true|\"points\": 0, \"max\": null, \"rms\": null, \"at\": null, "
      "\"left_out\": 5}"},
     {"k.txt: {check: short, within: 1e-6}", BATTEN_OK,
-     "all 5 points given, 'ducks', were cut off\n|there are no points to measure"},
-    {"k.txt: {check: fore}", BATTEN_OK, "3 points given, 'ducks'|; 2 cut off, left out\n"},
+     "all 5 points given, 'ducks', lie beyond the shape\n|there are no points to measure"},
+    {"k.txt: {check: fore}", BATTEN_OK, "3 points given, 'ducks'|; 2 beyond the shape left out\n"},
 };
 
 TEST(points_on_what_was_cut_off_are_left_out_and_counted)
 {
     EXPECT_OUTPUTS(parts, cut_rows);
+}
+
+/* ---- points where there is no hull ---- */
+
+/* Two stations of four points, from the keel up: the first two of each say that no hull is there, or that it begins. */
+static void put_bow(checked_design *d, batten_offset_table **table)
+{
+    static const batten_table_point points[2][4] = {
+        {{0, 0, 0, -1}, {0, 0, 1, -1}, {0, 1, 2, -1}, {0, 1, 3, -1}},
+        {{1, 0, 0, -1}, {1, 0, 1, -1}, {1, 1.25, 2, -1}, {1, 1, 3, -1}}};
+    static const batten_table_station stations[] = {{"1", 0, 4, points[0]},
+                                                    {"2", 1, 4, points[1]}};
+    CHECK_OK(batten_offset_table_create(1, 0, NULL, 2, stations, table));
+    checked_put(d, "table",
+                &(batten_object){.name = "table",
+                                 .kind = BATTEN_OBJECT_OFFSET_TABLE,
+                                 .offset_table = *table});
+}
+
+TEST(offsets_that_say_that_there_is_no_hull_are_not_measured)
+{
+    /* The hull has two panels: on one lies the third point of each station but that which moved. */
+    static batten_loft_correction moved = {.station = 1, .index = 2};
+    static batten_loft_report loft = {
+        .panel_count = 1, .trimmed_count = 2, .correction_count = 1, .corrections = &moved};
+    checked_design d;
+    batten_surface *lower = NULL, *upper = NULL;
+    checked_open("  table: {points: [[0, 0, 0]]}\n  hull: {loft: table, within: 0.3}\n", "hull",
+                 &d);
+    checked_result(&d, "hull")->shown.loft = &loft;
+    put_bow(&d, &loft.faired);
+    CHECK_OK(batten_surface_bilinear((batten_vec3){0, 0, 1}, (batten_vec3){1, 0, 1},
+                                     (batten_vec3){0, 1, 2}, (batten_vec3){1, 1, 2}, &lower));
+    checked_put_surface(&d, "hull", lower);
+    CHECK_OK(batten_surface_bilinear((batten_vec3){0, 1, 2}, (batten_vec3){1, 1, 2},
+                                     (batten_vec3){0, 1, 3}, (batten_vec3){1, 1, 3}, &upper));
+    checked_put_surface(&d, "hull", upper);
+    const bat_checked *hull = checked_run(&d, 0.3);
+    CHECK_INT(hull->distance_count, 1);
+    CHECK_INT(hull->distances[0].count, 6);
+    CHECK_INT(hull->distances[0].left_out, 2);
+    CHECK_NEAR(hull->distances[0].max, 0.25 * sqrt(0.5), 0.08);
+    CHECK(d.check.ok);
+    batten_offset_table_unref(loft.faired);
+    checked_close(&d);
 }
 
 /* ---- where each object comes from ---- */

@@ -102,7 +102,7 @@ static const char objects_and_joins[] =
     "infinite: 1 corner, 2 jumps of curvature\n"
     "  bottom (surface)\n"
     "    distance from the 9 points given, 'ducks': at most 0.5 in (rms 0.25), at 4, 5, 6; 3 "
-    "cut off, left out\n"
+    "beyond the shape left out\n"
     "    distance from the 9 points after fairing, 'faired': at most 123500 in (rms 0), at 7, 8, "
     "9\n"
     "    it folds over near 1, 2, 3.142\n"
