@@ -61,6 +61,7 @@ TEST(a_box_has_its_area_volume_centroid_and_counts)
          "\"type\": \"offsets\", \"count\": 4, \"stations\": 2, \"lines\": 2, \"box\": [[0, 2, 1], [5, 7, 3]]}"},
         {"k.txt: {check: block}", BATTEN_OK,
          "What was done\n  block (read)\n|block (body)\n    within 1e-06: 12 shared edges\n"},
+        {"k.txt: {check: block}", BATTEN_OK, "No verdict: "},
         {"k.json: {check: block}", BATTEN_OK, "\"ok\": true"},
         {"k.txt: {check: open}", BATTEN_OK, "not closed"},
         {"k.json: {check: [block, mesh], within: 0.001}", BATTEN_OK, "\"ok\": true"},

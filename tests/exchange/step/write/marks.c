@@ -198,3 +198,61 @@ TEST(colours_that_repeat_are_written_once_while_they_are_remembered)
         batten_model_unref(model);
     }
 }
+
+/* Names and years of the protocols, as their parts of ISO 10303 have them. */
+TEST(each_schema_has_its_protocol_and_its_contexts)
+{
+    static const struct {
+        batten_step_schema schema;
+        const char *protocol, *application, *product, *definition;
+    } rows[] = {
+        {BATTEN_STEP_AP214, "'international standard','automotive_design',2000,#",
+         "=APPLICATION_CONTEXT('core data for automotive mechanical design processes');",
+         "=PRODUCT_CONTEXT('',#1,'mechanical');",
+         "=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');"},
+        {BATTEN_STEP_AP203, "'international standard','config_control_design',1994,#",
+         "=APPLICATION_CONTEXT('configuration controlled 3d designs of mechanical parts and "
+         "assemblies');",
+         "=MECHANICAL_CONTEXT('',#1,'mechanical');", "=DESIGN_CONTEXT('',#1,'design');"},
+        {BATTEN_STEP_AP242,
+         "'international standard','ap242_managed_model_based_3d_engineering',2014,#",
+         "=APPLICATION_CONTEXT('managed model based 3d engineering');",
+         "=PRODUCT_CONTEXT('',#1,'mechanical');",
+         "=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');"},
+    };
+    batten_model *model = marked_model();
+    for (int i = 0; i < COUNT(rows); i++) {
+        char *text = text_in(model, rows[i].schema, NULL);
+        CHECK_CONTAINS(text, rows[i].protocol);
+        CHECK_CONTAINS(text, rows[i].application);
+        CHECK_CONTAINS(text, rows[i].product);
+        CHECK_CONTAINS(text, rows[i].definition);
+        batten_release(text);
+    }
+    batten_model_unref(model);
+}
+
+/* A set of points refers to them in their order. */
+TEST(points_of_a_set_are_referred_to_one_by_one)
+{
+    const double points[] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(1, &model));
+    CHECK_OK(batten_model_add(model, &(batten_object){.name = "data",
+                                                      .kind = BATTEN_OBJECT_POINTS,
+                                                      .point_count = 3,
+                                                      .points = points}));
+    const char *text = step_text(model, NULL);
+    const char *at = strstr(text, "=CARTESIAN_POINT('',(1.,2.,3.));");
+    CHECK(at != NULL);
+    while (*at != '#')
+        at--;
+    const int first = atoi(at + 1);
+    char words[100];
+    snprintf(words, sizeof words, "GEOMETRIC_CURVE_SET('data',(#%d,#%d,#%d));", first,
+             first + 1, first + 2);
+    CHECK_CONTAINS(text, words);
+    snprintf(words, sizeof words, "#%d=CARTESIAN_POINT('',(7.,8.,9.));", first + 2);
+    CHECK_CONTAINS(text, words);
+    batten_model_unref(model);
+}
