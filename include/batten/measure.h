@@ -5,6 +5,7 @@
  * Lengths, areas, boxes, moments, and division by length.
  */
 #include <batten/chain.h>
+#include <batten/hull.h>
 #include <batten/surface.h>
 
 #ifdef __cplusplus
@@ -336,6 +337,38 @@ typedef struct batten_surface_fold {
  */
 BATTEN_API batten_status batten_surface_find_fold(const batten_surface *surface,
                                                   batten_surface_fold *out);
+
+/* ---- hulls afloat, beside those of hull.h ---- */
+
+/**
+ * How high the edge of the deck stands above the water: the least height of those edges along the ship, in the
+ * upper half of the hull, that lids close; on both sides of it. Below 0 it is immersed.
+ *
+ * @param hull  any hull
+ * @param flotation  as batten_hull_hydrostatics
+ * @param[out] freeboard  model units, plumb to the water, within 1e-12 of the size of the hull
+ * @param[out] at  where it is, in the coordinates of the hull; NULL when it is not wanted
+ * @return BATTEN_OK; BAD_ARGUMENT; NOT_FOUND when no edge of a deck is known, as of whole hulls
+ *
+ * Cost: some ten evaluations of each piece of the edges that may be lowest.
+ */
+BATTEN_API batten_status batten_hull_freeboard(const batten_hull *hull,
+                                               const batten_flotation *flotation,
+                                               double *freeboard, batten_vec3 *at);
+
+/**
+ * A catamaran of one of its hulls, given about y = 0: that hull half the spacing to port, and its image in
+ * y = 0. Its lids are those of the one hull, at its place, with the area of both.
+ *
+ * @param hull  the one hull
+ * @param spacing  between the planes y = 0 of both, model units, above 0
+ * @param[out] out  release with batten_hull_free
+ * @return BATTEN_OK; BAD_ARGUMENT (spacing, hulls that overlap); OUT_OF_MEMORY
+ *
+ * Cost: linear in the patches of the hull.
+ */
+BATTEN_API batten_status batten_hull_twin(const batten_hull *hull, double spacing,
+                                          batten_hull **out);
 
 #ifdef __cplusplus
 }

@@ -7,7 +7,7 @@
 static const double ROUNDING = 1e-9;
 
 /* The top of the hull is an edge along the ship that is closed across, above its middle. */
-double bat_hydro_deck(const batten_hull *hull)
+static double deck_of(const batten_hull *hull)
 {
     int count;
     const batten_hull_lid *lids = batten_hull_lids(hull, &count);
@@ -39,7 +39,7 @@ static double round_step(double range)
 batten_status bat_hydro_round_draughts(const batten_hull *hull,
                                        double draughts[BAT_HYDRO_DRAUGHTS], int *count)
 {
-    const double low = bat_max(0, batten_hull_box(hull).low.z), high = bat_hydro_deck(hull);
+    const double low = bat_max(0, batten_hull_box(hull).low.z), high = deck_of(hull);
     const double step = round_step(bat_max(high - low, DBL_MIN));
     const int first = (int)floor(low / step) + 1,
               last = (int)floor(high / step * (1 + ROUNDING));

@@ -103,7 +103,7 @@ batten_status bat_hydro_fill_sections(const bat_hydro_water *w, int count, const
     batten_status status = areas_at(w, count, places, areas);
     if (status == BATTEN_OK)
         status = find_largest(w, are_own(w, count, places) ? areas : NULL, &largest);
-    const double around = values[BAT_HYDRO_BREADTH] * values[BAT_HYDRO_T];
+    const double around = w->breadth * values[BAT_HYDRO_T];
     const double prism = w->length * largest;
     values[BAT_HYDRO_AX] = largest;
     values[BAT_HYDRO_CX] = around > 0 ? largest / around : (double)NAN;

@@ -1,23 +1,11 @@
 /* The output 'hydrostatics': how a hull floats, as a table by draughts, and its righting arms. */
 #include "design/outputs/hydrostatics.h"
-#include "base/arena.h"
-#include "base/elementary.h"
 #include "base/plural.h"
-#include "design/feature.h"
 
 #include <string.h>
 
-/* Of the sums in each patch, relatively; text shows six digits. */
-static const double PRECISION = 1e-9;
-/* The cosine of a heel at which the water stands upright in the hull. */
-static const double PLUMB = 1e-9;
-/* Angles that are 0 but for the precision of the rest. */
-static const double LEVEL = 1e-9;
 /* The water may lack this share of the wetted surface to be kept out. */
 static const double OPEN = 1e-6;
-
-static const double STANDARD_HEELS[] = {0,  5,  10, 15, 20, 25, 30, 35,
-                                        40, 45, 50, 55, 60, 70, 80, 90};
 
 static const batten_parameter parameters[] = {
     {"hydrostatics", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
@@ -36,49 +24,50 @@ static const batten_parameter parameters[] = {
      "between perpendiculars, for the coefficients; else that of each waterline"},
     {"whole", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "each surface is a hull that is closed by itself"},
+    {"spacing", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "of a catamaran, of which one hull is given about y = 0: between the centre planes of both"},
     {"mass", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
      "of the ship and what it carries, tonnes: how it floats then, and its righting arms"},
     {"gravity", BATTEN_VALUE_POINT, false, false, NULL, NULL, "the centre of this mass"},
     {"heels", BATTEN_VALUE_ANGLE, true, false, NULL, NULL,
-     "of the righting arms, free to trim; else 0 to 90 degrees"},
+     "of the righting arms and cross curves, free to trim; else 0 to 90 degrees"},
+    {"displacements", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
+     "tonnes: those of cross curves KN"},
+    {"openings", BATTEN_VALUE_POINT, true, false, NULL, NULL,
+     "through which it floods, each on both sides: the heel at which the first comes to the water"},
 };
 
-typedef struct {
-    bat_run *run;
-    bat_arena arena;
-    batten_hull *hull;
-    double metres;
-    bat_hydro_report report;
-} hydro;
-
 /* ---- the table ---- */
-
-/* What is 0 but for rounding is 0. */
-static double without_dust(const hydro *h, double place)
-{
-    const batten_box box = batten_hull_box(h->hull);
-    return fabs(place) < 1e-12 * (box.high.x - box.low.x) ? 0 : place;
-}
 
 static double share(double a, double b)
 {
     return b > 0 ? a / b : (double)NAN;
 }
 
-static void fill_row(const hydro *h, const batten_hydrostatics *v, double length,
+/* In coefficients: of a catamaran that of both hulls, which is known where the water lies level across. */
+static double breadth_of(const bat_hydro *h, const double *values)
+{
+    const double over_all = values[BAT_HYDRO_BREADTH], spacing = h->report.spacing;
+    if (!(spacing > 0))
+        return over_all;
+    return h->report.heel == 0 ? 2 * bat_max(0, over_all - spacing) : (double)NAN;
+}
+
+static void fill_row(const bat_hydro *h, const batten_hydrostatics *v, double length,
                      double *values)
 {
     const double cubic = h->metres * h->metres * h->metres, density = h->report.density;
-    const double draught = values[BAT_HYDRO_T], breadth = values[BAT_HYDRO_BREADTH];
+    const double draught = values[BAT_HYDRO_T], breadth = breadth_of(h, values);
     const bool wet = v->volume > 0;
     values[BAT_HYDRO_VOLUME] = v->volume;
     values[BAT_HYDRO_DISPLACEMENT] = density * v->volume * cubic;
     values[BAT_HYDRO_WATERPLANE] = v->waterplane;
     values[BAT_HYDRO_WETTED] = v->wetted;
-    values[BAT_HYDRO_LCB] = wet ? without_dust(h, v->buoyancy.x) : (double)NAN;
-    values[BAT_HYDRO_TCB] = wet ? without_dust(h, v->buoyancy.y) : (double)NAN;
+    values[BAT_HYDRO_LCB] = wet ? bat_hydro_without_dust(h, v->buoyancy.x) : (double)NAN;
+    values[BAT_HYDRO_TCB] = wet ? bat_hydro_without_dust(h, v->buoyancy.y) : (double)NAN;
     values[BAT_HYDRO_VCB] = wet ? v->buoyancy.z : (double)NAN;
-    values[BAT_HYDRO_LCF] = v->waterplane > 0 ? without_dust(h, v->flotation.x) : (double)NAN;
+    values[BAT_HYDRO_LCF] =
+        v->waterplane > 0 ? bat_hydro_without_dust(h, v->flotation.x) : (double)NAN;
     values[BAT_HYDRO_ACROSS] = v->across;
     values[BAT_HYDRO_ALONG] = v->along;
     values[BAT_HYDRO_BMT] = share(v->across, v->volume);
@@ -105,7 +94,20 @@ static batten_status check_closed(const batten_hydrostatics *v, double draught)
                     draught, open);
 }
 
-static batten_status add_row(hydro *h, double draught, bat_hydro_row *row, double *areas)
+static void note_deck(const bat_hydro *h, const batten_flotation *at)
+{
+    double freeboard;
+    batten_vec3 place;
+    if (batten_hull_freeboard(h->hull, at, &freeboard, &place) != BATTEN_OK ||
+        bat_hydro_without_dust(h, freeboard) >= 0)
+        return;
+    bat_note(h->run,
+             "at the draught %.6g the edge of the deck is under water: by up to %.6g, at "
+             "(%.6g, %.6g, %.6g)",
+             at->draught, -freeboard, place.x, place.y, place.z);
+}
+
+static batten_status add_row(bat_hydro *h, double draught, bat_hydro_row *row, double *areas)
 {
     const batten_flotation at = {draught, bat_number(h->run, "trim"),
                                  bat_number(h->run, "heel")};
@@ -113,23 +115,23 @@ static batten_status add_row(hydro *h, double draught, bat_hydro_row *row, doubl
     const double size = bat_max(box.high.x - box.low.x, box.high.y - box.low.y);
     batten_hydrostatics v;
     batten_interval along, across;
-    batten_status status = batten_hull_hydrostatics(h->hull, &at, PRECISION, h->run->job, &v);
+    batten_status status =
+        batten_hull_hydrostatics(h->hull, &at, BAT_HYDRO_PRECISION, h->run->job, &v);
     if (status == BATTEN_OK)
         status = check_closed(&v, draught);
     if (status == BATTEN_OK)
-        status = batten_hull_waterline(h->hull, &at, PRECISION * size, &along, &across);
+        status =
+            batten_hull_waterline(h->hull, &at, BAT_HYDRO_PRECISION * size, &along, &across);
     if (status != BATTEN_OK)
         return status;
-    if (draught > bat_hydro_deck(h->hull))
-        bat_note(h->run,
-                 "at the draught %.6g the edge of the deck, lowest at z = %.6g, is under water",
-                 draught, bat_hydro_deck(h->hull));
+    note_deck(h, &at);
     row->values[BAT_HYDRO_T] = draught;
     row->values[BAT_HYDRO_LENGTH] = along.b - along.a;
     row->values[BAT_HYDRO_BREADTH] = across.b - across.a;
     const double length = h->report.length > 0 ? h->report.length : along.b - along.a;
     int lost = 0;
-    const bat_hydro_water water = {h->hull, h->run->job, at, length, &lost};
+    const bat_hydro_water water = {h->hull, h->run->job, at, length, breadth_of(h, row->values),
+                                   &lost};
     fill_row(h, &v, length, row->values);
     status = bat_hydro_fill_sections(&water, h->report.place_count, h->report.places, areas,
                                      row->values);
@@ -143,7 +145,7 @@ static batten_status add_row(hydro *h, double draught, bat_hydro_row *row, doubl
 }
 
 /* Those that are given, else round ones. */
-static batten_status list_draughts(hydro *h, double **draughts)
+static batten_status list_draughts(bat_hydro *h, double **draughts)
 {
     const bat_argument *given = bat_argument_of(h->run, "draughts");
     double round[BAT_HYDRO_DRAUGHTS];
@@ -163,7 +165,7 @@ static batten_status list_draughts(hydro *h, double **draughts)
 }
 
 /* Those that are given, else from end to end. */
-static batten_status list_places(hydro *h)
+static batten_status list_places(bat_hydro *h)
 {
     const bat_argument *given = bat_argument_of(h->run, "stations");
     bat_hydro_report *r = &h->report;
@@ -177,7 +179,7 @@ static batten_status list_places(hydro *h)
     return BATTEN_OK;
 }
 
-static batten_status fill_table(hydro *h)
+static batten_status fill_table(bat_hydro *h)
 {
     double *draughts = NULL;
     bat_hydro_report *r = &h->report;
@@ -196,79 +198,6 @@ static batten_status fill_table(hydro *h)
     return status;
 }
 
-/* ---- afloat ---- */
-
-static batten_status add_arm(hydro *h, double heel, const batten_loading *loading,
-                             bat_hydro_arm *arm)
-{
-    batten_balance b;
-    const batten_flotation start = {h->report.rest.flotation.draught, 0, heel};
-    batten_loading held = *loading;
-    held.fixed_heel = true;
-    const batten_status status =
-        batten_hull_balance(h->hull, &held, &start, PRECISION, h->run->job, &b);
-    *arm = (bat_hydro_arm){heel * 180 / BAT_PI, NAN, NAN, NAN, NAN};
-    if (status == BATTEN_NOT_FOUND) {
-        bat_note(h->run, "at a heel of %g degrees the hull finds no trim: %s", arm->heel,
-                 batten_message());
-        return BATTEN_OK;
-    }
-    if (status != BATTEN_OK)
-        return status;
-    arm->arm = without_dust(h, b.heeling);
-    arm->kn =
-        arm->arm + loading->gravity.z * bat_sin(heel) - loading->gravity.y * bat_cos(heel);
-    /* On its side a hull has no draught: the water is plumb in its coordinates. */
-    if (fabs(bat_cos(heel)) > PLUMB)
-        arm->draught = b.flotation.draught;
-    arm->trim = b.flotation.trim * 180 / BAT_PI;
-    return BATTEN_OK;
-}
-
-static batten_status fill_arms(hydro *h, const batten_loading *loading)
-{
-    const bat_argument *given = bat_argument_of(h->run, "heels");
-    const int standard = sizeof STANDARD_HEELS / sizeof STANDARD_HEELS[0];
-    bat_hydro_report *r = &h->report;
-    r->arm_count = given->count > 0 ? given->count : standard;
-    r->arms = bat_arena_array(&h->arena, (size_t)r->arm_count, sizeof *r->arms);
-    if (!r->arms)
-        return BATTEN_OUT_OF_MEMORY;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < r->arm_count && status == BATTEN_OK; i++)
-        status = add_arm(
-            h, given->count > 0 ? given->items[i].number[0] : STANDARD_HEELS[i] * BAT_PI / 180,
-            loading, &r->arms[i]);
-    return status;
-}
-
-static batten_status float_hull(hydro *h)
-{
-    bat_hydro_report *r = &h->report;
-    const double cubic = h->metres * h->metres * h->metres;
-    if (bat_has(h->run, "mass") != bat_has(h->run, "gravity"))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'mass' and 'gravity' belong together");
-    if (!bat_has(h->run, "mass")) {
-        return bat_has(h->run, "heels")
-                   ? bat_fail(BATTEN_BAD_ARGUMENT,
-                              "'heels' are those of righting arms, which need 'mass' and "
-                              "'gravity'; 'heel' is that of the table")
-                   : BATTEN_OK;
-    }
-    r->mass = bat_number(h->run, "mass");
-    r->gravity = bat_point(h->run, "gravity");
-    const batten_loading loading = {r->mass / (r->density * cubic), r->gravity, false, false};
-    const batten_box box = batten_hull_box(h->hull);
-    const batten_flotation start = {0.5 * (box.low.z + box.high.z), 0, 0};
-    batten_status status =
-        batten_hull_balance(h->hull, &loading, &start, PRECISION, h->run->job, &r->rest);
-    if (fabs(r->rest.flotation.heel) < LEVEL)
-        r->rest.flotation.heel = 0;
-    if (fabs(r->rest.flotation.trim) < LEVEL)
-        r->rest.flotation.trim = 0;
-    return status == BATTEN_OK ? fill_arms(h, &loading) : status;
-}
-
 /* ---- the output ---- */
 
 static batten_status check_numbers(const bat_run *run)
@@ -280,6 +209,10 @@ static batten_status check_numbers(const bat_run *run)
     if (bat_has(run, "mass") && !(bat_number(run, "mass") > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the mass is %g t; it must be above 0",
                         bat_number(run, "mass"));
+    if (bat_has(run, "spacing") && !(bat_number(run, "spacing") > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the hulls of a catamaran are %g apart; it must be above 0",
+                        bat_number(run, "spacing"));
     if (bat_has(run, "length") && !(bat_number(run, "length") > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "the length between perpendiculars is %g; it must be above 0",
@@ -287,7 +220,19 @@ static batten_status check_numbers(const bat_run *run)
     return BATTEN_OK;
 }
 
-static batten_status make_hull(hydro *h)
+/* A catamaran of the hull that was given. */
+static batten_status double_hull(bat_hydro *h)
+{
+    batten_hull *twin = NULL;
+    const batten_status status = batten_hull_twin(h->hull, h->report.spacing, &twin);
+    if (status == BATTEN_OK) {
+        batten_hull_free(h->hull);
+        h->hull = twin;
+    }
+    return status;
+}
+
+static batten_status make_hull(bat_hydro *h)
 {
     bat_objects objects;
     batten_hull_options options = batten_hull_defaults();
@@ -305,10 +250,10 @@ static batten_status make_hull(hydro *h)
     if (status == BATTEN_OK)
         status = batten_hull_create(objects.count, surfaces, &options, &h->hull);
     bat_objects_release(&objects);
-    return status;
+    return status == BATTEN_OK && h->report.spacing > 0 ? double_hull(h) : status;
 }
 
-static void note_hull(const hydro *h)
+static void note_hull(const bat_hydro *h)
 {
     int count;
     const batten_box box = batten_hull_box(h->hull);
@@ -324,7 +269,7 @@ static void note_hull(const hydro *h)
             lids[i].edge.low.x, lids[i].edge.high.x, lids[i].edge.low.z, lids[i].edge.high.z);
 }
 
-static batten_status write_report(const hydro *h)
+static batten_status write_report(const bat_hydro *h)
 {
     const char *dot = strrchr(h->run->name, '.');
     batten_text text = BATTEN_TEXT;
@@ -336,15 +281,29 @@ static batten_status write_report(const hydro *h)
     return status;
 }
 
+/* What the parameters ask for beside the table. */
+static batten_status float_hull(bat_hydro *h)
+{
+    const batten_box box = batten_hull_box(h->hull);
+    batten_flotation near = {0.5 * (box.low.z + box.high.z), 0, 0};
+    h->near = &near;
+    batten_status status = bat_hydro_float(h);
+    if (status == BATTEN_OK && h->report.mass > 0)
+        status = bat_hydro_measure(h);
+    h->near = NULL;
+    return status;
+}
+
 static batten_status run_hydrostatics(bat_run *run)
 {
-    hydro h = {.run = run, .metres = bat_unit_metres(run)};
+    bat_hydro h = {.run = run, .metres = bat_unit_metres(run)};
     h.report = (bat_hydro_report){
         .unit = *bat_unit_name(run) ? bat_unit_name(run) : "units",
         .density = bat_number(run, "density"),
         .trim = bat_number(run, "trim") * 180 / BAT_PI,
         .heel = bat_number(run, "heel") * 180 / BAT_PI,
         .length = bat_has(run, "length") ? bat_number(run, "length") : 0,
+        .spacing = bat_has(run, "spacing") ? bat_number(run, "spacing") : 0,
     };
     batten_status status = check_numbers(run);
     if (status == BATTEN_OK)
@@ -369,17 +328,21 @@ const bat_feature bat_feature_hydrostatics = {
          "A report: displacement, centres, metacentres and righting arms of a hull",
          "For each draught volume and displacement, the waterline's length and breadth, areas,\n"
          "centres of buoyancy and flotation, second moments, metacentres, coefficients of form, and\n"
-         "the areas of sections across x: curves of sectional areas, or Bonjean's along a station;\n"
-         "for a mass and its centre how the hull floats, and its righting arms GZ and cross values\n"
-         "KN at fixed heels, free to trim. Water is what lies below a plane, so all of it holds\n"
-         "for any trim and heel.\n\n"
+         "the areas of sections across x: curves of sectional areas, or Bonjean's along a station.\n"
+         "For a mass and its centre how the hull floats, its righting arms GZ at fixed heels, free to\n"
+         "trim, with the freeboard there, and their measures: GM, the largest arm, the range, areas\n"
+         "below the curve from 0 to 30, 0 to 40 and 30 to 40 degrees (40: or the heel at which the\n"
+         "first of 'openings' floods), the heel at which the deck is immersed. These are measures to\n"
+         "be held against a rule, no verdict. For 'displacements' cross curves: KN = GZ for a mass\n"
+         "at z = 0 and the x of 'gravity', else of the level hull's centre of buoyancy. Water is\n"
+         "what lies below a plane, so all of it holds for any trim and heel.\n\n"
          "The surfaces are one half of the hull, or both when they are images of each other in the\n"
          "centre plane. Edges off the centre plane that no other surface shares are closed by\n"
          "straight lines across, as transoms, decks and flat bottoms are, and a remark names each.\n"
-         "A hull whose inner sides or upper faces are surfaces of their own, as of a catamaran, is\n"
-         "refused. x runs along the ship, z up from the baseline. As JSON when the file ends in\n"
-         ".json; tables by draughts, of sections and of arms (CSV) when it ends in .csv; else text with\n"
-         "conventions and names.",
+         "A catamaran is given by one of its hulls, about y = 0, and 'spacing'; a hull whose inner\n"
+         "sides or upper faces are surfaces of their own is refused. x runs along the ship, z up\n"
+         "from the baseline. As JSON when the file ends in .json; tables (CSV) when it ends in .csv;\n"
+         "else text with conventions and names.",
          "features:\n"
          "  table: {read: offsets.csv}\n"
          "  hull: {loft: table, within: 3 mm}\n"
@@ -387,10 +350,10 @@ const bat_feature bat_feature_hydrostatics = {
          "  hull.txt: {hydrostatics: hull, draughts: [0.2 m, 0.3 m, 0.4 m]}\n",
          "[RT01]", "batten_hull_hydrostatics", BAT_PARAMETERS(parameters), true,
          .also =
-             "displacement, curves of form, metacentre, KM, GM, GZ curve, righting arm, stability, centre of buoyancy, waterplane, block coefficient, cross curves, KN, draught, trim, heel, wetted surface, sectional area curve, Bonjean curves, prismatic coefficient, midship section",
+             "displacement, curves of form, metacentre, KM, GM, GZ curve, righting arm, stability, centre of buoyancy, waterplane, block coefficient, cross curves, KN, draught, trim, heel, wetted surface, sectional area curve, Bonjean curves, prismatic coefficient, midship section, catamaran, multihull, demihull, downflooding, deck immersion, freeboard, dynamic stability, area under GZ, range of stability, IMO criteria",
          .formula =
              "    V = ∫ h n·N,  M = ∫ (P h − n h²/2) n·N,  A = −∫ n·N,  over the wet surface; h the height above the water,\n"
              "    n up, N outwards. GZ = (B − G)·e, e across towards the side that is down",
          .promise =
-             "Volume, centres and moments are integrated to 1e-9 of their size in each patch, areas of sections to 1e-8 of breadth times depth, at any heel and trim, on the surfaces that are given."},
+             "Volume, centres and moments are integrated to 1e-9 of their size in each patch, areas of sections to 1e-8 of breadth times depth, at any heel and trim, on the surfaces that are given. Areas below GZ say their error."},
     .run = run_hydrostatics};

@@ -1,5 +1,5 @@
-/* The report of hydrostatics, its columns with their names and units: all of it as text; the table by draughts, the
- * areas of sections and the righting arms as CSV and JSON, which have all digits. */
+/* The report of hydrostatics, its columns with their names and units: text; CSV and JSON, which
+ * have all digits: the table by draughts and the areas of sections. */
 #include "design/outputs/hydrostatics.h"
 
 #include <string.h>
@@ -47,14 +47,6 @@ static void add_unit(const bat_hydro_report *r, const char *unit, batten_text *o
 
 enum { COLUMNS_OF_TEXT = 6 };
 
-static void add_cell(double value, batten_text *out)
-{
-    if (isnan(value))
-        batten_text_add(out, " %11s", "-");
-    else
-        batten_text_add(out, " %11.6g", value);
-}
-
 static void add_block(const bat_hydro_report *r, int first, batten_text *out)
 {
     const int last = bat_min_int(first + COLUMNS_OF_TEXT, r->count);
@@ -65,7 +57,7 @@ static void add_block(const bat_hydro_report *r, int first, batten_text *out)
         const int width = (int)(out->length - before);
         batten_text_add(out, "%*s", bat_max_int(0, 12 - width), "");
         for (int i = first; i < last; i++)
-            add_cell(r->rows[i].values[c], out);
+            bat_hydro_add_cell(r->rows[i].values[c], out);
         batten_text_add(out, "\n");
     }
     batten_text_add(out, "\n");
@@ -83,6 +75,11 @@ static void add_conventions(const bat_hydro_report *r, batten_text *out)
                         r->unit);
     else
         batten_text_add(out, "L in the coefficients and in MCT is LWL\n");
+    if (r->spacing > 0)
+        batten_text_add(out,
+                        "two hulls, their centre planes %.6g %s apart; BWL is over both, the "
+                        "breadth in CB, CWP and CX that of both without what is between them\n",
+                        r->spacing, r->unit);
     for (int i = 0; i < r->lid_count; i++) {
         const batten_box *box = &r->lids[i].edge;
         batten_text_add(out,
@@ -100,39 +97,15 @@ static void add_sections(const bat_hydro_report *r, int first, batten_text *out)
     const int last = bat_min_int(first + COLUMNS_OF_TEXT, r->count);
     batten_text_add(out, "areas of sections, %s2, at x by draughts\n%-12s", r->unit, "x");
     for (int i = first; i < last; i++)
-        add_cell(r->rows[i].values[BAT_HYDRO_T], out);
+        bat_hydro_add_cell(r->rows[i].values[BAT_HYDRO_T], out);
     batten_text_add(out, "\n");
     for (int k = 0; k < r->place_count; k++) {
         batten_text_add(out, "%-12.6g", r->places[k]);
         for (int i = first; i < last; i++)
-            add_cell(r->areas[(size_t)i * (size_t)r->place_count + (size_t)k], out);
+            bat_hydro_add_cell(r->areas[(size_t)i * (size_t)r->place_count + (size_t)k], out);
         batten_text_add(out, "\n");
     }
     batten_text_add(out, "\n");
-}
-
-static void add_rest(const bat_hydro_report *r, batten_text *out)
-{
-    const batten_balance *b = &r->rest;
-    batten_text_add(out,
-                    "Afloat with %.6g t, their centre at (%.6g, %.6g, %.6g) %s\n"
-                    "  draught %.6g %s at x = 0, trim %.6g deg, heel %.6g deg\n"
-                    "  GMT %.6g %s, GML %.6g %s: %s\n",
-                    r->mass, r->gravity.x, r->gravity.y, r->gravity.z, r->unit,
-                    b->flotation.draught, r->unit, b->flotation.trim * 180 / BAT_PI,
-                    b->flotation.heel * 180 / BAT_PI, b->metacentric[0], r->unit,
-                    b->metacentric[1], r->unit, b->stable ? "stable" : "not stable");
-    batten_text_add(out, "\n%-12s %11s %11s %11s %11s\n", "heel, deg", "GZ", "KN", "T",
-                    "trim, deg");
-    for (int i = 0; i < r->arm_count; i++) {
-        const bat_hydro_arm *a = r->arms + i;
-        batten_text_add(out, "%-12.6g", a->heel);
-        add_cell(a->arm, out);
-        add_cell(a->kn, out);
-        add_cell(a->draught, out);
-        add_cell(a->trim, out);
-        batten_text_add(out, "\n");
-    }
 }
 
 void bat_hydro_as_text(const bat_hydro_report *r, batten_text *out)
@@ -145,20 +118,10 @@ void bat_hydro_as_text(const bat_hydro_report *r, batten_text *out)
     batten_text_add(out, "\n");
     for (int first = 0; first < r->count; first += COLUMNS_OF_TEXT)
         add_sections(r, first, out);
-    if (r->mass > 0) {
-        add_rest(r, out);
-    }
+    bat_hydro_stability_as_text(r, out);
 }
 
 /* ---- a table ---- */
-
-static void add_value(double value, const char *none, batten_text *out)
-{
-    if (isnan(value))
-        batten_text_add(out, "%s", none);
-    else
-        batten_text_number(out, value);
-}
 
 /* A table below the first: x by rows, draughts by columns. */
 static void add_csv_sections(const bat_hydro_report *r, batten_text *out)
@@ -173,30 +136,13 @@ static void add_csv_sections(const bat_hydro_report *r, batten_text *out)
         batten_text_add(out, ",%s2", r->unit);
     batten_text_add(out, "\n");
     for (int k = 0; k < r->place_count; k++) {
-        add_value(r->places[k], "", out);
+        bat_hydro_add_value(r->places[k], "", out);
         for (int i = 0; i < r->count; i++) {
             batten_text_add(out, ",");
-            add_value(r->areas[(size_t)i * (size_t)r->place_count + (size_t)k], "", out);
+            bat_hydro_add_value(r->areas[(size_t)i * (size_t)r->place_count + (size_t)k], "",
+                                out);
         }
         batten_text_add(out, "\n");
-    }
-}
-
-/* The last table: how it rests, as a heel of its own, and the arms. */
-static void add_csv_arms(const bat_hydro_report *r, batten_text *out)
-{
-    const batten_flotation *rest = &r->rest.flotation;
-    const double degrees = 180 / BAT_PI;
-    batten_text_add(out, "\nheel,GZ,KN,T,trim\ndeg,%s,%s,%s,deg\n", r->unit, r->unit, r->unit);
-    for (int i = -1; i < r->arm_count; i++) {
-        const bat_hydro_arm at_rest = {rest->heel * degrees, 0, NAN, rest->draught,
-                                       rest->trim * degrees};
-        const bat_hydro_arm *a = i < 0 ? &at_rest : r->arms + i;
-        const double values[] = {a->heel, a->arm, a->kn, a->draught, a->trim};
-        for (int k = 0; k < 5; k++) {
-            add_value(values[k], "", out);
-            batten_text_add(out, k < 4 ? "," : "\n");
-        }
     }
 }
 
@@ -212,54 +158,20 @@ void bat_hydro_as_csv(const bat_hydro_report *r, batten_text *out)
     batten_text_add(out, "\n");
     for (int i = 0; i < r->count; i++)
         for (int c = 0; c < BAT_HYDRO_COLUMNS; c++) {
-            add_value(r->rows[i].values[c], "", out);
+            bat_hydro_add_value(r->rows[i].values[c], "", out);
             batten_text_add(out, c + 1 < BAT_HYDRO_COLUMNS ? "," : "\n");
         }
     add_csv_sections(r, out);
-    if (r->mass > 0)
-        add_csv_arms(r, out);
+    bat_hydro_stability_as_csv(r, out);
 }
 
 /* ---- JSON ---- */
-
-static void add_member(const char *key, double value, bool first, batten_text *out)
-{
-    batten_text_add(out, "%s\"%s\": ", first ? "" : ", ", key);
-    add_value(value, "null", out);
-}
-
-static void add_json_rest(const bat_hydro_report *r, batten_text *out)
-{
-    const batten_balance *b = &r->rest;
-    batten_text_add(out, ",\n  \"afloat\": {");
-    add_member("mass", r->mass, true, out);
-    add_member("x", r->gravity.x, false, out);
-    add_member("y", r->gravity.y, false, out);
-    add_member("z", r->gravity.z, false, out);
-    add_member("draught", b->flotation.draught, false, out);
-    add_member("trim", b->flotation.trim * 180 / BAT_PI, false, out);
-    add_member("heel", b->flotation.heel * 180 / BAT_PI, false, out);
-    add_member("GMT", b->metacentric[0], false, out);
-    add_member("GML", b->metacentric[1], false, out);
-    batten_text_add(out, ", \"stable\": %s},\n  \"arms\": [", b->stable ? "true" : "false");
-    for (int i = 0; i < r->arm_count; i++) {
-        const bat_hydro_arm *a = r->arms + i;
-        batten_text_add(out, "%s\n    {", i ? "," : "");
-        add_member("heel", a->heel, true, out);
-        add_member("GZ", a->arm, false, out);
-        add_member("KN", a->kn, false, out);
-        add_member("T", a->draught, false, out);
-        add_member("trim", a->trim, false, out);
-        batten_text_add(out, "}");
-    }
-    batten_text_add(out, "\n  ]");
-}
 
 static void add_json_numbers(int count, const double *numbers, batten_text *out)
 {
     for (int k = 0; k < count; k++) {
         batten_text_add(out, "%s", k ? ", " : "[");
-        add_value(numbers[k], "null", out);
+        bat_hydro_add_value(numbers[k], "null", out);
     }
     batten_text_add(out, "]");
 }
@@ -300,21 +212,22 @@ static void add_json_lids(const bat_hydro_report *r, batten_text *out)
 void bat_hydro_as_json(const bat_hydro_report *r, batten_text *out)
 {
     batten_text_add(out, "{\n  \"unit\": \"%s\",\n  ", r->unit);
-    add_member("density", r->density, true, out);
-    add_member("trim", r->trim, false, out);
-    add_member("heel", r->heel, false, out);
-    add_member("L", r->length > 0 ? r->length : (double)NAN, false, out);
+    bat_hydro_add_member("density", r->density, true, out);
+    bat_hydro_add_member("trim", r->trim, false, out);
+    bat_hydro_add_member("heel", r->heel, false, out);
+    if (r->spacing > 0)
+        bat_hydro_add_member("spacing", r->spacing, false, out);
+    bat_hydro_add_member("L", r->length > 0 ? r->length : (double)NAN, false, out);
     batten_text_add(out, ",\n  \"rows\": [");
     for (int i = 0; i < r->count; i++) {
         batten_text_add(out, "%s\n    {", i ? "," : "");
         for (int c = 0; c < BAT_HYDRO_COLUMNS; c++)
-            add_member(columns[c].symbol, r->rows[i].values[c], c == 0, out);
+            bat_hydro_add_member(columns[c].symbol, r->rows[i].values[c], c == 0, out);
         batten_text_add(out, "}");
     }
     batten_text_add(out, "\n  ]");
     add_json_sections(r, out);
     add_json_lids(r, out);
-    if (r->mass > 0)
-        add_json_rest(r, out);
+    bat_hydro_stability_as_json(r, out);
     batten_text_add(out, "\n}\n");
 }
