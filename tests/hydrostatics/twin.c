@@ -127,20 +127,26 @@ TEST(the_lowest_place_of_a_sheer_is_found_between_its_ends)
     batten_hull_free(hull);
 }
 
-TEST(a_hull_without_an_edge_of_a_deck_has_no_freeboard)
+static batten_status make_ball(batten_hull **out)
 {
     const batten_frame world = batten_frame_world();
-    double freeboard = 7;
-    const batten_flotation at = {0, 0, 0};
     batten_surface *ball = NULL;
-    batten_hull *hull = NULL;
     batten_hull_options options = batten_hull_defaults();
     options.whole = true;
-    CHECK_OK(batten_surface_sphere(&world, 1, &ball));
-    const batten_surface *const surfaces[] = {ball};
-    const batten_status status = batten_hull_create(1, surfaces, &options, &hull);
+    batten_status status = batten_surface_sphere(&world, 1, &ball);
+    if (status != BATTEN_OK)
+        return status;
+    status = batten_hull_create(1, (const batten_surface *const[]){ball}, &options, out);
     batten_surface_unref(ball);
-    CHECK_OK(status);
+    return status;
+}
+
+TEST(a_hull_without_an_edge_of_a_deck_has_no_freeboard)
+{
+    double freeboard = 7;
+    const batten_flotation at = {0, 0, 0};
+    batten_hull *hull = NULL;
+    CHECK_OK(make_ball(&hull));
     CHECK_STATUS(batten_hull_freeboard(hull, &at, &freeboard, NULL), BATTEN_NOT_FOUND);
     CHECK(freeboard == 7);
     batten_hull_free(hull);

@@ -88,19 +88,23 @@ static batten_status misdo(void *user, int dimension, int count, const double *p
     return raised;
 }
 
+static batten_status misdone(misdeed what, const double *points, batten_surface **out)
+{
+    misdoer m = {what, 0};
+    const batten_line_method method = {misdo, &m, false};
+    return batten_surface_tensor(
+        (batten_grid){1, NU, NV, points}, (batten_uv){stations_u, stations_v},
+        (const batten_line_method *const[2]){&method, &method}, NULL, NULL, out);
+}
+
 TEST(methods_whose_lines_differ_in_kind_are_refused)
 {
     double points[NU * NV];
     for (int i = 0; i < NU * NV; i++)
         points[i] = i;
     for (int k = 0; k < MISDEEDS; k++) {
-        misdoer m = {(misdeed)k, 0};
-        const batten_line_method method = {misdo, &m, false};
         batten_surface *surface = NULL;
-        CHECK_STATUS(batten_surface_tensor(
-                         (batten_grid){1, NU, NV, points}, (batten_uv){stations_u, stations_v},
-                         (const batten_line_method *const[2]){&method, &method}, NULL, NULL,
-                         &surface),
+        CHECK_STATUS(misdone((misdeed)k, points, &surface),
                      k == RATIONAL ? BATTEN_UNSUPPORTED : BATTEN_NOT_COMPATIBLE);
         CHECK_MESSAGE(k == RATIONAL
                           ? "along u, line 1: the method gives rational curves"
