@@ -1,7 +1,7 @@
 /* What a design came to, for tests that compare one design with another. */
 #include "design/outcome.h"
 
-#include "support/bodies.h"
+#include "design/example_inputs.h"
 
 #include <batten/design.h>
 #include <batten/exchange.h>
@@ -13,22 +13,7 @@ static const char *design_path;
 void outcome_write_inputs(void)
 {
     design_path = test_scratch("extra.yaml");
-    FILE *file = fopen(test_scratch("offsets.csv"), "w");
-    batten_model *model = NULL;
-    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){3, 2, 1});
-    CHECK(file != NULL);
-    fputs("x_m,z_m,half_breadth_m\n", file);
-    for (int i = 0; i < 42; i++) {
-        const double x = i / 6 - 3.0, z = 0.2 * (i % 6);
-        fprintf(file, "%.3f,%.3f,%.6f\n", x, z, (1.2 - x * x / 12) * sqrt(z + 0.04));
-    }
-    fclose(file);
-    CHECK_OK(batten_model_create(1, &model));
-    CHECK_OK(batten_model_add(
-        model, &(batten_object){.name = "block", .kind = BATTEN_OBJECT_BODY, .body = box}));
-    CHECK_OK(batten_write_file(model, test_scratch("block.step"), NULL, NULL));
-    batten_model_unref(model);
-    batten_body_unref(box);
+    write_example_inputs();
 }
 
 static double sum_points(int count, const double *points)
