@@ -2,6 +2,8 @@
 
 #include "design/outputs/checked.h"
 
+#include <batten/scattered.h>
+#include <batten/standard.h>
 #include <stdlib.h>
 
 /* A design with one output; its bytes, and what its JSON or text says. */
@@ -278,13 +280,111 @@ TEST(inflections_in_excess_of_the_edges_of_a_lofting_count)
 TEST(each_kind_of_flaw_alone_keeps_a_result_from_being_fair)
 {
     static const bat_unfairness flaws[] = {
-        {.corners = 1}, {.curvature_jumps = 1}, {.inflections = 1}, {.unbounded = 1},
-        {.creases = 1}, {.edge_jumps = 1},      {.folds = 1},        {.joint_corners = 1},
-        {.joint_jumps = 1}};
-    bat_check check = {.unfairness = {.largest_turn = 1, .largest_crease = 1, .largest_joint = 1}};
+        {.corners = 1},   {.curvature_jumps = 1}, {.inflections = 1},
+        {.unbounded = 1}, {.creases = 1},         {.edge_jumps = 1},
+        {.folds = 1},     {.joint_corners = 1},   {.joint_jumps = 1}};
+    bat_check check = {
+        .unfairness = {.largest_turn = 1, .largest_crease = 1, .largest_joint = 1}};
     CHECK(bat_check_is_fair(&check));
     for (int i = 0; i < COUNT(flaws); i++) {
         check.unfairness = flaws[i];
         CHECK(!bat_check_is_fair(&check));
     }
+}
+
+/* ---- edges of hulls ---- */
+
+static batten_status make_table(batten_offset_table **out)
+{
+    static const batten_table_line lines[] = {{"sheer", false, 0}};
+    static const batten_table_point points[] = {
+        {0, 0, 0, -1}, {0, 1, 1, 0}, {4, 0, 0, -1}, {4, 1, 1, 0}};
+    static const batten_table_station stations[] = {{"1", 0, 2, points},
+                                                    {"2", 4, 2, points + 2}};
+    return batten_offset_table_create(1, 1, lines, 2, stations, out);
+}
+
+/* Half-breadths at its corners; to starboard. Along an edge they change evenly: their mean is that of its ends. */
+TEST(edges_of_a_hull_are_near_the_centre_plane_within_a_twentieth_of_its_breadth)
+{
+    static const struct {
+        double y[4]; /* at (0, 0), (1, 0), (1, 1), (0, 1) */
+        double gap[4];
+        bool is_near[4]; /* u low, u high, v low, v high */
+    } rows[] = {
+        {{0, -4, -4, 0}, {0, 4, 4, 4}, {true, false, false, false}},
+        {{0, -4, -4, -0.39}, {0.39, 4, 4, 4}, {true, false, false, false}},
+        {{0, 4, 4, 0.41}, {0.41, 4, 4, 4}, {false, false, false, false}},
+        {{0, 0, 4, 4}, {4, 4, 0, 4}, {false, false, true, false}},
+        {{0.1, 0.2, 4, -0.2}, {0.2, 4, 0.2, 4}, {true, false, true, false}},
+    };
+    static const char *const names[] = {"u low", "u high", "v low", "v high"};
+    for (int i = 0; i < COUNT(rows); i++) {
+        const double *y = rows[i].y;
+        checked_design d;
+        batten_offset_table *table = NULL;
+        batten_surface *surface = NULL;
+        checked_open("  table: {points: [[0, 0, 0]]}\n  hull: {skin: table}\n", "hull", &d);
+        CHECK_OK(make_table(&table));
+        checked_put(&d, "table",
+                    &(batten_object){.name = "table",
+                                     .kind = BATTEN_OBJECT_OFFSET_TABLE,
+                                     .offset_table = table});
+        batten_offset_table_unref(table);
+        CHECK_OK(batten_surface_bilinear((batten_vec3){0, y[0], 0}, (batten_vec3){4, y[1], 0},
+                                         (batten_vec3){0, y[3], 1}, (batten_vec3){4, y[2], 1},
+                                         &surface));
+        checked_put_surface(&d, "hull", surface);
+        const bat_checked *c = checked_run(&d, HUGE_VAL);
+        CHECK_INT(c->edge_count, 4);
+        for (int k = 0; k < 4; k++) {
+            CHECK_TEXT(c->edges[k].name, names[k]);
+            CHECK_NEAR(c->edges[k].gap, rows[i].gap[k], 1e-12);
+            CHECK(c->edges[k].is_near == rows[i].is_near[k]);
+        }
+        checked_close(&d);
+    }
+}
+
+/* ---- sets of triangles ---- */
+
+static batten_status take_text(const bat_check *check, char **data)
+{
+    batten_text text = BATTEN_TEXT;
+    size_t size;
+    bat_report_text(check, &text);
+    const batten_status status = batten_text_take(&text, data, &size);
+    batten_text_free(&text);
+    return status;
+}
+
+/* Two halves of the unit square, bent along the diagonal: the normals are (0, 0, 1) and (1, 1, 1) / sqrt 3. */
+TEST(the_inner_edges_of_triangles_and_their_angle_are_reported)
+{
+    static const double vertices[] = {0, 0, 1, 0, 1, 1, 0, 1};
+    static const int corners[] = {0, 1, 2, 0, 2, 3};
+    static const double heights[] = {0, 0, 0, 2};
+    checked_design d;
+    batten_triangles *flat = NULL, *bent = NULL;
+    checked_open("  three: {bezier-triangle: net}\n  net: {points: [[0, 0, 0]]}\n", "three",
+                 &d);
+    CHECK_OK(batten_triangles_linear(&(batten_triangulation){4, vertices, corners}, 2, heights,
+                                     &flat));
+    CHECK_OK(batten_triangles_from_function(flat, &bent));
+    batten_triangles_unref(flat);
+    checked_put(
+        &d, "three",
+        &(batten_object){.name = "three", .kind = BATTEN_OBJECT_TRIANGLES, .triangles = bent});
+    batten_triangles_unref(bent);
+    const bat_checked *c = checked_run(&d, HUGE_VAL);
+    CHECK_INT(c->triangle_joins, 1);
+    CHECK_NEAR(c->triangle_gap, 0, 0);
+    CHECK_NEAR(c->triangle_angle, acos(1. / 3), 1e-12);
+    char *data = NULL;
+    CHECK_OK(take_text(&d.check, &data));
+    CHECK_CONTAINS(
+        data,
+        "2 triangles of degree 1; at 1 inner edge gaps of at most 0 m, normals turn by at most 1.231 rad\n");
+    batten_release(data);
+    checked_close(&d);
 }

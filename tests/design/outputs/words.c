@@ -166,3 +166,57 @@ TEST(reports_say_what_was_done_and_what_holds)
     };
     EXPECT_OUTPUTS(shapes, rows);
 }
+
+/* ---- figures of files, plans and comparisons ---- */
+
+static const char flats[] =
+    "  p: {points: [[0, 0, 0], [2, 0, 0], [0, 1, 0], [2, 1, 0]], columns: 2}\n"
+    "  flat: {interpolate-grid: p, degree-u: 1, degree-v: 1}\n"
+    "  sheet: {bilinear: [[0, 0], [4, 0], [4, 3], [0, 3]]}\n"
+    "  dots: {points: [[0, 0, 0], [1, 0, 0]]}\n"
+    "  net: {points: [[0, 0], [0, 0], [1, 0], [1, 1]]}\n"
+    "  halt: {bezier: net}\n"
+    "  arm: {arc: 2, angle: 90 deg}\n"
+    "  leg: {line: [[2, -1], [2, 0]]}\n"
+    "  joined: {join: [leg, arm]}\n"
+    "  elbow: {polyline: [[0, 0], [1, 0], [1, 1]]}\n";
+
+TEST(files_and_plans_have_the_titles_that_are_given)
+{
+    static const expect_row rows[] = {
+        {"w.step: {write: flat, title: Hull 7}", BATTEN_OK, "'Hull 7'"},
+        {"w.step: {write: flat}", BATTEN_OK, "!'Hull 7'"},
+        {"w.stl: {write: flat, text: yes}", BATTEN_OK, "facet normal"},
+        {"w.stl: {write: flat}", BATTEN_OK, "!facet normal"},
+        {"w.none: {write: flat}", BATTEN_UNSUPPORTED,
+         "the ending of 'w.none' names no format; add 'format'"},
+        {"w.none: {write: flat, format: step}", BATTEN_OK, "ISO-10303-21;"},
+    };
+    EXPECT_OUTPUTS(flats, rows);
+}
+
+TEST(without_points_or_edges_there_is_no_verdict_and_why)
+{
+    static const expect_row rows[] = {
+        {"k.txt: {check: sheet}", BATTEN_OK,
+         "No verdict: fairness is judged of curves, of surfaces with their points, and of edges where surfaces meet"},
+        {"k.txt: {check: dots}", BATTEN_OK, "No verdict: points alone are not judged"},
+        {"k.txt: {check: arm}", BATTEN_OK, "!No verdict|Verdict: fair"},
+    };
+    EXPECT_OUTPUTS(flats, rows);
+}
+
+/* Of a quarter of a circle of radius 2 energy is length over r^2. */
+TEST(a_comparison_says_what_is_infinite_and_why)
+{
+    static const expect_row rows[] = {
+        {"e.txt: {compare: [arm, elbow]}", BATTEN_OK, "inf"},
+        {"e.svg: {compare: [arm, elbow, joined, halt]}", BATTEN_OK, "<svg"},
+        {"e.json: {compare: arm}", BATTEN_OK,
+         "\"corners\": 0, \"curvature_jumps\": 0|\"length\": 3.14159265358979"},
+        {"e.json: {compare: joined}", BATTEN_OK,
+         "\"corners\": 0, \"curvature_jumps\": 1|\"length\": 4.1415926"},
+        {"e.json: {compare: elbow}", BATTEN_OK, "\"corners\": 1|\"length\": 2"},
+    };
+    EXPECT_OUTPUTS(flats, rows);
+}
