@@ -1,4 +1,4 @@
-#include "exchange/step/reading.h"
+#include "exchange/step/references.h"
 #include "support/bodies.h"
 #include "support/drilled_box.h"
 
@@ -194,9 +194,102 @@ TEST(a_solid_with_a_void_has_an_oriented_shell)
     batten_model *model = model_of(hollow_box(), "hollow");
     const char *text = step_text(model, NULL);
     step_check(text);
+    step_check_references(text);
     CHECK_INT(step_count(text, "BREP_WITH_VOIDS"), 1);
     CHECK_INT(step_count(text, "CLOSED_SHELL"), 2);
     CHECK_INT(step_count(text, "ORIENTED_CLOSED_SHELL"), 1);
     CHECK_INT(step_count(text, "EDGE_CURVE"), 24);
+    batten_model_unref(model);
+}
+
+/* ---- what refers to what ---- */
+
+/* The first instance of a keyword that `instance` refers to, or NULL. */
+static const char *refers_to(const char *text, const char *instance, const char *keyword)
+{
+    int ids[200];
+    const int count = step_ids(instance, COUNT(ids), ids);
+    for (int i = 0; i < count; i++)
+        if (step_is(step_instance(text, ids[i]), keyword, strlen(keyword)))
+            return step_instance(text, ids[i]);
+    return NULL;
+}
+
+/* An edge of a face has a curve in the parameters of that face's surface. */
+static void check_edge(const char *text, const char *oriented, int surface)
+{
+    const char *edge = refers_to(text, oriented, "EDGE_CURVE");
+    const char *curve = refers_to(text, edge, "SURFACE_CURVE");
+    int ids[4], pcurve[4], own = 0;
+    curve = curve ? curve : refers_to(text, edge, "SEAM_CURVE");
+    CHECK(curve != NULL);
+    const int count = step_ids(curve, 4, ids);
+    CHECK(count == 2 || count == 3);
+    for (int i = 1; i < count; i++) {
+        step_ids(step_instance(text, ids[i]), 4, pcurve);
+        own += pcurve[0] == surface;
+    }
+    CHECK_INT(own, strncmp(curve, "SEAM", 4) == 0 ? 2 : 1);
+}
+
+static int check_faces(const char *text)
+{
+    int faces = 0;
+    const char *instance;
+    for (int id = 1; (instance = step_instance(text, id)); id++) {
+        int ids[20], loops[2], edges[50];
+        if (strncmp(instance, "ADVANCED_FACE(", 14) != 0)
+            continue;
+        const int count = step_ids(instance, COUNT(ids), ids);
+        CHECK(step_is(step_instance(text, ids[count - 1]), "B_SPLINE_SURFACE_WITH_KNOTS", 27));
+        for (int l = 0; l + 1 < count; l++) {
+            CHECK_INT(step_ids(step_instance(text, ids[l]), 2, loops), 1);
+            const int uses = step_ids(step_instance(text, loops[0]), COUNT(edges), edges);
+            for (int u = 0; u < uses; u++)
+                check_edge(text, step_instance(text, edges[u]), ids[count - 1]);
+        }
+        faces++;
+    }
+    return faces;
+}
+
+TEST(each_edge_has_its_curve_in_the_parameters_of_each_of_its_faces)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_body *body = NULL;
+    batten_surface *surface = NULL;
+    CHECK_OK(drilled_box(&body));
+    batten_model *model = model_of(body, "block");
+    CHECK_OK(batten_surface_cylinder(&frame, 2, 5, &surface));
+    add_surface(model, "pipe", surface);
+    batten_surface_unref(surface);
+    const char *text = step_text(model, NULL);
+    step_check_references(text);
+    CHECK_INT(check_faces(text), 9);
+    batten_model_unref(model);
+}
+
+/* A surface of 4 x 5 points whose borders are its edges: they refer to its points, of which none is written twice;
+ * further points are 4 vertices, and in the parameters of the surface 2 for each edge. */
+TEST(borders_refer_to_the_points_of_the_surface)
+{
+    const double u[] = {0, 0, 0, 0, 1, 1, 1, 1}, v[] = {0, 0, 0, 0.5, 0.75, 1, 1, 1};
+    const batten_axis axes[] = {{3, 4, u, false}, {2, 5, v, false}};
+    double points[60];
+    for (int i = 0; i < 20; i++) {
+        points[3 * i] = i / 5;
+        points[3 * i + 1] = i % 5;
+        points[3 * i + 2] = (i * 7 % 5) / 8.;
+    }
+    batten_surface *surface = NULL;
+    batten_model *model = NULL;
+    CHECK_OK(batten_surface_create(3, &axes[0], &axes[1], points, NULL, &surface));
+    CHECK_OK(batten_model_create(1, &model));
+    add_surface(model, "side", surface);
+    const char *text = step_text(model, NULL);
+    step_check_references(text);
+    CHECK_INT(check_faces(text), 1);
+    CHECK_INT(step_count(text, "CARTESIAN_POINT"), 20 + 4 + 4 * 2 + 1); /* and the origin */
+    batten_surface_unref(surface);
     batten_model_unref(model);
 }

@@ -1,4 +1,4 @@
-#include "exchange/step/reading.h"
+#include "exchange/step/references.h"
 #include "support/bodies.h"
 
 static batten_model *marked_model(void)
@@ -87,6 +87,7 @@ static char *text_in(const batten_model *model, batten_step_schema schema, batte
     options.date = "2026-11-21T10:25:30";
     CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
     step_check(data);
+    step_check_references(data);
     return data;
 }
 
@@ -105,8 +106,21 @@ TEST(AP203_has_who_and_when_and_no_colours)
     CHECK_INT(step_count(text, "INVISIBILITY"), 0);
     CHECK_INT(step_count(text, "GROUP"), 0);
     CHECK(batten_notes_dropped(notes) || has_note(notes, "AP203 has no colours"));
+    CHECK_INT(batten_notes_count(notes) + batten_notes_dropped(notes), 1); /* once for all */
     batten_notes_free(notes);
     batten_release(text);
+    batten_model_unref(model);
+}
+
+TEST(schemas_with_colours_have_nothing_to_remark)
+{
+    batten_model *model = marked_model();
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(5, &notes));
+    batten_release(text_in(model, BATTEN_STEP_AP214, notes));
+    batten_release(text_in(model, BATTEN_STEP_AP242, notes));
+    CHECK_INT(batten_notes_count(notes) + batten_notes_dropped(notes), 0);
+    batten_notes_free(notes);
     batten_model_unref(model);
 }
 

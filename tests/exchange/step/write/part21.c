@@ -33,6 +33,43 @@ TEST(strings_are_escaped)
     check_string("\xe0\x80\x80", "'\\X\\E0\\X\\80\\X\\80'");
 }
 
+/* The first and the last of each length, and next to the surrogates. */
+TEST(characters_at_the_limits_of_each_form_are_whole)
+{
+    check_string(" ~", "' ~'");
+    check_string("\xc2\x80", "'\\X2\\0080\\X0\\'");
+    check_string("\xdf\xbf", "'\\X2\\07FF\\X0\\'");
+    check_string("\xe0\xa0\x80", "'\\X2\\0800\\X0\\'");
+    check_string("\xed\x9f\xbf", "'\\X2\\D7FF\\X0\\'");
+    check_string("\xed\xbf\xbf", "'\\X\\ED\\X\\BF\\X\\BF'");
+    check_string("\xee\x80\x80", "'\\X2\\E000\\X0\\'");
+    check_string("\xef\xbf\xbf", "'\\X2\\FFFF\\X0\\'");
+    check_string("\xf0\x90\x80\x80", "'\\X4\\00010000\\X0\\'");
+    check_string("\xf0\x8f\xbf\xbf", "'\\X\\F0\\X\\8F\\X\\BF\\X\\BF'");
+    check_string("\xf4\x8f\xbf\xbf", "'\\X4\\0010FFFF\\X0\\'");
+    check_string("\xf4\x90\x80\x80", "'\\X\\F4\\X\\90\\X\\80\\X\\80'");
+    check_string("\xc2\xc2\x80", "'\\X\\C2\\X2\\0080\\X0\\'");
+    check_string("\xe2\x82\x7f", "'\\X\\E2\\X\\82\\X\\7F'");
+}
+
+/* With the end of the instance a line has at most 120 columns: a token stays on it up to 118. */
+TEST(a_line_is_filled_to_its_last_column)
+{
+    for (int length = 110; length <= 118; length++) {
+        batten_text text = BATTEN_TEXT;
+        bat_step step = {.text = &text};
+        char token[120];
+        memset(token, 'x', sizeof token);
+        token[length] = 0;
+        bat_step_open(&step, "A"); /* 5 columns */
+        bat_step_token(&step, token);
+        bat_step_close(&step);
+        if (!text.failed)
+            CHECK((strchr(text.bytes, '\n') - text.bytes == 5) == (5 + length > 118));
+        batten_text_free(&text);
+    }
+}
+
 TEST(lines_are_broken_between_tokens)
 {
     batten_text text = BATTEN_TEXT;

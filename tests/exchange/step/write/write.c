@@ -1,4 +1,4 @@
-#include "exchange/step/reading.h"
+#include "exchange/step/references.h"
 #include "exchange/step/step.h"
 
 static batten_model *curve_model(double unit)
@@ -35,6 +35,7 @@ TEST(the_unit_stands_in_the_context)
         batten_model *model = curve_model(cases[i].unit);
         const char *text = step_text(model, NULL);
         step_check(text);
+        step_check_references(text);
         CHECK_CONTAINS(text, cases[i].words);
         batten_model_unref(model);
     }
@@ -230,6 +231,7 @@ TEST(an_instance_has_its_place_its_number_and_its_name)
     add_place(model, part, "aft", &identity);
     const char *text = step_text(model, NULL);
     step_check(text);
+    step_check_references(text);
     CHECK_INT(step_count(text, "NEXT_ASSEMBLY_USAGE_OCCURRENCE"), 2);
     CHECK_CONTAINS(text, "NEXT_ASSEMBLY_USAGE_OCCURRENCE('1','fore','',#");
     CHECK_CONTAINS(text, "NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','aft','',#");
