@@ -16,6 +16,8 @@ static const char curves[] =
     "  cusp: {bezier: cusps}\n"
     "  vee: {points: [[-1, 1], [0, -1], [1, 1]]}\n"
     "  bow: {bezier: vee}\n"
+    "  head: {part: wave, from: 0, to: 0.3}\n"
+    "  tail: {part: wave, from: 0.7, to: 1}\n"
     "  q: {points: [[0, 0], [1, 2], [2, 2], [3, -1], [4, 0]]}\n"
     "  quart: {bezier: q}\n"
     "  bows: {interpolate: q, degree: 2}\n"
@@ -35,6 +37,11 @@ static const char curves[] =
 static const expect_row texts[] = {
     {"c.txt: {classify: wave}", BATTEN_OK,
      "wave: 1 span, 1 one inflection\n  span 1: one inflection, margin 0.5|; inflection at 0.5\n"},
+    {"c.txt: {classify: [head, tail]}", BATTEN_OK,
+     "head: 1 span, 1 plain\n|tail: 1 span, 1 plain\n|!inflection at"},
+    {"c.txt: {classify: ducks}", BATTEN_BAD_ARGUMENT, "'ducks'"},
+    {"c.json: {classify: head}", BATTEN_OK, "\"kind\": \"inflection\", \"inside\": false"},
+    {"c.json: {classify: tail}", BATTEN_OK, "\"kind\": \"inflection\", \"inside\": false"},
     {"c.txt: {classify: loop}", BATTEN_OK,
      "loop: 1 span, 1 loop\n  span 1: a loop, margin |, lambda 6, mu 6 (loop); crosses "
      "itself at 0.0669873 and 0.933013\n"},

@@ -12,7 +12,11 @@ static const char prism[] = "  low: {line: [[0, 0, 0], [20, 0, 0]]}\n"
                             "  deep: {move: half, by: [0, 0, -1]}\n"
                             "  both: {mirror: half, plane: centre}\n"
                             "  sheer: {line: [[0, 5, 4], [20, 6.25, 5]]}\n"
-                            "  rising: {ruled: [low, sheer]}\n";
+                            "  rising: {ruled: [low, sheer]}\n"
+    "  fore: {line: [[0, 5, 4], [20, 0, 4]]}\n"
+    "  narrowing: {ruled: [low, fore]}\n"
+    "  aft: {line: [[0, 0, 4], [20, 5, 4]]}\n"
+    "  widening: {ruled: [low, aft]}\n";
 
 static batten_status report(const char *output, batten_notes *notes, char **data)
 {
@@ -334,6 +338,24 @@ TEST(a_hull_that_reaches_below_the_baseline_is_remarked_upon)
     CHECK(is_noted("a.txt: {hydrostatics: deep, draughts: 1}", words));
     if (test_cases(10) >= 10)
         CHECK(!is_noted("a.txt: {hydrostatics: half, draughts: 1}", "below the baseline"));
+}
+
+/* Triangles whose breadth falls from one end to the other: half of them is the mean, at a third of the length. */
+TEST(the_largest_section_may_be_at_either_end)
+{
+    static const char *const hulls[] = {"narrowing", "widening"};
+    static const char *const stations[] = {"", ", stations: [10]"};
+    for (int i = 0; i < 4; i++) {
+        char output[100], *data = NULL;
+        snprintf(output, sizeof output, "a.json: {hydrostatics: %s, draughts: 2%s}", hulls[i % 2],
+                 stations[i / 2]);
+        CHECK_OK(report(output, NULL, &data));
+        CHECK_NEAR(number(data, "\"AX\": "), 5, 1e-4 * 5);
+        CHECK_NEAR(number(data, "\"CX\": "), 0.5, 1e-4);
+        CHECK_NEAR(number(data, "\"CP\": "), 0.5, 1e-4);
+        CHECK_NEAR(number(data, "\"XCB\": "), i % 2 ? 40 / 3. : 20 / 3., 1e-9);
+        batten_release(data);
+    }
 }
 
 /* Of the triangle 2.5 T wide: at its ends just inside, beyond them nothing. */

@@ -181,6 +181,20 @@ static const char flats[] =
     "  joined: {join: [leg, arm]}\n"
     "  elbow: {polyline: [[0, 0], [1, 0], [1, 1]]}\n";
 
+/* A hint where the gap is less than a twentieth of the length. */
+TEST(ends_that_nearly_meet_are_told_how_to_close)
+{
+    static const char gaps[] = "  near: {polyline: [[0, 0], [10, 0], [10, 1], [0, 1]]}\n"
+                               "  wide: {polyline: [[0, 0], [9, 0], [9, 1], [0, 1]]}\n";
+    static const expect_row rows[] = {
+        {"m.txt: {measure: near}", BATTEN_OK,
+         "length 21\n|no area: open by 1; 'within' (--within), when it is more, closes it\n"},
+        {"m.txt: {measure: wide}", BATTEN_OK, "length 19\n|no area: open by 1\n"},
+        {"m.txt: {measure: near, within: 1.01}", BATTEN_OK, "near: closed, length 21|!no area"},
+    };
+    EXPECT_OUTPUTS(gaps, rows);
+}
+
 TEST(files_and_plans_have_the_titles_that_are_given)
 {
     static const expect_row rows[] = {

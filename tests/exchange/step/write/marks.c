@@ -106,21 +106,86 @@ TEST(AP203_has_who_and_when_and_no_colours)
     CHECK_INT(step_count(text, "INVISIBILITY"), 0);
     CHECK_INT(step_count(text, "GROUP"), 0);
     CHECK(batten_notes_dropped(notes) || has_note(notes, "AP203 has no colours"));
-    CHECK_INT(batten_notes_count(notes) + batten_notes_dropped(notes), 1); /* once for all */
     batten_notes_free(notes);
     batten_release(text);
     batten_model_unref(model);
 }
 
-TEST(schemas_with_colours_have_nothing_to_remark)
+static batten_status count_remarks(const batten_model *model, batten_step_schema schema,
+                                   int *count)
 {
-    batten_model *model = marked_model();
+    batten_write_options options = batten_write_defaults();
     batten_notes *notes = NULL;
-    CHECK_OK(batten_notes_create(5, &notes));
-    batten_release(text_in(model, BATTEN_STEP_AP214, notes));
-    batten_release(text_in(model, BATTEN_STEP_AP242, notes));
-    CHECK_INT(batten_notes_count(notes) + batten_notes_dropped(notes), 0);
+    char *data = NULL;
+    size_t size = 0;
+    options.format = BATTEN_FORMAT_STEP;
+    options.schema = schema;
+    batten_status status = batten_notes_create(5, &notes);
+    if (status == BATTEN_OK)
+        status = batten_write_memory(model, &options, notes, &data, &size);
+    *count = status == BATTEN_OK ? batten_notes_count(notes) + batten_notes_dropped(notes) : -1;
+    batten_release(data);
     batten_notes_free(notes);
+    return status;
+}
+
+TEST(colours_that_are_left_out_are_remarked_upon_once)
+{
+    static const batten_step_schema schemas[] = {BATTEN_STEP_AP203, BATTEN_STEP_AP214,
+                                                 BATTEN_STEP_AP242};
+    batten_model *model = marked_model();
+    for (int i = 0; i < COUNT(schemas); i++) {
+        int count = 0;
+        CHECK_OK(count_remarks(model, schemas[i], &count));
+        CHECK_INT(count, schemas[i] == BATTEN_STEP_AP203);
+    }
+    batten_model_unref(model);
+}
+
+/* Who did what and when, of one product: ISO 10303-203. */
+TEST(AP203_assigns_each_duty_date_and_approval)
+{
+    static const struct {
+        const char *keyword;
+        int count;
+    } rows[] = {{"PRODUCT", 1},
+                {"PRODUCT_RELATED_PRODUCT_CATEGORY", 1},
+                {"PRODUCT_CATEGORY", 1},
+                {"PRODUCT_CATEGORY_RELATIONSHIP", 1},
+                {"PERSON_AND_ORGANIZATION", 1},
+                {"CC_DESIGN_SECURITY_CLASSIFICATION", 1},
+                {"CC_DESIGN_DATE_AND_TIME_ASSIGNMENT", 2},
+                {"DATE_TIME_ROLE", 2},
+                {"PERSON_AND_ORGANIZATION_ROLE", 4},
+                {"APPROVAL", 1},
+                {"APPROVAL_ROLE", 1},
+                {"APPROVAL_PERSON_ORGANIZATION", 1},
+                {"APPROVAL_DATE_TIME", 1},
+                {"CC_DESIGN_APPROVAL", 1}};
+    static const struct {
+        const char *keyword, *role;
+        int references;
+    } duties[] = {{"PERSON_AND_ORGANIZATION_ROLE", "'creator'", 4},
+                  {"PERSON_AND_ORGANIZATION_ROLE", "'design_supplier'", 3},
+                  {"PERSON_AND_ORGANIZATION_ROLE", "'design_owner'", 3},
+                  {"PERSON_AND_ORGANIZATION_ROLE", "'classification_officer'", 3},
+                  {"DATE_TIME_ROLE", "'creation_date'", 3},
+                  {"DATE_TIME_ROLE", "'classification_date'", 3}};
+    batten_model *model = marked_model();
+    char *text = text_in(model, BATTEN_STEP_AP203, NULL);
+    for (int i = 0; i < COUNT(rows); i++)
+        CHECK_INT(step_count(text, rows[i].keyword), rows[i].count);
+    for (int i = 0; i < COUNT(duties); i++) {
+        char role[100];
+        int ids[9];
+        snprintf(role, sizeof role, "=%s(%s);", duties[i].keyword, duties[i].role);
+        const char *at = strstr(text, role);
+        CHECK(at != NULL); /* the assignment follows its role */
+        at = strstr(at, "=CC_DESIGN_");
+        CHECK_INT(step_ids(at + 1, COUNT(ids), ids), duties[i].references);
+    }
+    CHECK_INT(step_ids(strstr(text, "=CC_DESIGN_APPROVAL(") + 1, 9, (int[9]){0}), 4);
+    batten_release(text);
     batten_model_unref(model);
 }
 
