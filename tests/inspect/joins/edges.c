@@ -132,6 +132,50 @@ TEST(whole_edges_may_be_off_by_the_gap_and_no_more)
         }
 }
 
+/* A gap of 1/4 has no rounding: what is allowed is found, as a whole edge alone. */
+TEST(an_edge_off_by_just_the_gap_is_found_once_and_as_a_whole)
+{
+    for (int way = 0; way < 2; way++) {
+        const double x = way ? -0.25 : 0.25;
+        batten_surface *pair[2] = {plane(0, 4, -1, 0), plane(x, 4 + x, 0, 1)};
+        batten_joins joins = joins_of(2, pair, 0.25);
+        CHECK_INT(joins.count, 1);
+        check_join(&joins.at[0], 0, 3, 1, 2, -1);
+        CHECK_NEAR(joins.at[0].gap.value, 0.25, 0);
+        release(2, pair, &joins);
+    }
+}
+
+TEST(an_edge_of_just_eight_gaps_is_no_part_of_another)
+{
+    batten_surface *pair[2] = {plane(0, 4, -1, 0), plane(1, 3, 0, 1)};
+    batten_joins joins = joins_of(2, pair, 0.25);
+    CHECK_INT(joins.count, 0);
+    release(2, pair, &joins);
+}
+
+/* Both lie on z = x y, whose tangent plane turns along x = 0; one shrinks to a point of it, where it has none. */
+TEST(where_an_edge_has_no_tangent_plane_that_of_the_place_before_does_not_count)
+{
+    static const double to_a_point[] = {0, 0, 0, 0,   0.5, 0,   0, 1, 0,
+                                        1, 0, 0, 0.5, 0.5, 0.5, 0, 1, 0};
+    static const double one[] = {0, 0, 1, 1}, two[] = {0, 0, 0, 1, 1, 1};
+    const batten_axis u = {1, 2, one, false}, v = {2, 3, two, false};
+    for (int swap = 0; swap < 2; swap++) {
+        batten_surface *pair[2] = {NULL, NULL};
+        CHECK_OK(batten_surface_create(3, &u, &v, to_a_point, NULL, &pair[swap]));
+        CHECK_OK(batten_surface_bilinear((batten_vec3){-1, 0, 0}, (batten_vec3){0, 0, 0},
+                                         (batten_vec3){-1, 1, -1}, (batten_vec3){0, 1, 0},
+                                         &pair[!swap]));
+        batten_joins joins = joins_of(2, pair, 1e-6);
+        CHECK_INT(joins.count, 1);
+        CHECK_NEAR(joins.at[0].angle.value, 0, 1e-12);
+        CHECK_NEAR(joins.at[0].curvature_difference, 0, 1e-9);
+        CHECK_INT(joins.at[0].geometric, 3);
+        release(2, pair, &joins);
+    }
+}
+
 TEST(an_edge_shorter_than_eight_gaps_is_no_part_of_another)
 {
     for (int longer = 0; longer < 2; longer++) {

@@ -254,6 +254,29 @@ TEST(curves_that_meet_are_found_whichever_way_they_run)
         batten_curve_unref(curves[i]);
 }
 
+TEST(ends_apart_by_just_the_gap_meet)
+{
+    static const double points[2][2][2] = {{{0, 0}, {1, 0}}, {{1.25, 0}, {2, 0}}};
+    batten_curve_continuity_options bounds = batten_curve_continuity_defaults();
+    batten_curve *curves[2] = {NULL, NULL};
+    batten_joins joins = {0, NULL, false};
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_curve_polyline((batten_points){2, 2, points[i][0]}, &curves[i]));
+    for (int more = 0; more < 2; more++) {
+        bounds.gap = more ? 0.25 : 0.25 * (1 - DBL_EPSILON);
+        CHECK_OK(
+            batten_curves_joins(2, (const batten_curve *const *)curves, &bounds, NULL, &joins));
+        CHECK_INT(joins.count, more);
+        if (more) {
+            CHECK(joins.at[0].side[0] == 1 && joins.at[0].side[1] == 0);
+            CHECK_NEAR(joins.at[0].gap.value, 0.25, 0);
+        }
+        batten_joins_release(&joins);
+    }
+    for (int i = 0; i < 2; i++)
+        batten_curve_unref(curves[i]);
+}
+
 TEST(nothing_joins_nothing_and_bounds_below_zero_are_refused)
 {
     batten_curve_continuity_options bounds = batten_curve_continuity_defaults();
