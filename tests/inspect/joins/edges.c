@@ -201,6 +201,41 @@ TEST(edges_that_meet_at_their_ends_alone_do_not_join)
     }
 }
 
+/* From right to left: the order of the shapes is not that of their places. */
+TEST(parts_are_found_when_the_shapes_come_from_right_to_left)
+{
+    enum { TILES = 12 };
+    batten_surface *tiles[TILES + 1];
+    tiles[0] = plane(0, TILES, 0, 1);
+    for (int i = 1; i <= TILES; i++)
+        tiles[i] = plane(TILES - i, TILES - i + 1, 1, 2);
+    batten_joins joins = joins_of(TILES + 1, tiles, 1e-6);
+    CHECK_INT(joins.count, 2 * TILES - 1);
+    for (int i = 0; i < joins.count && i < TILES; i++)
+        check_join(&joins.at[i], 0, 3, i + 1, 2, 1);
+    for (int i = TILES; i < joins.count; i++)
+        check_join(&joins.at[i], i - TILES + 1, 0, i - TILES + 2, 1, -1);
+    release(TILES + 1, tiles, &joins);
+}
+
+/* The last is a strip that bends around: the start of its end lies along its own long side. */
+TEST(a_part_may_be_the_same_side_of_another_or_another_side_of_the_same)
+{
+    static const double points[] = {4,  0, 0, 4, -1, 0, 0, 0, 0, 0, -1,  0, 0, 2, 0,
+                                    -1, 2, 0, 3, 2,  0, 3, 3, 0, 3, 0.0, 0, 2, 0, 0};
+    static const double knots[] = {0, 0, 1, 2, 3, 4, 4};
+    batten_surface *pair[2] = {plane(0, 4, -1, 0), plane(1, 3, 1, 0)};
+    batten_joins joins = joins_of(2, pair, 1e-6);
+    CHECK_INT(joins.count, 1);
+    check_join(&joins.at[0], 0, 3, 1, 3, 1);
+    release(2, pair, &joins);
+    pair[0] = strip(1, 5, knots, points);
+    joins = joins_of(1, pair, 1e-6);
+    CHECK_INT(joins.count, 1);
+    check_join(&joins.at[0], 0, 1, 0, 2, 0);
+    release(1, pair, &joins);
+}
+
 /* An L in one plane whose inner edge turns at a knot: at the corner the plate that fills it meets one of both ways on. */
 TEST(at_a_corner_that_foot_counts_which_agrees)
 {

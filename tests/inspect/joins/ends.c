@@ -154,3 +154,28 @@ TEST(a_search_for_joins_can_be_watched_and_cancelled)
     for (int i = 0; i < MOST; i++)
         batten_surface_unref(tiles[i]);
 }
+
+TEST(a_search_takes_a_step_for_each_end_and_for_edges_another_for_parts)
+{
+    batten_surface *tile = NULL;
+    batten_curve *one = line(0, 0, 1, 0);
+    batten_job job = BATTEN_JOB;
+    batten_joins joins = {0, NULL, false};
+    CHECK_OK(batten_surface_bilinear((batten_vec3){0, 0, 0}, (batten_vec3){1, 0, 0},
+                                     (batten_vec3){0, 1, 0}, (batten_vec3){1, 1, 0}, &tile));
+    for (int curves = 0; curves < 2; curves++)
+        for (int less = 0; less < 2; less++) {
+            job.work_limit = (curves ? 2 : 8) - (unsigned)less;
+            const batten_status status =
+                curves ? batten_curves_joins(1, (const batten_curve *const *)&one, NULL, &job,
+                                             &joins)
+                       : batten_surfaces_joins(1, (const batten_surface *const *)&tile, NULL,
+                                               &job, &joins);
+            const batten_status due = less ? BATTEN_INCOMPLETE : BATTEN_OK;
+            if (!test_memory_failed(status, due))
+                CHECK_STATUS(status, due);
+            batten_joins_release(&joins);
+        }
+    batten_curve_unref(one);
+    batten_surface_unref(tile);
+}
