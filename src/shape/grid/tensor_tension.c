@@ -104,8 +104,6 @@ static void free_strips(strips *s)
 static void free_surface(void *data)
 {
     tension_surface *s = data;
-    if (!s)
-        return;
     free_strips(&s->u);
     free_strips(&s->v);
     bat_release(s->vectors);

@@ -39,6 +39,21 @@ TEST(knots_are_close_within_a_millionth_of_the_domain)
     }
 }
 
+TEST(a_gap_of_just_a_millionth_is_not_close)
+{
+    static const double points[3] = {0, 1, 3};
+    for (int less = 0; less < 2; less++) {
+        const double knots[5] = {0, 0, less ? 0.999999e-6 : 1e-6, 1, 1};
+        batten_curve *curve = NULL;
+        bool close = !less;
+        double gap = -1;
+        CHECK_OK(batten_curve_create((batten_points){1, 3, points}, 1, NULL, knots, &curve));
+        CHECK_OK(bat_check_curve_knots(curve, &close, &gap));
+        CHECK_INT(close, less);
+        batten_curve_unref(curve);
+    }
+}
+
 TEST(a_curve_of_one_span_has_the_whole_domain_as_its_gap)
 {
     static const double points[2] = {2, 5};

@@ -1,6 +1,7 @@
 #include <batten/grid.h>
 #include <batten/interpolate.h>
 
+#include "shape/grid/fit_frame.h"
 #include "support/faults.h"
 #include "support/test.h"
 
@@ -512,4 +513,103 @@ TEST(N2_distances_whose_squares_are_no_numbers_are_refused)
     const batten_status status = batten_surface_fit_grid(
         (batten_grid){3, 4, 4, points}, &o, NULL, (batten_uv_out){NULL, NULL}, NULL, &surface);
     CHECK(status != BATTEN_OK && !surface);
+}
+
+TEST(distances_of_no_weight_are_not_measured)
+{
+    const double weights[6] = {1, 0, 2, 0.5, 1, 0};
+    double distances[6] = {3, 90, 4, 0, 12, 80}, none[6] = {0}, again[4] = {0, 2, 2, 1};
+    batten_surface_fit_report report = {.error = -1, .worst = -1};
+    CHECK_OK(bat_surface_fit_measure(6, distances, weights, &report));
+    CHECK_BITS(report.error, 12);
+    CHECK_INT(report.worst, 4);
+    CHECK_BITS(report.rms, 6.5);
+    CHECK_BITS(report.most, 12);
+    CHECK_OK(bat_surface_fit_measure(6, distances, none, &report));
+    CHECK(report.error == 0 && report.worst == 0 && report.rms == 0 && report.most == 0);
+    CHECK_OK(bat_surface_fit_measure(4, again, NULL, &report));
+    CHECK_INT(report.worst, 1);
+    CHECK_BITS(report.rms, 1.5);
+}
+
+/* 95 of 100 are no larger than `most`. */
+TEST(of_a_hundred_distances_the_ninety_fifth_is_reported)
+{
+    double distances[100];
+    batten_surface_fit_report report;
+    for (int i = 0; i < 100; i++)
+        distances[i] = (37 * i) % 100 + 1;
+    CHECK_OK(bat_surface_fit_measure(100, distances, NULL, &report));
+    CHECK_BITS(report.most, 95);
+    CHECK_BITS(report.error, 100);
+    CHECK_INT(report.worst, 27);
+}
+
+TEST(a_grid_of_one_line_is_refused)
+{
+    const double z[5] = {0, 1, 2, 4, 5};
+    batten_surface *s = NULL;
+    for (int k = 0; k < 2; k++) {
+        const batten_grid grid = {1, k ? 5 : 1, k ? 1 : 5, z};
+        CHECK_STATUS(
+            batten_surface_fit_grid(grid, NULL, NULL, (batten_uv_out){NULL, NULL}, NULL, &s),
+            BATTEN_TOO_FEW_POINTS);
+        CHECK_MESSAGE(k ? "the grid has 5 x 1 points, and needs 2 x 2"
+                        : "the grid has 1 x 5 points, and needs 2 x 2");
+    }
+}
+
+/* Two lines one way have no room for more: all that is added goes the other way. */
+TEST(points_are_added_where_there_is_room)
+{
+    double z[2 * 24];
+    for (int v_long = 0; v_long < 2; v_long++) {
+        batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
+        batten_surface_fit_report report;
+        batten_surface *s = NULL;
+        for (int i = 0; i < 24; i++)
+            for (int j = 0; j < 2; j++)
+                z[v_long ? j * 24 + i : i * 2 + j] = sin(i / 3.) + j;
+        options.parameters = BATTEN_UNIFORM;
+        options.tolerance = 0.01;
+        CHECK_OK(batten_surface_fit_grid((batten_grid){1, v_long ? 2 : 24, v_long ? 24 : 2, z},
+                                         &options, NULL, (batten_uv_out){NULL, NULL}, &report,
+                                         &s));
+        CHECK(report.error <= 0.01 && report.rounds > 1);
+        CHECK_INT(v_long ? report.points_u : report.points_v, 2);
+        CHECK((v_long ? report.points_v : report.points_u) > 4);
+        batten_surface_unref(s);
+    }
+}
+
+TEST(a_tolerance_below_rounding_is_not_met_with_a_control_point_for_each_line)
+{
+    batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
+    batten_surface *s = NULL;
+    double z[36];
+    for (int i = 0; i < 36; i++)
+        z[i] = sin(5.0 * i * i);
+    options.parameters = BATTEN_UNIFORM;
+    options.tolerance = 1e-100;
+    CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, 6, 6, z}, &options, NULL,
+                                         (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("more than 1e-100, with 6 x 6 control points");
+    CHECK(!s);
+}
+
+TEST(smoothing_refuses_weights_whose_products_are_all_zero)
+{
+    batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
+    batten_surface *s = NULL;
+    double z[36], tiny[6];
+    for (int i = 0; i < 36; i++)
+        z[i] = i % 7;
+    for (int i = 0; i < 6; i++)
+        tiny[i] = 1e-200;
+    options.weights_u = options.weights_v = tiny;
+    CHECK_STATUS(batten_surface_smooth_grid((batten_grid){1, 6, 6, z}, &options, NULL,
+                                            (batten_uv_out){NULL, NULL}, NULL, &s),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("all data have the weight 0");
 }

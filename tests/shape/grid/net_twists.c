@@ -333,3 +333,45 @@ TEST(a_net_of_four_points_has_the_twist_of_its_saddle)
             CHECK_NEAR(twists[i], 3, 1e-12);
     }
 }
+
+/* S = (u + c u v, v, 0) at two lines each way: rates of Su . Su and Sv . Sv are those of chords, and there is no bend;
+ * a curvature that the plane does not have is cut, and counted; where Sv is along Su Adini's twist stays. */
+TEST(selesnicks_twist_of_a_plane_net_of_four_points_has_the_rates_of_its_chords)
+{
+    static const double x[] = {1, 3}, y[] = {0, 2}, c = 0.5;
+    double p[12], su[12], sv[12], none[12] = {0}, gaussian[4], twists[12], adini[12];
+    for (int curved = 0; curved < 3; curved++) {
+        int clamped = -1;
+        for (int i = 0; i < 4; i++) {
+            const double u = x[i / 2], v = y[i % 2];
+            const double all[3][3] = {{u + c * u * v, v, 0}, {1 + c * v, 0, 0}, {c * u, 1, 0}};
+            memcpy(p + 3 * i, all[0], sizeof all[0]);
+            memcpy(su + 3 * i, all[1], sizeof all[1]);
+            memcpy(sv + 3 * i, all[2], sizeof all[2]);
+            gaussian[i] = curved == 1 && i == 2 ? 1 : 0;
+        }
+        if (curved == 2) {
+            memcpy(sv + 3, su + 3, 3 * sizeof *sv);
+            sv[3] *= -2;
+        }
+        const batten_net net = {3, 2, 2, x, y, p, su, sv};
+        const batten_twist_shape shape = {none, none, gaussian};
+        CHECK_OK(batten_net_twists(BATTEN_TWISTS_SELESNICK, &net, &shape, &clamped, twists));
+        CHECK_INT(clamped, curved == 1);
+        CHECK_OK(batten_net_twists(BATTEN_TWISTS_ADINI, &net, NULL, NULL, adini));
+        for (int i = 0; i < 4; i++) {
+            const double *t = twists + 3 * i, *a = su + 3 * i, *b = sv + 3 * i;
+            if (curved == 2 && i == 1) {
+                for (int k = 0; k < 3; k++)
+                    CHECK_BITS(t[k], adini[3 * i + k]);
+                continue;
+            }
+            if (curved == 2) /* chords end in the changed one */
+                continue;
+            CHECK_NEAR(t[0] * a[0] + t[1] * a[1], ((1 + 2 * c) * (1 + 2 * c) - 1) / 2 / 2,
+                       1e-13);
+            CHECK_NEAR(t[0] * b[0] + t[1] * b[1], c * c * (9 - 1) / 2 / 2, 1e-13);
+            CHECK_BITS(t[2] + 0.0, 0);
+        }
+    }
+}

@@ -428,3 +428,81 @@ TEST(parameters_of_a_grid_do_not_depend_on_what_stood_there)
                  BATTEN_COINCIDENT);
     CHECK_NEAR(v[0], 5, 0);
 }
+
+/* A product f(u) g(v) has the product of the two curves: each direction keeps its own degree and ends. */
+TEST(uniform_surfaces_have_their_own_degree_and_ends_in_each_direction)
+{
+    static const double f[6] = {1, 3, -2, 0.5, 4, 2}, g[5] = {2, -1, 1.5, 3, -4};
+    double net[30];
+    batten_surface *surface = NULL;
+    batten_curve *curves[2] = {NULL, NULL};
+    for (int i = 0; i < 30; i++)
+        net[i] = f[i / 5] * g[i % 5];
+    CHECK_OK(batten_surface_uniform((batten_grid){1, 6, 5, net}, 2, 3, BATTEN_POLYGON_CLAMPED,
+                                    BATTEN_POLYGON_FREE, &surface));
+    CHECK_OK(batten_curve_uniform((batten_points){1, 6, f}, 2, NULL, BATTEN_POLYGON_CLAMPED,
+                                  &curves[0]));
+    CHECK_OK(batten_curve_uniform((batten_points){1, 5, g}, 3, NULL, BATTEN_POLYGON_FREE,
+                                  &curves[1]));
+    const batten_interval u = batten_curve_domain(curves[0]),
+                          v = batten_curve_domain(curves[1]);
+    for (int n = 0; n < 49; n++) {
+        const double x = u.a + (u.b - u.a) * (n / 7) / 6, y = v.a + (v.b - v.a) * (n % 7) / 6;
+        double at[3];
+        CHECK_OK(batten_curve_evaluate(curves[0], x, 0, &at[0]));
+        CHECK_OK(batten_curve_evaluate(curves[1], y, 0, &at[1]));
+        CHECK_OK(batten_surface_evaluate(surface, x, y, 0, &at[2]));
+        CHECK_NEAR(at[2], at[0] * at[1], 1e-13);
+    }
+    batten_surface_unref(surface);
+    batten_curve_unref(curves[0]);
+    batten_curve_unref(curves[1]);
+}
+
+TEST(a_tension_surface_passes_the_points_of_its_rims)
+{
+    double points[NU * NV * 3], at[3];
+    hills(points);
+    for (int i = 0; i < NU * NV * 3; i++)
+        points[i] += 1 + i % 3;
+    batten_surface *surface = tension_surface(points, 2);
+    for (int n = 0; n < NU * NV; n++) {
+        CHECK_OK(
+            batten_surface_evaluate(surface, stations_u[n / NV], stations_v[n % NV], 0, at));
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(at[k], points[3 * n + k], 1e-13);
+    }
+    batten_surface_unref(surface);
+}
+
+TEST(grids_of_more_than_ten_million_points_are_refused)
+{
+    const double none[4] = {0};
+    batten_surface *surface = NULL;
+    CHECK_STATUS(batten_surface_nu((batten_grid){1, 2, 5000001, none}, NULL, NULL, &surface),
+                 BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("the grid has 10000002 points; the limit is 10000000");
+    CHECK_STATUS(batten_surface_fit_grid((batten_grid){1, 2, 5000001, none}, NULL, NULL,
+                                         (batten_uv_out){NULL, NULL}, NULL, &surface),
+                 BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("the grid has 10000002 points; the limit is 10000000");
+}
+
+/* 64 lines of 2 points along u: 128 steps, asked for once. */
+TEST(every_64_lines_of_a_grid_a_step_is_taken_for_each_of_their_points)
+{
+    double points[2 * 64];
+    batten_job job = BATTEN_JOB;
+    for (int i = 0; i < 2 * 64; i++)
+        points[i] = cos(i);
+    for (int less = 0; less < 2; less++) {
+        const batten_status due = less ? BATTEN_INCOMPLETE : BATTEN_OK;
+        batten_surface *surface = NULL;
+        job.work_limit = 128 - (unsigned)less;
+        const batten_status status =
+            batten_surface_nu((batten_grid){1, 2, 64, points}, NULL, &job, &surface);
+        if (!test_memory_failed(status, due))
+            CHECK_STATUS(status, due);
+        batten_surface_unref(surface);
+    }
+}
