@@ -28,14 +28,7 @@ static batten_status start_on_face(const common_edge *edge, const beside *face, 
     const batten_interval d = batten_curve_domain(edge->curve),
                           f = batten_curve_domain(face->parameters);
     const double share = (t - d.a) / (d.b - d.a);
-    const batten_status status =
-        batten_curve_evaluate(face->parameters, (1 - share) * f.a + share * f.b, 0, uv);
-    for (int k = 0; k < 2; k++) {
-        const batten_interval range =
-            batten_surface_domain(face->surface, k ? BATTEN_V : BATTEN_U);
-        uv[k] = bat_min(bat_max(uv[k], range.a), range.b);
-    }
-    return status;
+    return batten_curve_evaluate(face->parameters, (1 - share) * f.a + share * f.b, 0, uv);
 }
 
 /* The face at the foot of a place of the edge. */

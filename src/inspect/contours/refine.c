@@ -191,7 +191,6 @@ static batten_status measure_cubic(const part_chord *c, measured *m)
 
 static batten_status measure_chord(const part_chord *c, bool smooth, measured *m)
 {
-    m->off = 0;
     const batten_status status = find_between(c, 0.5, &m->middle, &m->found);
     if (status != BATTEN_OK || !m->found)
         return status;

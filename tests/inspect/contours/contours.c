@@ -491,6 +491,8 @@ TEST(smooth_contours_run_straight_through_a_saddle)
             CHECK_NEAR((p[0] - 0.137) * (p[1] + 0.219), 0, 1e-9);
             CHECK_NEAR((arm[0] - 0.137) * (arm[1] + 0.219), 0, 1e-9);
             CHECK_NEAR((arm[3] - 0.137) * (arm[4] + 0.219), 0, 1e-9);
+            CHECK_NEAR(arm[2], 0, 1e-9);
+            CHECK_NEAR(arm[5], 0, 1e-9);
         }
     batten_contours_release(&c);
     batten_surface_unref(surface);
@@ -605,4 +607,70 @@ TEST(surfaces_in_the_plane_have_no_fields)
                  BATTEN_NOT_COMPATIBLE);
     CHECK(value == 7 && c.lines == NULL);
     batten_surface_unref(flat);
+}
+
+/* The share of the work that is done, at each stage: nets, points where the field stands still, crossings, lines. */
+typedef struct {
+    int nets, crossings, lines, others;
+} stages;
+
+static void note_stage(void *user, double fraction, const char *what)
+{
+    stages *s = user;
+    CHECK_TEXT(what, "contours");
+    s->nets += fraction == 0;
+    s->crossings += fraction == 0.3;
+    s->lines += fraction == 0.5;
+    s->others += !(fraction >= 0 && fraction <= 1);
+}
+
+TEST(contours_say_how_far_they_are_at_each_stage)
+{
+    batten_surface *surface = graph(bowl, 0);
+    static const double level = 0.3;
+    stages seen = {0, 0, 0, 0};
+    batten_job job = BATTEN_JOB;
+    batten_contours c = {0};
+    job.progress = note_stage;
+    job.user = &seen;
+    CHECK_OK(
+        batten_surface_contours(surface, &height, (batten_levels){1, &level}, 1e-7, &job, &c));
+    CHECK(seen.nets > 0 && seen.crossings > 0 && seen.lines > 0);
+    CHECK_INT(seen.others, 0);
+    batten_contours_release(&c);
+    batten_surface_unref(surface);
+}
+
+TEST(smooth_contours_of_triangles_are_those_of_their_surface)
+{
+    static const double corners[2][6] = {{-1, -1, 1, -1, 1, 1}, {-1, -1, 1, 1, -1, 1}};
+    static const double level = 0.3;
+    double points[2 * 18];
+    batten_triangles *triangles = NULL;
+    batten_contours c = {0};
+    for (int i = 0; i < 2; i++)
+        paraboloid(corners[i], points + 18 * i);
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){3, 2, 2, points, NULL, NULL},
+                                     &triangles));
+    CHECK_OK(batten_triangles_smooth_contours(triangles, &height, (batten_levels){1, &level},
+                                              1e-7, NULL, &c));
+    CHECK_INT(c.count, 1);
+    CHECK(c.lines[0].line.closed && c.lines[0].arms && c.error <= 1e-7);
+    CHECK(off_cubics(&c.lines[0], bowl, level) < 2e-7);
+    batten_contours_release(&c);
+    batten_triangles_unref(triangles);
+}
+
+TEST(triangles_in_the_plane_have_no_fields)
+{
+    static const double points[6] = {0, 0, 1, 0, 0, 1}, level = 0.3;
+    batten_triangles *triangles = NULL;
+    batten_contours c = {0};
+    CHECK_OK(batten_triangles_create(&(batten_triangles_parts){2, 1, 1, points, NULL, NULL},
+                                     &triangles));
+    CHECK_STATUS(batten_triangles_contours(triangles, &height, (batten_levels){1, &level}, 1e-5,
+                                           NULL, &c),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("triangles in 2 dimensions have no fields: they must be in space");
+    batten_triangles_unref(triangles);
 }

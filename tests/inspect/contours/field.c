@@ -217,3 +217,39 @@ TEST(a_zebra_needs_an_eye_and_tubes_and_absolute_curvature_nothing)
     CHECK_STATUS(bat_field_prepare(&bare, &out), BATTEN_BAD_ARGUMENT);
     CHECK_OK(bat_field_prepare(&absolute, &out));
 }
+
+/* Derivatives of z = (x^2 + y^2) / 2 + ... at 0, where H_x = (z_xxx + z_xyy) / 2 and H_y = (z_xxy + z_yyy) / 2. */
+TEST(at_an_umbilic_principal_curvatures_run_as_their_mean)
+{
+    static const batten_field_kind principal[] = {BATTEN_FIELD_KAPPA1, BATTEN_FIELD_KAPPA2,
+                                                  BATTEN_FIELD_MEAN};
+    static const double derivatives[30] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0,
+                                           0, 0, 1, 0, 0, 6, 0, 0, 2, 0, 0, 4, 0, 0, -3};
+    for (int i = 0; i < COUNT(principal); i++) {
+        const batten_surface_field field = {principal[i], {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+        double gradient[2] = {7, 7};
+        CHECK_BITS(bat_field_value(&field, derivatives, gradient), 1);
+        CHECK_NEAR(gradient[0], 5, 1e-15);
+        CHECK_NEAR(gradient[1], -0.5, 1e-15);
+    }
+}
+
+/* By lengths of the shape: heights and distances grow with it, curvatures fall; angles stay. */
+TEST(the_rounding_of_a_field_has_the_unit_of_the_field)
+{
+    static const struct {
+        batten_field_kind kind;
+        double roundoff;
+        int order;
+    } rows[] = {{BATTEN_FIELD_HEIGHT, 4e-14, 1},     {BATTEN_FIELD_GAUSSIAN, 6.25e-14, 3},
+                {BATTEN_FIELD_MEAN, 2.5e-13, 3},     {BATTEN_FIELD_KAPPA1, 2.5e-13, 3},
+                {BATTEN_FIELD_KAPPA2, 2.5e-13, 3},   {BATTEN_FIELD_ABSOLUTE, 2.5e-13, 3},
+                {BATTEN_FIELD_ISOPHOTE, 1e-12, 2},   {BATTEN_FIELD_DRAFT, 1e-12, 2},
+                {BATTEN_FIELD_HIGHLIGHT, 4e-12, 2},  {BATTEN_FIELD_REFLECTION, 4e-12, 2},
+                {BATTEN_FIELD_SILHOUETTE, 1e-12, 2}, {BATTEN_FIELD_ZEBRA, 1e-12, 2}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        const batten_surface_field field = {rows[i].kind, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
+        CHECK_NEAR(bat_field_roundoff(&field, 4), rows[i].roundoff, 1e-26);
+        CHECK_INT(bat_field_order(&field), rows[i].order);
+    }
+}
