@@ -241,24 +241,32 @@ TEST(of_two_bands_in_one_face_each_keeps_the_windows_in_it)
 
 /* ---- charts ---- */
 
+static batten_status miss_of(const batten_surface *surface, const batten_curve *curve,
+                             int places, double *miss)
+{
+    bat_chart chart;
+    batten_status status = bat_chart_begin(surface, 1e-6, &chart);
+    if (status == BATTEN_OK)
+        status = bat_chart_miss(&chart, curve, places, miss);
+    bat_chart_end(&chart);
+    return status;
+}
+
 /* A line that climbs off the plane z = 0: of 4 places, at 1/8, 3/8, 5/8 and 7/8, the last is the farthest. */
 TEST(a_curve_is_as_far_off_a_chart_as_its_farthest_place)
 {
     batten_surface *plane = NULL;
     batten_curve *line = NULL;
-    bat_chart chart;
     CHECK_OK(batten_surface_bilinear((batten_vec3){0, 0, 0}, (batten_vec3){4, 0, 0},
                                      (batten_vec3){0, 4, 0}, (batten_vec3){4, 4, 0}, &plane));
     for (int back = 0; back < 2; back++) {
         const double ends[2][3] = {{1, 1, 0.25}, {3, 2, 8.25}};
         double miss = -1;
         CHECK_OK(batten_curve_line(3, ends[back], ends[!back], &line));
-        CHECK_OK(bat_chart_begin(plane, 1e-6, &chart));
-        CHECK_OK(bat_chart_miss(&chart, line, 4, &miss));
+        CHECK_OK(miss_of(plane, line, 4, &miss));
         CHECK_NEAR(miss, 7.25, 1e-12);
-        CHECK_OK(bat_chart_miss(&chart, line, 1, &miss));
+        CHECK_OK(miss_of(plane, line, 1, &miss));
         CHECK_NEAR(miss, 4.25, 1e-12);
-        bat_chart_end(&chart);
         batten_curve_unref(line);
     }
     batten_surface_unref(plane);
