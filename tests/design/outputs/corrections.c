@@ -137,3 +137,31 @@ TEST(control_points_that_fairing_moved_are_listed_as_such)
     batten_release(csv);
     batten_design_free(design);
 }
+
+/* The column 'distance' never rises, and equal distances come in the order of the points. */
+TEST(corrections_are_sorted_by_their_distance)
+{
+    static const char text[] =
+        "batten: 1\nunits: m\nfeatures:\n"
+        "  ducks: {points: [[0, 0], [1, 0.2], [2, 0.32], [3, 0.33], [4, 0.2], [5, 0], [6, -0.3]]}\n"
+        "  fair: {fair: ducks, within: 0.01}\noutputs:\n  list.csv: {corrections: fair}\n";
+    batten_design *design = NULL;
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
+    char *csv = take_output(design, 0);
+    double before = INFINITY;
+    int rows = 0, index_before = 0;
+    for (char *line = strchr(csv, '\n') + 1; *line; line = strchr(line, '\n') + 1, rows++) {
+        const int index = atoi(strchr(line, ',') + 1);
+        char *at = line;
+        for (int comma = 0; comma < 9; comma++)
+            at = strchr(at, ',') + 1;
+        const double distance = strtod(at, NULL);
+        CHECK(distance < before || (distance == before && index > index_before));
+        before = distance;
+        index_before = index;
+    }
+    CHECK(rows >= 3);
+    batten_release(csv);
+    batten_design_free(design);
+}

@@ -249,6 +249,16 @@ TEST(the_messages_of_a_report_are_the_notes)
     batten_notes_free(notes);
 }
 
+TEST(points_within_the_bound_are_not_remarked_upon)
+{
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK(holds(RAISED "  r.json: {check: flat, within: 2 mm}\n", notes));
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        CHECK(!strstr(batten_notes_at(notes, i)->text, "lies farther"));
+    batten_notes_free(notes);
+}
+
 /* ---- what keeps a result from being fair ---- */
 
 /* In excess: 2 of the profile, 1 of the knuckle, 4 of the sheer; that of a station shows in its section. */

@@ -143,6 +143,10 @@ TEST(what_says_nothing_of_stability_is_refused)
     static const struct {
         const char *output, *message;
     } rows[] = {
+        {"a.txt: {hydrostatics: half, mass: 7}", "'mass' and 'gravity' belong together"},
+        {"a.txt: {hydrostatics: half, gravity: [2, 0, 1]}",
+         "'mass' and 'gravity' belong together"},
+        {"a.txt: {hydrostatics: half, heels: 10 deg}", "'heels' are those of righting arms"},
         {"a.txt: {hydrostatics: half, openings: [[1, 0, 2]]}", "'openings' are flooded"},
         {"a.txt: {hydrostatics: half, spacing: 0}", "the hulls of a catamaran are 0 apart"},
         {"a.txt: {hydrostatics: half, spacing: 1.5}", "overlap"},
@@ -154,7 +158,33 @@ TEST(what_says_nothing_of_stability_is_refused)
         batten_status status = report(rows[i].output, &data);
         if (test_memory_failed(status, BATTEN_BAD_ARGUMENT))
             status = report(rows[i].output, &data);
-        CHECK(status != BATTEN_OK && !data);
+        CHECK_INT(status, BATTEN_BAD_ARGUMENT);
+        CHECK(!data);
         CHECK_MESSAGE(rows[i].message);
     }
+}
+
+/* No arm of the list is longer, and at its heel the arm is that long. */
+TEST(the_largest_arm_is_the_largest_of_all_and_stands_at_its_heel)
+{
+    static const char output[] =
+        "a.json: {hydrostatics: half, draughts: 1, mass: 7.38, gravity: [2, 0, 0.8], heels: [%s]}";
+    char line[300], heel[40], *data = NULL;
+    snprintf(line, sizeof line, output,
+             "10 deg, 20 deg, 30 deg, 35 deg, 40 deg, 45 deg, 50 deg, 60 deg, 70 deg, 80 deg");
+    CHECK_OK(report(line, &data));
+    const double most = number(data, "\"GZmax\": "), at = number(data, "\"GZmax_heel\": ");
+    int arms = 0;
+    for (const char *arm = data; (arm = strstr(arm, "\"GZ\": ")); arms++) {
+        CHECK(strtod(arm + 6, NULL) <= most + 1e-9);
+        arm += 6;
+    }
+    CHECK_INT(arms, 10);
+    batten_release(data);
+    snprintf(heel, sizeof heel, "%.12f deg", at);
+    snprintf(line, sizeof line, output, heel);
+    CHECK_OK(report(line, &data));
+    CHECK_NEAR(number(data, "\"GZ\": "), most, 1e-8);
+    CHECK(at > 20 && at < 80);
+    batten_release(data);
 }

@@ -1,6 +1,8 @@
 #include "exchange/step/parsing.h"
 #include "exchange/step/read/shapes.h"
 
+#include <batten/measure.h>
+
 static const bat_step_scale millimetres = {1, 1, 1e-6};
 
 /* A frame at (1, 2, 3) with z = (0, 0, 1), x = (0, 1, 0), and what is common. */
@@ -248,6 +250,72 @@ TEST(step_trimmed_curves_run_between_their_ends)
         check_at(curve, 1, trims[k].end[0], trims[k].end[1], trims[k].end[2]);
         batten_curve_unref(curve);
     }
+}
+
+/* A square from (1, 2, 3) on, sides of 3, 4, 3 and 4; parameters count its corners. */
+#define SQUARE                                                                                   \
+    "#21=CARTESIAN_POINT('',(4.,6.,3.));#22=CARTESIAN_POINT('',(1.,6.,3.));#20=POLYLINE('',(#1," \
+    "#16,#21,#22,#1));"
+
+/* Against the sense, over the end of what is closed, and both; the sense that the order of the ends has wins. */
+static const struct {
+    const char *data;
+    double start[3], end[3];
+    double length;
+} spline_parts[] = {
+    {SQUARE "#100=TRIMMED_CURVE('',#20,(0.5),(2.),.T.,.PARAMETER.);",
+     {2.5, 2, 3},
+     {4, 6, 3},
+     5.5},
+    {SQUARE "#100=TRIMMED_CURVE('',#20,(2.),(0.5),.F.,.PARAMETER.);",
+     {4, 6, 3},
+     {2.5, 2, 3},
+     5.5},
+    {SQUARE "#100=TRIMMED_CURVE('',#20,(3.5),(0.5),.T.,.PARAMETER.);",
+     {1, 4, 3},
+     {2.5, 2, 3},
+     3.5},
+    {SQUARE "#100=TRIMMED_CURVE('',#20,(0.5),(3.5),.F.,.PARAMETER.);",
+     {2.5, 2, 3},
+     {1, 4, 3},
+     3.5},
+    {SQUARE "#100=TRIMMED_CURVE('',#20,(0.),(4.),.T.,.PARAMETER.);", {1, 2, 3}, {1, 2, 3}, 14},
+    {"#20=POLYLINE('',(#1,#16,#6));#100=TRIMMED_CURVE('',#20,(1.),(0.),.T.,.PARAMETER.);",
+     {4, 2, 3},
+     {1, 2, 3},
+     3},
+    {"#20=POLYLINE('',(#1,#16,#6));#100=TRIMMED_CURVE('',#20,(0.),(1.),.F.,.PARAMETER.);",
+     {1, 2, 3},
+     {4, 2, 3},
+     3},
+};
+
+TEST(parts_of_splines_run_either_way_and_over_the_ends_of_closed_ones)
+{
+    for (int k = 0; k < COUNT(spline_parts); k++) {
+        batten_curve *curve = curve_of(spline_parts[k].data, &millimetres, 0);
+        double length = 0, error = 0;
+        check_at(curve, 0, spline_parts[k].start[0], spline_parts[k].start[1],
+                 spline_parts[k].start[2]);
+        check_at(curve, 1, spline_parts[k].end[0], spline_parts[k].end[1],
+                 spline_parts[k].end[2]);
+        CHECK_OK(batten_curve_length(curve, 1e-12, &error, &length));
+        CHECK_NEAR(length, spline_parts[k].length, 1e-11);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(parts_of_splines_beyond_their_domain_are_refused_with_both_ranges)
+{
+    check_refusal(SQUARE "#100=TRIMMED_CURVE('',#20,(-0.5),(2.),.T.,.PARAMETER.);",
+                  BATTEN_OUT_OF_DOMAIN,
+                  "#20 POLYLINE: the part from -0.5 to 2 is not in its domain from 0 to 4");
+    check_refusal(SQUARE "#100=TRIMMED_CURVE('',#20,(1.),(4.5),.T.,.PARAMETER.);",
+                  BATTEN_OUT_OF_DOMAIN,
+                  "the part from 1 to 4.5 is not in its domain from 0 to 4");
+    check_refusal(SQUARE "#100=TRIMMED_CURVE('',#20,(4.5),(1.),.F.,.PARAMETER.);",
+                  BATTEN_OUT_OF_DOMAIN,
+                  "the part from 4.5 to 1 is not in its domain from 0 to 4");
 }
 
 TEST(P6_degrees_rule_the_parameters_of_conics_alone)
