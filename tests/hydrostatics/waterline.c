@@ -17,6 +17,22 @@ TEST(the_waterline_of_a_box_is_as_long_and_wide_as_the_box)
     batten_hull_free(hull);
 }
 
+/* Whole edges lie in the water: those of the bottom, and those of the deck. */
+TEST(the_waterline_of_a_box_at_its_bottom_and_its_deck_is_their_edge)
+{
+    batten_hull *hull = box_hull();
+    for (int k = 0; k < 2; k++) {
+        const batten_flotation at = {2 * k, 0, 0};
+        batten_interval along, across;
+        CHECK_OK(batten_hull_waterline(hull, &at, 1e-9, &along, &across));
+        CHECK_NEAR(along.a, 0, 1e-9);
+        CHECK_NEAR(along.b, 4, 1e-9);
+        CHECK_NEAR(across.a, -1, 1e-9);
+        CHECK_NEAR(across.b, 1, 1e-9);
+    }
+    batten_hull_free(hull);
+}
+
 TEST(a_waterline_that_turns_inside_a_patch_is_followed_to_its_farthest_points)
 {
     batten_hull *hull = wigley_hull();

@@ -76,12 +76,13 @@ TEST(the_flux_and_the_area_of_a_plate_are_those_of_all_of_it)
     for (int plate = 0; plate < COUNT(plates); plate++)
         for (int turn = 0; turn < 4; turn++) {
             const double *due = plates[plate].normal;
-            double points[16], flux[3] = {5, 4, 1}, normal[3] = {1, 2, 3}, area = 0;
+            double points[16], flux[4] = {5, 4, 1, 7}, normal[4] = {1, 2, 3, 7}, area = 0;
             const bat_patch patch = plate_of(plate, turn, BAT_SKIN, points);
             bat_patch_flux(&patch, flux, normal); /* added to what is there */
             CHECK_NEAR(flux[0] + flux[1] + flux[2], 10 + plates[plate].flux, 1e-14);
             for (int c = 0; c < 3; c++)
                 CHECK_NEAR(normal[c], c + 1 + due[c], 1e-14);
+            CHECK(flux[3] == 7 && normal[3] == 7); /* three each, and no more */
             CHECK_OK(bat_patch_area(&patch, &area));
             CHECK_NEAR(area, hypot(due[1], due[2]), 1e-13);
         }

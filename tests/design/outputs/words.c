@@ -173,6 +173,9 @@ static const char flats[] =
     "  p: {points: [[0, 0, 0], [2, 0, 0], [0, 1, 0], [2, 1, 0]], columns: 2}\n"
     "  flat: {interpolate-grid: p, degree-u: 1, degree-v: 1}\n"
     "  sheet: {bilinear: [[0, 0], [4, 0], [4, 3], [0, 3]]}\n"
+    "  mesh: {mesh: sheet}\n"
+    "  drops: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 1]]}\n"
+    "  three: {bezier-triangle: drops}\n"
     "  dots: {points: [[0, 0, 0], [1, 0, 0]]}\n"
     "  net: {points: [[0, 0], [0, 0], [1, 0], [1, 1]]}\n"
     "  halt: {bezier: net}\n"
@@ -214,6 +217,8 @@ TEST(without_points_or_edges_there_is_no_verdict_and_why)
     static const expect_row rows[] = {
         {"k.txt: {check: sheet}", BATTEN_OK,
          "No verdict: fairness is judged of curves, of surfaces with their points, and of edges where surfaces meet"},
+        {"k.txt: {check: mesh}", BATTEN_OK, "No verdict: fairness is judged of curves"},
+        {"k.txt: {check: three}", BATTEN_OK, "No verdict: fairness is judged of curves"},
         {"k.txt: {check: dots}", BATTEN_OK, "No verdict: points alone are not judged"},
         {"k.txt: {check: arm}", BATTEN_OK, "!No verdict|Verdict: fair"},
     };
