@@ -122,7 +122,8 @@ batten_status bat_smooth_interpolant(bat_smoothing *t)
     o.parameters = BATTEN_GIVEN;
     o.given = u;
     o.closed = r->periodic;
-    o.start.kind = o.end.kind = BATTEN_END_NATURAL;
+    if (m == 2) /* a polyline has no conditions at its ends; of higher orders they stand below */
+        o.start.kind = o.end.kind = BATTEN_END_NATURAL;
     for (int k = 0; k < m - 1 && m > 2 && !r->periodic; k++) {
         natural[2 * k] = (batten_derivative){.index = 0, .order = m + k};
         natural[2 * k + 1] = (batten_derivative){.index = n - 1, .order = m + k};

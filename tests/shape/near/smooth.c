@@ -450,3 +450,53 @@ TEST(the_motorcycle_has_about_twelve_degrees_of_freedom)
         batten_curve_unref(curve);
     }
 }
+
+/* ---- limits of the penalty ---- */
+
+/* Without a weight the smoothing spline of order m passes its data, and its derivatives m to 2 m - 2 vanish at both
+ * ends. */
+TEST(without_a_penalty_the_spline_interpolates_and_ends_naturally)
+{
+    static const double t[] = {0, 1, 1.5, 2.5, 3, 4, 4.5, 6}, y[] = {1, 0, 2, -1, 0.5, 3, 1, 2};
+    for (int order = 1; order <= 4; order++) {
+        batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, 0, t);
+        batten_curve *curve = NULL;
+        double values[COUNT(t)], row[8];
+        options.order = order;
+        CHECK_OK(
+            batten_curve_smooth((batten_points){1, COUNT(t), y}, &options, NULL, NULL, &curve));
+        CHECK_INT(batten_curve_degree(curve), 2 * order - 1);
+        at_data(curve, COUNT(t), t, values);
+        for (int i = 0; i < COUNT(t); i++)
+            CHECK_NEAR(values[i], y[i], 1e-9);
+        for (int end = 0; end < 2; end++) {
+            CHECK_OK(batten_curve_evaluate(curve, end ? 6 : 0, 2 * order - 2, row));
+            for (int k = order; k <= 2 * order - 2; k++)
+                CHECK_NEAR(row[k], 0, 1e-6);
+        }
+        batten_curve_unref(curve);
+    }
+}
+
+/* Two parameters determine a line and no more, whatever the order and the penalty: that through the means. */
+TEST(data_of_two_parameters_are_met_by_the_line_through_their_means)
+{
+    static const double t[] = {0, 0, 2, 2, 2}, y[] = {1, 3, 4, 6, 8};
+    static const double amounts[] = {1e-3, 7, HUGE_VAL};
+    for (int order = 2; order <= 3; order++)
+        for (int i = 0; i < 2 * COUNT(amounts); i++) {
+            batten_curve_smooth_options options =
+                by(BATTEN_SMOOTH_BY_LAMBDA, amounts[i / 2], t);
+            const batten_points points = {1, COUNT(t), y};
+            batten_curve *curve = NULL;
+            double found[2];
+            options.order = order;
+            CHECK_OK(i % 2 ? batten_curve_p_spline(points, &options, NULL, NULL, &curve)
+                           : batten_curve_smooth(points, &options, NULL, NULL, &curve));
+            CHECK_OK(batten_curve_evaluate(curve, 0, 0, &found[0]));
+            CHECK_OK(batten_curve_evaluate(curve, 2, 0, &found[1]));
+            CHECK_NEAR(found[0], 2, 1e-9);
+            CHECK_NEAR(found[1], 6, 1e-9);
+            batten_curve_unref(curve);
+        }
+}
