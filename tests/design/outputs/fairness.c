@@ -398,3 +398,70 @@ TEST(the_inner_edges_of_triangles_and_their_angle_are_reported)
     batten_release(data);
     checked_close(&d);
 }
+
+/* ---- bounds of joins ---- */
+
+/* A plane before x = 0, and behind it a sheet that rises by s x + c x^2. */
+static void put_sheets(checked_design *d, double s, double c)
+{
+    const double u[] = {0, 0, 0, 1, 1, 1}, v[] = {0, 0, 1, 1};
+    const batten_axis axes[] = {{2, 3, u, false}, {1, 2, v, false}};
+    const double points[] = {0,   0, 0,     0,   1, 0, /* of s x + c x^2 */
+                             0.5, 0, s / 2, 0.5, 1, s / 2, 1, 0, s + c, 1, 1, s + c};
+    batten_surface *plane = NULL, *sheet = NULL;
+    CHECK_OK(batten_surface_bilinear((batten_vec3){-1, 0, 0}, (batten_vec3){0, 0, 0},
+                                     (batten_vec3){-1, 1, 0}, (batten_vec3){0, 1, 0}, &plane));
+    checked_put_surface(d, "a", plane);
+    CHECK_OK(batten_surface_create(3, &axes[0], &axes[1], points, NULL, &sheet));
+    checked_put_surface(d, "b", sheet);
+}
+
+/* Two lines with an angle between them, or a line and an arc. */
+static void put_curves(checked_design *d, double s, double c)
+{
+    const double knots[] = {0, 0, 0, 1, 1, 1};
+    const double points[] = {0, 0, 0, 0.5, s / 2, 0, 1, s + c, 0};
+    batten_curve *bow = NULL;
+    checked_put_line(d, "a", (batten_vec3){-1, 0, 0}, (batten_vec3){0, 0, 0});
+    CHECK_OK(batten_curve_create((batten_points){3, 3, points}, 2, NULL, knots, &bow));
+    checked_put(d, "b",
+                &(batten_object){.name = "b", .kind = BATTEN_OBJECT_CURVE, .curve = bow});
+    batten_curve_unref(bow);
+}
+
+static batten_status judge_within(checked_design *d, double angle, double curvature)
+{
+    const bat_fair_bounds bounds = {angle, curvature};
+    bat_check_release(&d->check);
+    return bat_check_all(&d->run, "check", HUGE_VAL, &bounds, &bounds, &d->check);
+}
+
+/* What is at its bound holds, and what is above it by a bit does not. */
+TEST(joins_may_turn_and_jump_up_to_their_bounds_and_no_further)
+{
+    for (int i = 0; i < 4; i++) {
+        const bool is_of_curves = i / 2, turns = i % 2;
+        checked_design d;
+        checked_open("  a: {points: [[0, 0]]}\n  b: {points: [[0, 0]]}\n", "[a, b]", &d);
+        (is_of_curves ? put_curves : put_sheets)(&d, turns ? 0.5 : 0, turns ? 0 : 1);
+        const bat_unfairness *u = &d.check.unfairness;
+        CHECK_OK(judge_within(&d, 3, 3));
+        CHECK_INT(d.check.join_count, 1);
+        const batten_join join = d.check.joins[0].of;
+        CHECK_NEAR(join.angle.value, turns ? atan(0.5) : 0, 1e-12);
+        CHECK_NEAR(u->largest_crease, is_of_curves ? 0 : join.angle.value, 0);
+        for (int above = 0; above < 2; above++) {
+            const double angle = above ? nextafter(join.angle.value, 0) : join.angle.value,
+                         jump =
+                             above ? nextafter(join.curvature.value, 0) : join.curvature.value;
+            CHECK_OK(turns ? judge_within(&d, angle, 3) : judge_within(&d, 1e-6, jump));
+            CHECK_INT(u->creases, above && turns && !is_of_curves);
+            CHECK_INT(u->edge_jumps, above && !turns && !is_of_curves);
+            CHECK_INT(u->joint_corners, above && turns && is_of_curves);
+            CHECK_INT(u->joint_jumps, above && !turns && is_of_curves);
+            CHECK_NEAR(u->largest_joint, above && turns && is_of_curves ? join.angle.value : 0,
+                       0);
+        }
+        checked_close(&d);
+    }
+}

@@ -82,6 +82,22 @@ TEST(an_opening_and_the_edge_of_the_deck_are_immersed_where_the_plane_meets_them
     batten_release(data);
 }
 
+/* Flooded before 30 degrees: the area ends there, and there is none from 30 degrees on. */
+TEST(an_opening_below_thirty_degrees_ends_the_area)
+{
+    char *data = NULL;
+    const double heel = atan(0.2 / 0.8) / DEGREE, bm = 4 / 10.8, gm = 0.45 + bm - 0.8;
+    CHECK_OK(report("a.json: {hydrostatics: half, draughts: 1, mass: 7.38, gravity: [2, 0, "
+                    "0.8], heels: 10 deg, openings: [[2, 0.8, 1.1]]}",
+                    &data));
+    const char *m = strstr(data, "\"measures\"");
+    CHECK_NEAR(number(m, "\"opening_heel\": "), heel, 1e-6);
+    CHECK_NEAR(number(m, "\"area_to\": "), heel, 1e-6);
+    CHECK_NEAR(number(m, "\"area40\": "), area_of(gm, bm, heel * DEGREE), 1e-8);
+    CHECK_CONTAINS(m, "\"area30to40\": null");
+    batten_release(data);
+}
+
 TEST(cross_curves_of_a_box_are_arms_about_its_keel)
 {
     const double drafts[] = {0.5, 0.9};
