@@ -1,9 +1,6 @@
 #include "design/outputs/fairness.h"
 
-#include "design/outputs/checked.h"
 #include "support/test.h"
-
-#include <batten/standard.h>
 
 #include <stdlib.h>
 
@@ -372,31 +369,4 @@ TEST(the_seam_of_a_surface_is_smooth_up_to_its_sharp_tips)
         CHECK_NEAR(value(json, "u low", "u high", "\"g1\": "), 0, 1e-9);
         batten_release(json);
     }
-}
-
-/* Joins are listed by the shapes that meet, whatever their kinds: curves and surfaces in turns. */
-TEST(joins_are_listed_in_the_order_of_what_meets)
-{
-    static const int pairs[][2] = {{0, 2}, {0, 4}, {1, 3}, {1, 5}};
-    checked_design d;
-    checked_open("  a: {points: [[0, 0]]}\n  b: {points: [[0, 0]]}\n  c: {points: [[0, 0]]}\n"
-                 "  d: {points: [[0, 0]]}\n  e: {points: [[0, 0]]}\n  f: {points: [[0, 0]]}\n",
-                 "[a, b, c, d, e, f]", &d);
-    const double from[] = {0, 1, -1};
-    static const char *const surfaces[] = {"a", "c", "e"}, *const lines[] = {"b", "d", "f"};
-    for (int i = 0; i < 3; i++) {
-        const double x = from[i];
-        batten_surface *plane = NULL;
-        CHECK_OK(batten_surface_bilinear((batten_vec3){x, 0, 0}, (batten_vec3){x + 1, 0, 0},
-                                         (batten_vec3){x, 1, 0}, (batten_vec3){x + 1, 1, 0},
-                                         &plane));
-        checked_put_surface(&d, surfaces[i], plane);
-        checked_put_line(&d, lines[i], (batten_vec3){x, 7, 0}, (batten_vec3){x + 1, 7, 0});
-    }
-    checked_run(&d, HUGE_VAL);
-    CHECK_INT(d.check.join_count, 4);
-    for (int i = 0; i < 4; i++)
-        for (int k = 0; k < 2; k++)
-            CHECK_INT(d.check.joins[i].of.shape[k], pairs[i][k]);
-    checked_close(&d);
 }
