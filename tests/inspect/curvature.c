@@ -1,4 +1,6 @@
 #include "inspect/shapes.h"
+#include "inspect/singular.h"
+#include <batten/standard.h>
 
 TEST(a_circle_has_the_curvature_of_its_radius_and_no_rate)
 {
@@ -273,4 +275,25 @@ TEST(another_parameter_changes_the_speed_and_not_the_curvature)
     CHECK_NEAR(twice.curvature, at.curvature, 1e-15);
     batten_curve_unref(fast);
     batten_curve_unref(curve);
+}
+
+TEST(curves_from_1e_minus_120_to_1e120_and_those_of_zeros_can_be_worked_with)
+{
+    static const double good[] = {0, 1e-120, 1, 1e120}, bad[] = {0.99e-120, 1.01e120};
+    static const double zero[2] = {0, 0};
+    for (int i = 0; i < 6; i++) {
+        const double size = i < 4 ? good[i] : bad[i - 4], end[2] = {size / 2, -size};
+        batten_curve *curve = NULL;
+        CHECK_OK(batten_curve_line(2, zero, end, &curve));
+        CHECK_NEAR(bat_curve_size(curve), size, 0);
+        if (i < 4) {
+            CHECK_OK(bat_curve_check_size(curve));
+        } else {
+            CHECK_STATUS(bat_curve_check_size(curve), BATTEN_BAD_ARGUMENT);
+            CHECK_MESSAGE(i == 4
+                              ? "the largest coordinate is 9.9e-121; from 1e-120 to 1e+120"
+                              : "the largest coordinate is 1.01e+120; from 1e-120 to 1e+120");
+        }
+        batten_curve_unref(curve);
+    }
 }

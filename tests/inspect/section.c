@@ -186,3 +186,28 @@ TEST(a_torus_of_any_size_is_cut_in_the_same_lines)
     }
     batten_surface_unref(torus);
 }
+
+TEST(planes_and_cells_that_cannot_be_are_refused_each)
+{
+    static const double knots[4] = {0, 0, 1, 1}, flat[8] = {0, 0, 0, 1, 1, 0, 1, 1};
+    static const batten_vec3 normals[] = {
+        {NAN, 0, 1}, {0, INFINITY, 1}, {1, 0, NAN}, {0, 0, 1}};
+    const batten_axis axis = {1, 2, knots, false};
+    const batten_vec3 up = {0, 0, 1};
+    batten_surface *plane = NULL, *space = NULL;
+    batten_polylines lines = {0};
+    CHECK_OK(batten_surface_create(2, &axis, &axis, flat, NULL, &plane));
+    CHECK_OK(shape_torus(0, 2, true, &space));
+    CHECK_STATUS(batten_surface_section(plane, up, 0, 4, 4, &lines), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("a surface in 2 dimensions has no plane section");
+    for (int i = 0; i < 4; i++)
+        CHECK_STATUS(
+            batten_surface_section(space, normals[i], i == 3 ? (double)NAN : 0, 4, 4, &lines),
+            BATTEN_NOT_FINITE);
+    for (int i = 0; i < 2; i++)
+        CHECK_STATUS(batten_surface_section(space, up, 0, i ? 4 : 0, i ? 0 : 4, &lines),
+                     BATTEN_BAD_ARGUMENT);
+    CHECK(lines.count == 0 && !lines.lines);
+    batten_surface_unref(plane);
+    batten_surface_unref(space);
+}
