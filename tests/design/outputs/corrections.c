@@ -12,10 +12,11 @@ static void open_boat(batten_design **out)
              "batten: 1\nunits: in\ntolerance: 0.005 in\nfeatures:\n  table: {read: '%s'}\n"
              "  hull: {loft: table, within: 0.125 in, knuckles: chine}\n"
              "  ducks: {points: [[0, 0], [1, 0.1], [2, 0], [3, 0.1], [4, 0], [5, 0.1]]}\n"
-             "  fair: {fair: ducks, within: 0.1 in}\noutputs:\n"
+             "  fair: {fair: ducks, within: 0.1 in}\n"
+             "  smooth: {fair: table, within: 0.125 in}\noutputs:\n"
              "  hull.txt: {corrections: hull}\n  hull.csv: {corrections: hull}\n"
              "  hull.json: {corrections: hull}\n  ducks.csv: {corrections: fair}\n"
-             "  table.txt: {corrections: table}\n",
+             "  table.txt: {corrections: table}\n  smooth.csv: {corrections: smooth}\n",
              test_source("examples/sharpie/offsets.csv"));
     batten_design_options options = batten_design_defaults();
     options.allow_outside = true;
@@ -78,6 +79,30 @@ TEST(corrections_of_fairing_are_its_moves_the_farthest_first)
     CHECK_INT(count_rows(csv), fair->move_count + fair->suspect_count + 1);
     snprintf(begin, sizeof begin, "reason\ncurve 1,%d,,", fair->worst_index + 1);
     CHECK_CONTAINS(csv, begin);
+    batten_release(csv);
+    batten_design_free(design);
+}
+
+/* As those of a lofting: each with its station, and with its line where the point is of one. */
+TEST(corrections_of_a_faired_table_name_its_stations_and_lines)
+{
+    batten_design *design = NULL;
+    if (test_cases(10) < 10)
+        return; /* too long to repeat for each allocation */
+    open_boat(&design);
+    CHECK_OK(batten_design_evaluate(design, "smooth", NULL, NULL));
+    const batten_fair_report *fair = batten_design_result(design, "smooth")->fairing;
+    char *csv = take_output(design, 5);
+    CHECK(fair->move_count > 0);
+    CHECK_INT(count_rows(csv), fair->move_count + fair->suspect_count + 1);
+    for (char *row = strchr(csv, '\n') + 1; *row; row = strchr(row, '\n') + 1) {
+        CHECK(strncmp(row, "station '", 9) == 0);
+        const char *line = strchr(strchr(row, ',') + 1, ',') + 1;
+        CHECK(strncmp(line, "sheer,", 6) == 0 || strncmp(line, "chine,", 6) == 0 ||
+              *line == ',');
+    }
+    CHECK_CONTAINS(csv, ",chine,");
+    CHECK_CONTAINS(csv, ",sheer,");
     batten_release(csv);
     batten_design_free(design);
 }
