@@ -1,8 +1,6 @@
 /* Draughts for a table of hydrostatics where none are given: round ones up to the deck. */
 #include "design/outputs/hydrostatics.h"
 
-#include <float.h>
-
 /* A draught at the edge of the deck is one that is taken but for rounding. */
 static const double ROUNDING = 1e-9;
 
@@ -40,15 +38,14 @@ batten_status bat_hydro_round_draughts(const batten_hull *hull,
                                        double draughts[BAT_HYDRO_DRAUGHTS], int *count)
 {
     const double low = bat_max(0, batten_hull_box(hull).low.z), high = deck_of(hull);
-    const double step = round_step(bat_max(high - low, DBL_MIN));
-    const int first = (int)floor(low / step) + 1,
-              last = (int)floor(high / step * (1 + ROUNDING));
-    *count = bat_min_int(BAT_HYDRO_DRAUGHTS, bat_max_int(0, last - first + 1));
+    const double step = high > low ? round_step(high - low) : 1;
+    const double first = floor(low / step) + 1, last = floor(high / step * (1 + ROUNDING));
+    *count = (int)bat_max(0, bat_min(BAT_HYDRO_DRAUGHTS, last - first + 1));
     if (*count == 0)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "the hull reaches from z = %.6g to %.6g: no draught above the baseline "
                         "z = 0 is below its deck; give 'draughts'",
-                        low, high);
+                        batten_hull_box(hull).low.z, high);
     for (int i = 0; i < *count; i++)
         draughts[i] = step * (first + i);
     return BATTEN_OK;

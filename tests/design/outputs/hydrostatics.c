@@ -13,10 +13,11 @@ static const char prism[] = "  low: {line: [[0, 0, 0], [20, 0, 0]]}\n"
                             "  both: {mirror: half, plane: centre}\n"
                             "  sheer: {line: [[0, 5, 4], [20, 6.25, 5]]}\n"
                             "  rising: {ruled: [low, sheer]}\n"
-    "  fore: {line: [[0, 5, 4], [20, 0, 4]]}\n"
-    "  narrowing: {ruled: [low, fore]}\n"
-    "  aft: {line: [[0, 0, 4], [20, 5, 4]]}\n"
-    "  widening: {ruled: [low, aft]}\n";
+                            "  sunk: {move: half, by: [0, 0, -9]}\n"
+                            "  fore: {line: [[0, 5, 4], [20, 0, 4]]}\n"
+                            "  narrowing: {ruled: [low, fore]}\n"
+                            "  aft: {line: [[0, 0, 4], [20, 5, 4]]}\n"
+                            "  widening: {ruled: [low, aft]}\n";
 
 static batten_status report(const char *output, batten_notes *notes, char **data)
 {
@@ -347,8 +348,8 @@ TEST(the_largest_section_may_be_at_either_end)
     static const char *const stations[] = {"", ", stations: [10]"};
     for (int i = 0; i < 4; i++) {
         char output[100], *data = NULL;
-        snprintf(output, sizeof output, "a.json: {hydrostatics: %s, draughts: 2%s}", hulls[i % 2],
-                 stations[i / 2]);
+        snprintf(output, sizeof output, "a.json: {hydrostatics: %s, draughts: 2%s}",
+                 hulls[i % 2], stations[i / 2]);
         CHECK_OK(report(output, NULL, &data));
         CHECK_NEAR(number(data, "\"AX\": "), 5, 1e-4 * 5);
         CHECK_NEAR(number(data, "\"CX\": "), 0.5, 1e-4);
@@ -388,4 +389,12 @@ TEST(a_deck_that_rises_is_under_water_where_it_is_lowest)
     CHECK(is_noted("a.txt: {hydrostatics: rising, draughts: 4.2}", words));
     if (test_cases(10) >= 10)
         CHECK(!is_noted("a.txt: {hydrostatics: rising, draughts: 3.9}", "is under water"));
+}
+
+TEST(a_hull_below_the_baseline_has_no_draughts_of_its_own)
+{
+    char *data = NULL;
+    CHECK_STATUS(report("a.txt: {hydrostatics: sunk}", NULL, &data), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the hull reaches from z = -9 to -5: no draught above the baseline z = 0");
+    CHECK(!data);
 }
