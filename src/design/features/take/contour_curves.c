@@ -78,9 +78,9 @@ static void pace(int count, const double *points, double *breaks)
     }
 }
 
-static batten_status join_cubics(const batten_contour *contour, batten_curve **out)
+batten_status bat_armed_curve(const batten_polyline *line, const double *arms,
+                              batten_curve **out)
 {
-    const batten_polyline *line = &contour->line;
     const int count = line->closed ? line->count : line->count - 1;
     double *points = bat_array3((size_t)count + 1, 9, sizeof *points);
     double *breaks = bat_array((size_t)count + 1, sizeof *breaks);
@@ -89,8 +89,8 @@ static batten_status join_cubics(const batten_contour *contour, batten_curve **o
         const int k = i % line->count;
         double *to = points + 9 * i;
         memcpy(to, line->points + 3 * k, 3 * sizeof *to);
-        memcpy(to + 3, contour->arms + 6 * k + 3, 3 * sizeof *to);
-        memcpy(to + 6, contour->arms + 6 * ((k + 1) % line->count), 3 * sizeof *to);
+        memcpy(to + 3, arms + 6 * k + 3, 3 * sizeof *to);
+        memcpy(to + 6, arms + 6 * ((k + 1) % line->count), 3 * sizeof *to);
     }
     if (status == BATTEN_OK) {
         pace(count, points, breaks);
@@ -127,7 +127,7 @@ batten_status bat_contour_curve(bat_contours_wanted *w, const batten_contour *co
 {
     double error = rise;
     const batten_status status = contour->arms
-                                     ? join_cubics(contour, out)
+                                     ? bat_armed_curve(&contour->line, contour->arms, out)
                                      : make_curve(w, &contour->line, rise, &error, out);
     w->open += !contour->line.closed;
     w->error = bat_max(w->error, error);

@@ -25,5 +25,9 @@ batten_status bat_contours_find_fine(const bat_run *run, const batten_object *ob
 /* A contour as a curve; `rise` is the error of the contours. Error and open lines are counted. */
 batten_status bat_contour_curve(bat_contours_wanted *wanted, const batten_contour *contour,
                                 double rise, batten_curve **out);
+/* Cubics between the points of a line; `arms` [count][2][3]: the control points before and after
+ * each. */
+batten_status bat_armed_curve(const batten_polyline *line, const double *arms,
+                              batten_curve **out);
 
 #endif
