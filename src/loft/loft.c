@@ -101,9 +101,11 @@ batten_status batten_hull_loft(const batten_offset_table *table,
     if (status != BATTEN_OK)
         return status;
     status = find_panels(table, &chosen, job, &panels);
-    if (status == BATTEN_NOT_COMPATIBLE)
-        status =
-            bat_loft_find_enough(table, &chosen, job, report ? &report->enough : &found.enough);
+    double *enough = report ? &report->enough : &found.enough;
+    if (status == BATTEN_NOT_COMPATIBLE && panels.rails.is_explained)
+        *enough = panels.rails.enough;
+    else if (status == BATTEN_NOT_COMPATIBLE)
+        status = bat_loft_find_enough(table, &chosen, job, enough);
     if (status == BATTEN_OK)
         status = bat_loft_fill_report(&panels, table, &found);
     if (status == BATTEN_OK)

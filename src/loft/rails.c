@@ -195,6 +195,8 @@ static batten_status fair_coordinate(bat_hull_rails *r, const batten_loft_option
         status = bat_hull_find_runs(r, options, rail, axis, line);
     if (status == BATTEN_OK)
         status = bat_loft_line_fair(line, made->yz[axis], &made->found[axis]);
+    if (status == BATTEN_NOT_COMPATIBLE && line->run_count > 0)
+        status = bat_hull_explain_runs(r, options, rail, axis, line);
     return status;
 }
 

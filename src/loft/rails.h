@@ -15,6 +15,8 @@ typedef struct {
     double *inner;        /* knots along u that all have */
     bat_hull_rail *rails; /* [count] */
     bat_loft_line *lines; /* [count][2]: what y and z of a rail were made of */
+    bool is_explained;    /* the message says which straight run the bound forbids; */
+    double enough;        /* and this is the least bound that does, 0: none was found */
 } bat_hull_rails;
 
 /* All of them faired. Release with bat_hull_rails_free, also after a failure. */
@@ -47,7 +49,17 @@ batten_status bat_hull_check_runs(const bat_hull_rails *rails,
  * arena. BAD_ARGUMENT when two of them make one. */
 batten_status bat_hull_find_runs(bat_hull_rails *rails, const batten_loft_options *options,
                                  int rail, int axis, bat_loft_line *line);
+/* Is this one of them? Its coefficients. */
+bool bat_hull_run_of(const bat_hull_rails *rails, const batten_loft_straight *run, int rail,
+                     int axis, const bat_loft_line *line, bat_straight_run *out);
 /* What messages call a rail. */
 const char *bat_hull_rail_name(const bat_hull_rails *rails, int rail);
+
+/* ---- conflicts.c ---- */
+
+/* NOT_COMPATIBLE with the words: which of the straight runs of a line does not keep the bound, as all of
+ * them do not. */
+batten_status bat_hull_explain_runs(bat_hull_rails *rails, const batten_loft_options *options,
+                                    int rail, int axis, const bat_loft_line *line);
 
 #endif

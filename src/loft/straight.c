@@ -98,6 +98,16 @@ static bool is_straight_in(const batten_loft_straight *run, int axis)
            run->view == (axis == 0 ? BATTEN_LOFT_IN_PLAN : BATTEN_LOFT_IN_PROFILE);
 }
 
+bool bat_hull_run_of(const bat_hull_rails *r, const batten_loft_straight *run, int rail,
+                     int axis, const bat_loft_line *line, bat_straight_run *out)
+{
+    const bool is_there = is_straight_in(run, axis) && rail_of(r, run) == rail;
+    if (is_there)
+        *out = run_between(line, bat_hull_rail_u(r, rail, run->from),
+                           bat_hull_rail_u(r, rail, run->to));
+    return is_there;
+}
+
 batten_status bat_hull_find_runs(bat_hull_rails *r, const batten_loft_options *options,
                                  int rail, int axis, bat_loft_line *line)
 {
@@ -107,11 +117,9 @@ batten_status bat_hull_find_runs(bat_hull_rails *r, const batten_loft_options *o
         return BATTEN_OUT_OF_MEMORY;
     line->runs = runs;
     for (int k = 0; k < options->straight_count; k++) {
-        const batten_loft_straight *run = options->straight + k;
-        if (is_straight_in(run, axis) && rail_of(r, run) == rail)
-            insert_run(run_between(line, bat_hull_rail_u(r, rail, run->from),
-                                   bat_hull_rail_u(r, rail, run->to)),
-                       line, runs);
+        bat_straight_run run;
+        if (bat_hull_run_of(r, options->straight + k, rail, axis, line, &run))
+            insert_run(run, line, runs);
     }
     for (int k = 1; k < line->run_count; k++)
         if (runs[k].first < runs[k - 1].last)

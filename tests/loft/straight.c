@@ -116,11 +116,52 @@ TEST(a_run_that_the_bound_forbids_is_refused_with_one_that_would_do)
     batten_loft_report report = {0};
     make_barge(&b);
     CHECK_STATUS(loft_barge(&b, 1, &run, &report), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("no smooth panels were found within 0.03 of every point of the table; some");
+    CHECK_MESSAGE(
+        "the line 'chine' cannot be straight from station 1 (x = 0) to station 4 (x = 3) "
+        "in plan within 0.03 of its points; within 0.0");
     /* of a parabola of 0.03 (3 - x)^2 a line over 3 is off by a sixteenth of 0.27 at two of four
      * stations and more than that at none; both views share the bound; offs are added */
     CHECK(report.enough > 0.03 && report.enough < 0.1);
     CHECK(!b.panels[0] && !b.panels[1]);
+    free_barge(&b);
+}
+
+/* The least bound that is named does, a twentieth less does not. */
+TEST(the_bound_that_a_forbidden_run_needs_is_the_least)
+{
+    const batten_loft_straight run = {"chine", 0, 3, BATTEN_LOFT_IN_PLAN};
+    static const char *const chine[] = {"chine"};
+    barge b;
+    batten_loft_report report = {0};
+    batten_loft_options options = batten_loft_defaults(0.03);
+    options.knuckle_count = options.straight_count = 1;
+    options.knuckles = chine;
+    options.straight = &run;
+    make_barge(&b);
+    CHECK_STATUS(batten_hull_loft(b.table, &options, NULL, &report, b.panels),
+                 BATTEN_NOT_COMPATIBLE);
+    options.within = 0.95 * report.enough;
+    CHECK_STATUS(batten_hull_loft(b.table, &options, NULL, NULL, b.panels),
+                 BATTEN_NOT_COMPATIBLE);
+    options.within = 1.0001 * report.enough;
+    CHECK_OK(batten_hull_loft(b.table, &options, NULL, NULL, b.panels));
+    free_barge(&b);
+}
+
+/* A digit too many at one station of the parallel middle. */
+TEST(the_one_point_that_forbids_a_run_is_named)
+{
+    const batten_loft_straight run = {"chine", 2, 6, BATTEN_LOFT_IN_PROFILE};
+    barge b;
+    make_barge(&b);
+    batten_offset_table_unref(b.table);
+    b.points[4][1].z += 0.2;
+    CHECK_OK(batten_offset_table_create(1, LINES, b.lines, STATIONS, b.stations, &b.table));
+    CHECK_STATUS(loft_barge(&b, 1, &run, NULL), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE(
+        "the line 'chine' cannot be straight from station 3 (x = 2) to station 7 (x = 6) "
+        "in profile within 0.03 of its points; its point at station 5 (x = 4) alone "
+        "forbids it");
     free_barge(&b);
 }
 
