@@ -504,7 +504,8 @@ typedef struct batten_loft_report {
     double faired_error; /**< how far its points are off stations and waterlines */
     int trimmed_count;   /**< points on the centre plane that only say that there is no hull */
     int rounds;          /**< programs with conditions on the sign of curvature */
-    double enough;   /**< with NOT_COMPATIBLE: a bound that would do; 0 when none was found */
+    double enough;   /**< with NOT_COMPATIBLE: a bound that would do, or with which a straight run that
+                          the message names can be; 0 when none was found */
     int panel_count; /**< surfaces: one more than knuckles */
     int ruled_count; /**< of these, without points between their lines: straight across */
     int warp_count;  /**< ruled_count, or 0 of one smooth surface */

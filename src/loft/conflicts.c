@@ -5,7 +5,7 @@
 #include "loft/lines/line.h"
 #include "loft/rails.h"
 
-#include <stdio.h>
+#include <batten/text.h>
 
 /* Thirty doublings reach any size of a hull; five halvings by ratio leave the last known to a fiftieth. */
 enum { DOUBLINGS = 30, HALVINGS = 5 };
@@ -92,18 +92,18 @@ static batten_status refuse_run(const conflict *c, double bound, double least, i
 {
     const batten_offset_table *table = c->rails->of.table;
     char would[80] = "", but[160] = "";
-    if (least > 0)
-        snprintf(would, sizeof would, "; within %.4g it can", least);
+    if (least > 0) /* four digits, rounded up: what is said does */
+        batten_text_print(would, sizeof would, "; within %.4g it can", 1.0005 * least);
     if (culprit >= 0)
-        snprintf(but, sizeof but, "; its point at %s alone forbids it: is that right?",
-                 batten_offset_table_label(table, culprit).text);
+        batten_text_print(but, sizeof but, "; only its point at %s forbids it: is that right?",
+                          batten_offset_table_label(table, culprit).text);
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "the line '%.60s' cannot be straight from %s to %s%s within %g of its "
                     "points%s%s",
                     bat_hull_rail_name(c->rails, c->rail),
                     batten_offset_table_label(table, c->declared->from).text,
                     batten_offset_table_label(table, c->declared->to).text,
-                    view_of(c->declared), bound, but, would);
+                    view_of(c->declared), bound, would, but);
 }
 
 /* Is it this run that the bound forbids? NOT_COMPATIBLE, with the words, when it is. */
@@ -129,10 +129,11 @@ batten_status bat_hull_explain_runs(bat_hull_rails *rails, const batten_loft_opt
                                     int rail, int axis, const bat_loft_line *line)
 {
     conflict c = {.rails = rails, .rail = rail, .line = *line};
-    batten_status status = BATTEN_OK;
     c.f = bat_arena_array(&rails->of.arena, (size_t)line->count, sizeof *c.f);
     if (!c.f)
         return BATTEN_OUT_OF_MEMORY;
+    c.line.run_count = 0;
+    batten_status status = fits(&c, line->within, NULL); /* else it is not for the runs */
     for (int k = 0; k < options->straight_count && status == BATTEN_OK; k++) {
         c.declared = options->straight + k;
         if (!bat_hull_run_of(rails, c.declared, rail, axis, line, &c.run))
@@ -141,10 +142,5 @@ batten_status bat_hull_explain_runs(bat_hull_rails *rails, const batten_loft_opt
         c.line.run_count = 1;
         status = examine(&c, options);
     }
-    if (status != BATTEN_OK)
-        return status;
-    return bat_fail(BATTEN_NOT_COMPATIBLE,
-                    "the line '%.60s' keeps the bound with each of its straight runs alone and "
-                    "not with all of them",
-                    bat_hull_rail_name(rails, rail));
+    return status == BATTEN_OK ? BATTEN_NOT_COMPATIBLE : status;
 }

@@ -16,7 +16,7 @@ typedef struct {
     bat_hull_rail *rails; /* [count] */
     bat_loft_line *lines; /* [count][2]: what y and z of a rail were made of */
     bool is_explained;    /* the message says which straight run the bound forbids; */
-    double enough;        /* and this is the least bound that does, 0: none was found */
+    double enough;        /* and this is the least bound with which it can be, 0: none was found */
 } bat_hull_rails;
 
 /* All of them faired. Release with bat_hull_rails_free, also after a failure. */
@@ -57,8 +57,8 @@ const char *bat_hull_rail_name(const bat_hull_rails *rails, int rail);
 
 /* ---- conflicts.c ---- */
 
-/* NOT_COMPATIBLE with the words: which of the straight runs of a line does not keep the bound, as all of
- * them do not. */
+/* For a line that does not keep the bound with all of its straight runs. NOT_COMPATIBLE, with the words and
+ * `is_explained` when one of them alone does not, while the line without any does. */
 batten_status bat_hull_explain_runs(bat_hull_rails *rails, const batten_loft_options *options,
                                     int rail, int axis, const bat_loft_line *line);
 
