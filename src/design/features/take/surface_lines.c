@@ -2,7 +2,7 @@
 #include "design/features/take/contour_curves.h"
 
 #include <batten/nearest.h>
-#include <batten/text.h>
+#include <stdio.h>
 
 /* The words of 'kind' name each line of batten_line_kind in its order, then pairs of them. */
 #define KINDS "curvature1 curvature2 asymptotic1 asymptotic2 geodesic curvature asymptotic"
@@ -31,19 +31,24 @@ typedef struct {
 /* ---- where a line starts ---- */
 
 typedef struct {
-    const batten_object *surface;
+    int surface;
     double uv[2], distance;
 } foot;
+
+static const batten_object *object_at(const search *s, const foot *f)
+{
+    return s->surfaces.at[f->surface];
+}
 
 static batten_status find_foot(const search *s, const double *point, foot *out)
 {
     foot best = {.distance = HUGE_VAL};
     for (int i = 0; i < s->surfaces.count; i++) {
-        foot f = {.surface = s->surfaces.at[i]};
+        foot f = {.surface = i};
         batten_deviation deviation;
-        const batten_status status =
-            batten_surface_project(f.surface->surface, (batten_points){3, 1, point}, NULL,
-                                   s->run->job, (batten_feet){f.uv, &f.distance}, &deviation);
+        const batten_status status = batten_surface_project(
+            s->surfaces.at[i]->surface, (batten_points){3, 1, point}, NULL, s->run->job,
+            (batten_feet){f.uv, &f.distance}, &deviation);
         if (status != BATTEN_OK)
             return status;
         if (f.distance < best.distance)
@@ -63,7 +68,8 @@ static const char *name_of(batten_line_kind kind, int number, char *name, size_t
     return name;
 }
 
-static void tell_line(const search *s, const char *name, const batten_surface_line *line)
+static void tell_line(const search *s, const char *name, const batten_surface_line *line,
+                      bool goes_one_way)
 {
     static const char *const ends[] = {
         [BATTEN_LINE_AT_LENGTH] = "where it is as long as asked for",
@@ -77,7 +83,8 @@ static void tell_line(const search *s, const char *name, const batten_surface_li
         bat_remark(s->run, "'%s': closed, %.6g %s long", name, line->length, unit);
     else
         bat_remark(s->run, "'%s': %.6g %s long; it begins %s and ends %s", name, line->length,
-                   unit, ends[line->ends[0]], ends[line->ends[1]]);
+                   unit, goes_one_way ? "at its point" : ends[line->ends[0]],
+                   ends[line->ends[1]]);
 }
 
 /* ---- lines ---- */
@@ -88,18 +95,19 @@ static batten_status put_line(search *s, const foot *at, const batten_line_start
     char end[40], name[240];
     batten_surface_line line = {0};
     batten_curve *curve = NULL;
-    batten_object like = *at->surface;
+    const batten_object *on = object_at(s, at);
+    batten_object like = *on;
     batten_status status =
-        batten_surface_line_from(at->surface->surface, start, s->within, s->run->job, &line);
+        batten_surface_line_from(on->surface, start, s->within, s->run->job, &line);
     if (status != BATTEN_OK)
         return bat_fail(status, "line %d: %s", number, batten_message());
-    snprintf(name, sizeof name, "%.180s %s", at->surface->name,
+    snprintf(name, sizeof name, "%.180s %s", on->name,
              name_of(start->kind, number, end, sizeof end));
     like.name = name;
     status = bat_armed_curve(&line.line, line.arms, &curve);
     status = bat_put_curve_like(s->run, status, curve, &like, false);
     if (status == BATTEN_OK)
-        tell_line(s, name, &line);
+        tell_line(s, name, &line, start->kind == BATTEN_LINE_GEODESIC);
     s->error = bat_max(s->error, line.error);
     batten_surface_line_release(&line);
     return status;
@@ -132,19 +140,33 @@ static batten_status put_lines(search *s, const foot *at, int number)
     return status;
 }
 
+static void tell_idle(const search *s, const bool *used)
+{
+    for (int i = 0; i < s->surfaces.count; i++)
+        if (!used[i])
+            bat_remark(s->run, "'%s' has no line: no point is nearest to it",
+                       s->surfaces.at[i]->name);
+}
+
 static batten_status put_all(search *s)
 {
     const bat_argument *points = bat_argument_of(s->run, "through");
-    batten_status status = BATTEN_OK;
+    bool *used = bat_array((size_t)s->surfaces.count, sizeof *used);
+    batten_status status = used ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < points->count && status == BATTEN_OK; i++) {
         foot at;
         status = find_foot(s, points->items[i].number, &at);
         if (status == BATTEN_OK && at.distance > s->within)
             bat_remark(s->run, "point %d is %.6g %s off '%s': its lines start at the foot",
-                       i + 1, at.distance, bat_unit_name(s->run), at.surface->name);
+                       i + 1, at.distance, bat_unit_name(s->run), object_at(s, &at)->name);
         if (status == BATTEN_OK)
             status = put_lines(s, &at, i);
+        if (status == BATTEN_OK)
+            used[at.surface] = true;
     }
+    if (status == BATTEN_OK)
+        tell_idle(s, used);
+    bat_release(used);
     return status;
 }
 
@@ -184,16 +206,17 @@ const bat_feature bat_feature_surface_lines = {
          "Gaussian curvature is 0. Remarks give lengths and ends. Lines are integrated by\n"
          "length, once more with a finer error, and the error reported is how far both are\n"
          "apart, with that of the cubics which are delivered.\n"
-         "Strips of plate bend least along lines of curvature; tapes lie along geodesics.",
+         "Plates are rolled along lines of curvature; a tape lies flat along a geodesic.",
          "features:\n"
          "  ring: {torus: 3 m, minor: 1 m}\n"
          "  nets: {surface-lines: ring, through: [[4 m, 0, 0], [0, 3 m, 1 m]], within: 1 mm}\n"
          "  tape: {surface-lines: ring, through: [[4 m, 0, 0]], kind: geodesic, direction: [0, 1, 1],\n"
          "         length: 20 m, within: 1 mm}\n",
          "[PM02]", "batten_surface_line_from", BAT_PARAMETERS(parameters), false,
-         .formula = "principal:  (I − κ II) · (u′, v′) = 0\n"
-                    "asymptotic:  L u′² + 2 M u′ v′ + N v′² = 0\n"
-                    "geodesic:  the curvature vector is normal to the surface",
+         .formula = "    principal:  (II − κ I) · (u′, v′) = 0\n"
+                    "    asymptotic:  L u′² + 2 M u′ v′ + N v′² = 0\n"
+                    "    geodesic:  the curvature vector is normal to the surface",
+         .promise = "Curves keep as close to the lines as the error says.",
          .also =
              "principal curvature lines, curvature net, geodesic, shortest path, asymptotic "
              "curves, tape, tow path, plate rolling"},
