@@ -352,9 +352,8 @@ TEST(S4_each_reader_works_in_a_small_stack_however_deep_its_file_is)
             memcpy(to, nested[i].open, length);
     }
     CHECK(pthread_attr_init(&attributes) == 0);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    CHECK(pthread_attr_setstacksize(&attributes, STACK) == 0);
-#endif
+    if (!SANITIZED)
+        CHECK(pthread_attr_setstacksize(&attributes, STACK) == 0);
     CHECK(pthread_create(&thread, &attributes, read_all_small, &all) == 0);
     CHECK(pthread_join(thread, NULL) == 0);
     pthread_attr_destroy(&attributes);

@@ -19,6 +19,19 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Whether a sanitizer stands between the tests and their memory and threads: gcc says so by a macro, clang by a feature. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+enum { SANITIZED = 1 };
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+enum { SANITIZED = 1 };
+#else
+enum { SANITIZED = 0 };
+#endif
+#else
+enum { SANITIZED = 0 };
+#endif
+
 #define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
 
 typedef struct test_entry {

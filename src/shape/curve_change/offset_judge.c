@@ -147,8 +147,8 @@ static batten_status sample_all(const bat_offset_trimming *t, const bat_crossing
     batten_status status = passages && cuts ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; status == BATTEN_OK && i < n; i++) {
         const int end = i - 2 * crossings->count;
-        const bat_crossing *c = &crossings->at[i / 2];
         if (end < 0) {
+            const bat_crossing *c = &crossings->at[i / 2];
             passages[i] = (passage){c->curve[i % 2], c->u[i % 2]};
             continue;
         }

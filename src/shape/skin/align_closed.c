@@ -283,9 +283,11 @@ batten_status bat_skin_match(bat_skin *t)
         return status;
     const bool marks = t->options->match == BATTEN_MATCH_MARKS;
     const size_t n = marks ? (size_t)t->options->mark_count + 2 : 0;
-    double *own = bat_array3(3, n, sizeof *own), *slopes = own + n, *mean = own + 2 * n;
-    status = own ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK && marks)
+    double *own = bat_array3(3, n, sizeof *own);
+    if (own == NULL)
+        return BATTEN_OUT_OF_MEMORY;
+    double *slopes = own + n, *mean = own + 2 * n;
+    if (marks)
         status = mean_marks(t, own, mean);
     for (int k = 0; status == BATTEN_OK && k < t->count; k++) {
         batten_curve *matched = NULL;

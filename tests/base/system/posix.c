@@ -34,12 +34,6 @@ static void *wait_for_leave(void *user)
     return NULL;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-enum { SANITIZED = 1 };
-#else
-enum { SANITIZED = 0 };
-#endif
-
 /* Stacks of earlier threads may be used again, so some succeed. */
 TEST(a_thread_for_which_there_is_no_memory_is_not_started)
 {
