@@ -475,17 +475,18 @@ BATTEN_API batten_status batten_ellipse_fit(batten_points points,
  *
  * @param points [count][2], count >= 4, neighbours apart; between neighbours the curve turns by
  *               less than a right angle
+ * @param job   progress, cancelling, a limit of steps (one for each point of a round); NULL for none
  * @param[out] lengths [count], arc lengths of the feet from there; may be NULL
  * @param[out] report  what was reached; may be NULL
  * @param[out] span  BATTEN_SPAN_SPIRAL, from the foot of the first to that of the last
  * @return BATTEN_OK, UNSUPPORTED (not in the plane), TOO_FEW_POINTS, TOO_LARGE, NOT_FINITE,
  * COINCIDENT; TOLERANCE_NOT_MET when the first guess is too far off for rounds to converge;
- * OUT_OF_MEMORY
+ * CANCELLED, INCOMPLETE, OUT_OF_MEMORY
  *
  * Cost: linear in count for each round, of which there are 200 at most.
  * Source: the distances at right angles as in [ARW01].
  */
-BATTEN_API batten_status batten_clothoid_fit(batten_points points, double *lengths,
+BATTEN_API batten_status batten_clothoid_fit(batten_points points, const batten_job *job, double *lengths,
                                              batten_primitive_report *report,
                                              batten_span *span);
 /** How far the points that went are from the polyline through those that stayed, each from the

@@ -245,6 +245,8 @@ typedef struct batten_arcs_options {
     bool spread;   /**< with the same number of arcs, make the largest deviation as
                         small as can be, within 2 per cent; true */
     bool closed;   /**< of points: the first is also the last; it is not repeated */
+    const batten_job *job; /**< progress and cancelling, asked at each arc that is tried; NULL for
+                                no questions */
 } batten_arcs_options;
 /** The defaults of arc splines: those beside the fields of batten_arcs_options. */
 BATTEN_API batten_arcs_options batten_arcs_defaults(void);

@@ -18,6 +18,7 @@ typedef struct batten_triangulate_options {
                          then only equal points are; 0 */
     double sliver;    /**< triangles on the rim whose height over it is below this part of their
                            side on it are left out, while no vertex goes with them; 1e-9 */
+    const batten_job *job; /**< progress and cancelling; NULL for no questions */
 } batten_triangulate_options;
 
 /** The defaults of triangulations: those beside the fields of batten_triangulate_options. */
@@ -42,13 +43,11 @@ typedef struct batten_plane_triangles {
  * All decisions are exact, whatever the coordinates; two that agree to 2^-200 of the largest
  * are equal. Of points on one circle either diagonal may be taken, always the same one for the
  * same input.
- *
  * @param points [count][2]
  * @param options NULL for the defaults
  * @param[out] out  to be given back with batten_plane_triangles_release
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE naming the point; COINCIDENT when fewer than
  * three points differ, or all lie on one line; TOO_LARGE, BAD_ARGUMENT, OUT_OF_MEMORY
- *
  * Cost: O(n log n) for any input; about 200 bytes for each point while it runs.
  * Source: [GS85], divide and conquer; [Shewchuk97] for the signs.
  */
@@ -57,13 +56,11 @@ BATTEN_API batten_status batten_triangulate(batten_points points,
                                             batten_plane_triangles *out);
 /**
  * Release a triangulation.
- *
  * @param triangles  a set of Bezier triangles
  */
 BATTEN_API void batten_plane_triangles_release(batten_plane_triangles *triangles);
 /**
  * The triangle in which a point lies, found by walking from another one.
- *
  * @param start   where to begin, 0 .. count - 1
  * @param[out] at barycentric coordinates; none is negative but for rounding
  * @return the triangle; -1 when the point is outside all of them (or not finite)
@@ -261,15 +258,16 @@ BATTEN_API batten_status batten_triangles_powell_sabin(const batten_triangulatio
  *
  * @param triangles  a set of Bezier triangles
  * @param values  one for each place
+ * @param job  progress, cancelling; NULL for no questions
  * @param[out] gradients [vertex_count][2]
  * @param[out] planes  how many are of planes; may be NULL
- * @return BATTEN_OK, SINGULAR_HERE, OUT_OF_MEMORY
+ * @return BATTEN_OK, SINGULAR_HERE, CANCELLED, OUT_OF_MEMORY
  * Cost: linear.
  * Source: [Nielson83], section 3 for others of the kind.
  */
 BATTEN_API batten_status batten_triangle_gradients(const batten_plane_triangles *triangles,
-                                                   const double *values, int *planes,
-                                                   double *gradients);
+                                                   const double *values, const batten_job *job,
+                                                   int *planes, double *gradients);
 /**
  * The gradients for which the network of cubics along all edges bends least (from few points
  * they are often better than local ones, but their error falls slower with the distance): the
@@ -279,17 +277,18 @@ BATTEN_API batten_status batten_triangle_gradients(const batten_plane_triangles 
  *
  * @param triangles  as batten_triangulate makes them
  * @param values  [vertex_count]
+ * @param job  progress, cancelling; NULL for no questions
  * @param[out] iterations  how many steps; may be NULL
  * @param gradients [vertex_count][2] in: where to begin; out: the solution
- * @return BATTEN_OK, INCOMPLETE (200 steps were not enough), OUT_OF_MEMORY
+ * @return BATTEN_OK, INCOMPLETE (200 steps were not enough), CANCELLED, OUT_OF_MEMORY
  *
  * Cost: linear in the triangles for each step of conjugate gradients, of which there are 200 at
  * most.
  * Source: [Nielson83].
  */
 BATTEN_API batten_status batten_triangle_network(const batten_plane_triangles *triangles,
-                                                 const double *values, int *iterations,
-                                                 double *gradients);
+                                                 const double *values, const batten_job *job,
+                                                 int *iterations, double *gradients);
 /**
  * Swap edges inside convex pairs of triangles as long as the sum of the angles between the
  * normals of neighbours, planes through the values, falls. The edges then follow ridges and
@@ -297,14 +296,16 @@ BATTEN_API batten_status batten_triangle_network(const batten_plane_triangles *t
  *
  * @param[out] triangles  as batten_triangulate makes them; changed
  * @param values  [vertex_count]
+ * @param job  progress, cancelling; NULL for no questions
  * @param[out] swaps  how many; may be NULL
- * @return BATTEN_OK, INCOMPLETE (more than 20 swaps for each edge), OUT_OF_MEMORY
+ * @return BATTEN_OK, INCOMPLETE (more than 20 swaps for each edge), CANCELLED, OUT_OF_MEMORY
  *
  * Cost: some ten angles for each edge that is looked at; each swap looks at four edges again.
  * Source: [DLR90], the angle between normals.
  */
 BATTEN_API batten_status batten_triangles_swap(batten_plane_triangles *triangles,
-                                               const double *values, int *swaps);
+                                               const double *values, const batten_job *job,
+                                               int *swaps);
 
 /* ---- from points to surface ---- */
 typedef enum batten_triangle_element {

@@ -221,6 +221,34 @@ batten_status bat_work_step(bat_work *work, uint64_t steps, double fraction, con
     return BATTEN_OK;
 }
 
+/* ---- stages ---- */
+
+static bool stage_cancelled(void *user)
+{
+    const bat_stage *stage = user;
+    return stage->whole.is_cancelled(stage->whole.user);
+}
+
+static void stage_progress(void *user, double fraction, const char *what)
+{
+    const bat_stage *stage = user;
+    stage->whole.progress(stage->whole.user, stage->begin + stage->share * fraction, what);
+}
+
+batten_status bat_stage_begin(const batten_job *job, double begin, double share,
+                              bat_stage *stage, batten_job *out)
+{
+    *stage = (bat_stage){BATTEN_JOB, begin, share};
+    const batten_status taken = BAT_TAKE_OPTIONS(batten_job, job, &stage->whole);
+    if (taken != BATTEN_OK)
+        return taken;
+    *out = stage->whole;
+    out->user = stage;
+    out->is_cancelled = stage->whole.is_cancelled ? stage_cancelled : NULL;
+    out->progress = stage->whole.progress ? stage_progress : NULL;
+    return BATTEN_OK;
+}
+
 /* ---- sums ---- */
 
 /* A binary tree over blocks of 32, walked from left to right: `partial` holds the sums of the

@@ -34,6 +34,16 @@ typedef struct {
  * for once a point. */
 batten_status bat_work_step(bat_work *work, uint64_t steps, double fraction, const char *what);
 
+/* One of the steps of a long call: its progress from 0 to 1 is reported as that of the whole, from `begin` to `begin + share`. */
+typedef struct {
+    batten_job whole;
+    double begin, share;
+} bat_stage;
+
+/* The job of a stage of `job`, which may be NULL; BAD_ARGUMENT for a job of another size. `stage` is kept until the work is done. */
+batten_status bat_stage_begin(const batten_job *job, double begin, double share,
+                              bat_stage *stage, batten_job *out);
+
 /* The sum of values[i * stride], pairwise: error grows with log(count), and the shape is fixed.
  */
 double bat_sum(const double *values, size_t count, size_t stride);

@@ -322,7 +322,8 @@ batten_status bat_arcs_spread(bat_arcs_run run, void *task, double tolerance, bo
         tried = guess > bad && guess < good ? guess : sqrt(good * bad);
         guess = 0;
         status = run(task, tried, &trial_count, &last);
-        if (status == BATTEN_OUT_OF_MEMORY)
+        if (status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ||
+            status == BATTEN_INCOMPLETE)
             return status;
         if (status == BATTEN_OK && trial_count <= count)
             good = tried;

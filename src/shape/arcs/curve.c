@@ -171,6 +171,8 @@ static batten_status greedy(void *context, double tolerance, int *count, double 
             status = prefer_line(t, &a, &best.end, &best.part);
         if (status == BATTEN_OK)
             status = bat_arcs_list_add(&t->list, &best.part);
+        if (status == BATTEN_OK)
+            status = bat_arcs_step(t, best.part.to);
         if (status != BATTEN_OK)
             return status;
         u = best.part.to;
@@ -219,7 +221,8 @@ static batten_status fewest(void *context, double tolerance, int *count, double 
                                     .least_radius = t->options.least_radius,
                                     .guide = &t->guide,
                                     .enough = t->enough,
-                                    .samples = &t->samples};
+                                    .samples = &t->samples,
+                                    .work = &t->work};
     if (status == BATTEN_OK)
         status = bat_arcs_smooth_run(&smooth, &t->list);
     *count = arcs_of(t) > 0 ? arcs_of(t) : INT_MAX;
@@ -246,8 +249,6 @@ static batten_status run_smooth(bat_arc_fit *t)
     t->enough = arcs;
     return bat_arcs_spread(arcs < biarcs ? fewest : greedy, t, tolerance, t->options.spread);
 }
-
-/* ---- pieces that are one arc or circle ---- */
 
 /* A whole circle as its halves; else one arc through its middle. */
 static batten_status try_whole(bat_arc_fit *t, bool *done)
@@ -290,8 +291,6 @@ static batten_status run_piece(bat_arc_fit *t)
         return run_smooth(t);
     return bat_arcs_spread(greedy, t, t->options.tolerance, t->options.spread);
 }
-
-/* ---- the whole ---- */
 
 /* Inside and outside, as the curve turns. */
 static batten_status side_of(const bat_arcs_path *p, const batten_arcs_options *options,
@@ -356,7 +355,8 @@ batten_status batten_arcs_from_curve(const batten_curve *curve,
     bat_arcs_path p;
     batten_arcs_report found = {0};
     status = bat_arcs_path_make(curve, options->corner, &p);
-    bat_arc_fit t = {.path = &p, .options = *options, .slack = 32 * DBL_EPSILON * p.scale};
+    bat_arc_fit t = {.path = &p, .options = *options, .work = {.job = options->job}};
+    t.slack = 32 * DBL_EPSILON * p.scale;
     if (status == BATTEN_OK)
         status = run_all(&t, &found, out);
     if (status == BATTEN_OK && report)

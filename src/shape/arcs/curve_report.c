@@ -33,14 +33,22 @@ static batten_status measure_range(bat_arc_fit *t, const batten_biarc *biarc,
     return BATTEN_OK;
 }
 
+batten_status bat_arcs_step(bat_arc_fit *t, double u)
+{
+    const batten_interval all = t->path->domain;
+    return bat_work_step(&t->work, 1, (u - all.a) / (all.b - all.a), "arcs");
+}
+
 batten_status bat_arcs_report_errors(bat_arc_fit *t, batten_arcs_report *report)
 {
     batten_status status = BATTEN_OK;
-    for (int i = 0; i < t->list.count; i++) {
+    for (int i = 0; i < t->list.count && status == BATTEN_OK; i++) {
         batten_interval ranges[2];
         const int count = bat_arcs_ranges(t->path, &t->list.parts[i], ranges);
         for (int k = 0; k < count && status == BATTEN_OK; k++)
             status = measure_range(t, &t->list.parts[i].biarc, ranges[k], report);
+        if (status == BATTEN_OK)
+            status = bat_arcs_step(t, t->path->domain.b);
     }
     return status;
 }

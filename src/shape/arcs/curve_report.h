@@ -17,7 +17,11 @@ typedef struct {
     bat_arcs_list list, guide;
     int enough; /* arcs */
     bat_samples samples;
+    bat_work work;
 } bat_arc_fit;
+
+/* Ask the caller at u whether to continue. */
+batten_status bat_arcs_step(bat_arc_fit *t, double u);
 
 batten_status bat_arcs_report_errors(bat_arc_fit *t, batten_arcs_report *report);
 

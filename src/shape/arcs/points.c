@@ -1,4 +1,5 @@
 /* Rows of points as few arcs: from point to point the longest that passes those between. */
+#include "base/work.h"
 #include "numeric/vector.h"
 #include "shape/arcs/arcs.h"
 #include "spline/data_check.h"
@@ -16,6 +17,7 @@ typedef struct {
     bat_band band;
     bat_arcs_list list;
     bat_samples samples;
+    bat_work work;
 } point_fit;
 
 static bat_node node_at(const point_fit *t, int i)
@@ -101,7 +103,10 @@ static batten_status longest(point_fit *t, int from, bat_arcs_part *best, double
             bad == t->count ? bat_min_int(t->count - 1, from + step) : good + (bad - good) / 2;
         bat_arcs_part part;
         double share = 0;
-        const batten_status status = try_part(t, from, to, &part, &share);
+        batten_status status =
+            bat_work_step(&t->work, 1, (double)from / t->count, "arcs through points");
+        if (status == BATTEN_OK)
+            status = try_part(t, from, to, &part, &share);
         if (status != BATTEN_OK)
             return status;
         if (share <= 1) {
@@ -285,7 +290,7 @@ batten_status batten_arcs_from_points(batten_points points, const batten_arcs_op
         status = bat_biarcs_check(2, points.count, points.at, &row);
     if (status != BATTEN_OK)
         return status;
-    point_fit t = {.options = *options};
+    point_fit t = {.options = *options, .work = {.job = options->job}};
     batten_arcs_report found = {0};
     t.slack = 32 * DBL_EPSILON * bat_largest(2 * points.count, points.at);
     status = prepare(&t, points.count, points.at);

@@ -35,6 +35,12 @@ static int passed(const bat_arc_search *s)
     return least;
 }
 
+static batten_status ask_at(const bat_arc_search *s, int place)
+{
+    return bat_work_step(s->task->work, 1, bat_min(1, (double)place / s->count),
+                         "arcs that are tangent");
+}
+
 /* All that one arc reaches from a state. */
 static batten_status go_on(bat_arc_search *s, int index, int end, int *found)
 {
@@ -178,8 +184,11 @@ static batten_status go_on_from_all(bat_arc_search *s, int end, int *found, bool
     for (int i = 0; i < BAT_SMOOTH_LEANS; i++)
         s->next[i] = -1;
     for (int i = 0; i < BAT_SMOOTH_LEANS && *found < 0 && status == BATTEN_OK; i++)
-        if (s->now[i] >= 0)
-            status = go_on(s, s->now[i], end, found);
+        if (s->now[i] >= 0) {
+            status = ask_at(s, s->states[s->now[i]].place);
+            if (status == BATTEN_OK)
+                status = go_on(s, s->now[i], end, found);
+        }
     for (int i = 0; i < BAT_SMOOTH_LEANS; i++)
         *alive = *alive || s->next[i] >= 0;
     memcpy(s->now, s->next, sizeof s->now);

@@ -1,6 +1,7 @@
 /* The fewest arcs that are tangent to one another, within a band along a curve. */
 #ifndef BAT_ARCS_SMOOTH_H
 #define BAT_ARCS_SMOOTH_H
+#include "base/work.h"
 #include "shape/arcs/path.h"
 
 /* A piece of the curve from corner to corner, or a closed curve without corners. */
@@ -13,6 +14,7 @@ typedef struct {
     const bat_arcs_list *guide; /* plain arcs within the band: how long arcs are where */
     int enough; /* of a closed curve: a number of arcs that is no longer to be lowered; or 0 */
     bat_samples *samples; /* room for them */
+    bat_work *work;
 } bat_arcs_smooth;
 
 /* Adds the arcs to the list; none when the search found none, or there would be

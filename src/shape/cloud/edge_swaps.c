@@ -1,6 +1,6 @@
 /* Triangulations that follow the values: edges are swapped while planes bend less across them.
  */
-#include "base/base.h"
+#include "base/work.h"
 #include "numeric/vector.h"
 
 #include <batten/scattered.h>
@@ -145,14 +145,23 @@ static void swap_edge(swapper *s, const triangle_pair *p)
             queue_side(s, 3 * around[k / 3] + k % 3);
 }
 
-static batten_status swap_all(swapper *s, int *swaps)
+enum { SIDES_A_STEP = 256 };
+
+static batten_status swap_all(swapper *s, const batten_job *job, int *swaps)
 {
+    bat_work work = {job, 0};
+    batten_status status = BATTEN_OK;
     const long long most = (long long)SWAPS_FOR_EDGE * s->size;
     for (int side = 0; side < s->size; side++)
         if (s->triangles->beside[side] > side / 3)
             queue_side(s, side);
     *swaps = 0;
-    while (s->count) {
+    for (int looks = 0; s->count; looks = (looks + 1) % SIDES_A_STEP) {
+        if (looks == 0)
+            status = bat_work_step(&work, SIDES_A_STEP, 1 - (double)s->count / s->size,
+                                   "edges are swapped");
+        if (status != BATTEN_OK)
+            return status;
         triangle_pair p;
         const int side = s->queue[s->first];
         s->first = (s->first + 1) % s->size;
@@ -171,7 +180,7 @@ static batten_status swap_all(swapper *s, int *swaps)
 }
 
 batten_status batten_triangles_swap(batten_plane_triangles *triangles, const double *values,
-                                    int *swaps)
+                                    const batten_job *job, int *swaps)
 {
     assert(triangles && values);
     const int size = 3 * triangles->count;
@@ -182,7 +191,7 @@ batten_status batten_triangles_swap(batten_plane_triangles *triangles, const dou
     batten_status status = s.queue && s.waiting ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         memset(s.waiting, 0, (size_t)size * sizeof *s.waiting);
-        status = swap_all(&s, &done);
+        status = swap_all(&s, job, &done);
     }
     bat_release(s.waiting);
     bat_release(s.queue);

@@ -1,10 +1,10 @@
 /* The network of least bending over a triangulation: the gradients at its vertices. */
-#include "base/base.h"
+#include "base/work.h"
 #include <batten/scattered.h>
 
 #include <string.h>
 
-enum { MOST_STEPS = 200 };
+enum { MOST_STEPS = 200, USUAL_STEPS = 30 };
 
 /* An edge of length L along the unit vector e, with the slopes a and b at its ends and s of its
  * chord, bends by 4 / L ((a - s)^2 + (a - s) (b - s) + (b - s)^2). The matrix has blocks of two
@@ -115,7 +115,8 @@ static double dot_product(size_t size, const double *a, const double *b)
 }
 
 /* Conjugate gradients until the residual is 1e-14 of that of gradients 0. */
-static batten_status solve_network(network *n, const double *values, double *x, int *steps)
+static batten_status solve_network(network *n, const double *values, bat_work *work, double *x,
+                                   int *steps)
 {
     memset(n->x, 0, n->size * sizeof *n->x);
     apply_network(n, values, n->x, n->residual);
@@ -134,6 +135,10 @@ static batten_status solve_network(network *n, const double *values, double *x, 
                 "is %g of the first",
                 /* The square root of `enough` stands for 1e-14. */
                 MOST_STEPS, sqrt(product / enough) * 1e-14);
+        const batten_status status = bat_work_step(
+            work, 1, *steps / (USUAL_STEPS + (double)*steps), "the network of least bending");
+        if (status != BATTEN_OK)
+            return status;
         apply_network(n, NULL, n->direction, n->image);
         const double step = product / dot_product(n->size, n->direction, n->image);
         for (size_t i = 0; i < n->size; i++) {
@@ -151,8 +156,10 @@ static batten_status solve_network(network *n, const double *values, double *x, 
 }
 
 batten_status batten_triangle_network(const batten_plane_triangles *triangles,
-                                      const double *values, int *iterations, double *gradients)
+                                      const double *values, const batten_job *job,
+                                      int *iterations, double *gradients)
 {
+    bat_work work = {job, 0};
     assert(triangles && values && gradients);
     const size_t size = 2 * (size_t)triangles->vertex_count;
     network n = {.triangles = triangles, .size = size};
@@ -169,7 +176,7 @@ batten_status batten_triangle_network(const batten_plane_triangles *triangles,
         found = all + 5 * size;
         memcpy(found, gradients, size * sizeof *found);
         fill_blocks(&n);
-        status = solve_network(&n, values, found, &steps);
+        status = solve_network(&n, values, &work, found, &steps);
     }
     if (status == BATTEN_OK) {
         memcpy(gradients, found, size * sizeof *found);

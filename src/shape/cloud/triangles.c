@@ -1,5 +1,5 @@
 /* From scattered points to a smooth function: vertices, triangles, gradients, elements. */
-#include "base/base.h"
+#include "base/work.h"
 #include "spline/data_check.h"
 
 #include <batten/scattered.h>
@@ -99,13 +99,20 @@ static batten_status find_gradients(pipeline *p)
     batten_status status = report_progress(p, 0.4, "gradients");
     if (status == BATTEN_OK)
         status = check_slopes(p);
+    const double share = p->options->network ? 0.15 : 0.3;
+    bat_stage stage;
+    batten_job job;
     if (status == BATTEN_OK)
-        status = batten_triangle_gradients(&p->triangles, p->f, &p->report.planes, p->g);
-    if (status == BATTEN_OK && p->options->network) {
-        p->report.planes = 0;
-        status = batten_triangle_network(&p->triangles, p->f, &p->report.iterations, p->g);
-    }
-    return status;
+        status = bat_stage_begin(p->job, 0.4, share, &stage, &job);
+    if (status == BATTEN_OK)
+        status = batten_triangle_gradients(&p->triangles, p->f, &job, &p->report.planes, p->g);
+    if (status != BATTEN_OK || !p->options->network)
+        return status;
+    p->report.planes = 0;
+    status = bat_stage_begin(p->job, 0.4 + share, 0.3 - share, &stage, &job);
+    return status == BATTEN_OK ? batten_triangle_network(&p->triangles, p->f, &job,
+                                                         &p->report.iterations, p->g)
+                               : status;
 }
 
 static batten_status make_elements_of_kind(pipeline *p, batten_triangles **out)
@@ -159,18 +166,39 @@ static void measure_misses(pipeline *p, const batten_triangles *made)
     p->report.rms = p->report.error * sqrt(scaled / p->count);
 }
 
-static batten_status carry_out(pipeline *p, const double *xy, batten_triangles **out)
+static batten_status make_triangles(pipeline *p, const double *xy)
 {
     batten_triangulate_options options = batten_triangulate_defaults();
+    bat_stage stage;
+    batten_job job;
+    const batten_status status = bat_stage_begin(p->job, 0, 0.3, &stage, &job);
     options.tolerance = p->options->tolerance;
     options.sliver = p->options->sliver;
+    options.job = &job;
+    return status == BATTEN_OK
+               ? batten_triangulate((batten_points){2, p->count, xy}, &options, &p->triangles)
+               : status;
+}
+
+static batten_status swap_edges(pipeline *p)
+{
+    bat_stage stage;
+    batten_job job;
+    const batten_status status = bat_stage_begin(p->job, 0.3, 0.1, &stage, &job);
+    return status == BATTEN_OK
+               ? batten_triangles_swap(&p->triangles, p->f, &job, &p->report.swaps)
+               : status;
+}
+
+static batten_status carry_out(pipeline *p, const double *xy, batten_triangles **out)
+{
     batten_status status = report_progress(p, 0, "triangles");
     if (status == BATTEN_OK)
-        status = batten_triangulate((batten_points){2, p->count, xy}, &options, &p->triangles);
+        status = make_triangles(p, xy);
     if (status == BATTEN_OK)
         status = take_values(p);
     if (status == BATTEN_OK && p->options->data_dependent)
-        status = batten_triangles_swap(&p->triangles, p->f, &p->report.swaps);
+        status = swap_edges(p);
     if (status == BATTEN_OK)
         status = make_elements(p, out);
     if (status != BATTEN_OK)

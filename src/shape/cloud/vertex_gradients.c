@@ -1,4 +1,5 @@
 /* Gradients at the vertices of a triangulation, from the values there. */
+#include "base/work.h"
 #include "numeric/dense.h"
 #include "spline/triangles/triangulate.h"
 #include <batten/scattered.h>
@@ -178,9 +179,20 @@ static bool fit_plane(const surroundings *s, int v, double *gradient)
     return isfinite(gradient[0]) && isfinite(gradient[1]);
 }
 
-static batten_status all_gradients(surroundings *s, double *gradients, int *planes)
+enum { VERTICES_A_STEP = 64 };
+
+static batten_status all_gradients(surroundings *s, const batten_job *job, double *gradients,
+                                   int *planes)
 {
-    for (int v = 0; v < s->triangles->vertex_count; v++) {
+    bat_work work = {job, 0};
+    const int all = s->triangles->vertex_count;
+    for (int v = 0; v < all; v++) {
+        const batten_status status =
+            v % VERTICES_A_STEP
+                ? BATTEN_OK
+                : bat_work_step(&work, VERTICES_A_STEP, (double)v / all, "gradients");
+        if (status != BATTEN_OK)
+            return status;
         double *g = gradients + 2 * (size_t)v;
         const int count = surround(s, v);
         if (fit_quadratic(s, v, count, g))
@@ -195,7 +207,8 @@ static batten_status all_gradients(surroundings *s, double *gradients, int *plan
 }
 
 batten_status batten_triangle_gradients(const batten_plane_triangles *triangles,
-                                        const double *values, int *planes, double *gradients)
+                                        const double *values, const batten_job *job, int *planes,
+                                        double *gradients)
 {
     assert(triangles && values && gradients);
     const size_t n = (size_t)triangles->vertex_count;
@@ -209,7 +222,7 @@ batten_status batten_triangle_gradients(const batten_plane_triangles *triangles,
     if (s.seen && s.candidates) {
         for (size_t v = 0; v < n; v++)
             s.seen[v] = -1;
-        status = all_gradients(&s, gradients, &fitted_planes);
+        status = all_gradients(&s, job, gradients, &fitted_planes);
     } else {
         status = BATTEN_OUT_OF_MEMORY;
     }

@@ -1,5 +1,6 @@
 /* Clothoids near points: Gauss and Newton on the place, direction, curvature and its rate at
  * one point of the curve, with distances at right angles. */
+#include "base/work.h"
 #include "numeric/dense.h"
 #include "numeric/fresnel.h"
 #include "numeric/gauss_newton.h"
@@ -19,6 +20,9 @@ typedef struct {
     const double *points;
     double *kept;    /* [count] arc lengths of the feet for unknowns that were taken */
     double *lengths; /* [count] of those just tried */
+    bat_work work;
+    int rounds;           /* in which the residuals were asked for */
+    batten_status status; /* of the work: once it is not OK there are no more residuals */
 } clothoid_fit;
 
 /* Is s a length at which a clothoid beside the data may have a foot? One that goes around
@@ -63,6 +67,20 @@ static bool find_foot(const clothoid_fit *t, const double *x, const double *q, d
     return is_near(t, x, *s);
 }
 
+/* Rounds that converge are few. */
+enum { MOST_ROUNDS = 200, USUAL_ROUNDS = 8, POINTS_A_STEP = 256 };
+
+/* May the round continue with point i? */
+static bool may_go_on(clothoid_fit *t, int i)
+{
+    if (t->status == BATTEN_OK && i % POINTS_A_STEP == 0) {
+        const double rounds = t->rounds + (double)i / t->count;
+        t->status = bat_work_step(&t->work, POINTS_A_STEP, rounds / (USUAL_ROUNDS + rounds),
+                                  "the nearest clothoid");
+    }
+    return t->status == BATTEN_OK;
+}
+
 static bool residuals(void *context, const double *x, double *r, double *derivatives)
 {
     clothoid_fit *t = context;
@@ -70,7 +88,7 @@ static bool residuals(void *context, const double *x, double *r, double *derivat
         double *s = t->lengths + i, point[2], u[3], v[3];
         *s = t->kept[i]; /* a step that was refused leaves no trace */
         const double *q = t->points + 2 * (size_t)i;
-        if (!find_foot(t, x, q, s))
+        if (!may_go_on(t, i) || !find_foot(t, x, q, s))
             return false;
         evaluate(x, *s, point, u, v);
         const double angle = angle_at(x, *s), n[2] = {-bat_sin(angle), bat_cos(angle)};
@@ -84,6 +102,7 @@ static bool residuals(void *context, const double *x, double *r, double *derivat
         for (int k = 0; k < 3; k++)
             d[ANGLE + k] = -by[k] * (n[1] * u[k] - n[0] * v[k]);
     }
+    t->rounds++;
     if (derivatives)
         memcpy(t->kept, t->lengths, (size_t)t->count * sizeof *t->kept);
     return true;
@@ -191,19 +210,26 @@ static batten_status report_clothoid(const bat_cloud *c, const double *x, double
     return BATTEN_OK;
 }
 
-static batten_status fit(const bat_cloud *c, batten_span *span, double *lengths,
-                         batten_primitive_report *report)
+static batten_status fit(const bat_cloud *c, const batten_job *job, batten_span *span,
+                         double *lengths, batten_primitive_report *report)
 {
     double x[UNKNOWNS];
     const size_t n = (size_t)c->count;
     double *distances = bat_array(n, sizeof *distances), *kept = bat_array(n, sizeof *kept);
-    clothoid_fit t = {c->count, c->points, kept, lengths};
+    clothoid_fit t = {.count = c->count,
+                      .points = c->points,
+                      .kept = kept,
+                      .lengths = lengths,
+                      .work = {job, 0}};
     batten_status status = distances && kept ? guess(c, x, kept) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = bat_gauss_newton(bat_max_int(c->count, UNKNOWNS), UNKNOWNS, residuals, &t, 200,
-                                  x, &report->rounds);
-    if (status == BATTEN_OK) {
+        status = bat_gauss_newton(bat_max_int(c->count, UNKNOWNS), UNKNOWNS, residuals, &t,
+                                  MOST_ROUNDS, x, &report->rounds);
+    if (status == BATTEN_OK)
         residuals(&t, x, distances, NULL);
+    if (t.status != BATTEN_OK)
+        status = t.status;
+    if (status == BATTEN_OK) {
         bat_primitive_measure(c->count, distances, c->size, report);
         status = report_clothoid(c, x, lengths, span);
     }
@@ -212,7 +238,7 @@ static batten_status fit(const bat_cloud *c, batten_span *span, double *lengths,
     return status;
 }
 
-batten_status batten_clothoid_fit(batten_points points, double *lengths,
+batten_status batten_clothoid_fit(batten_points points, const batten_job *job, double *lengths,
                                   batten_primitive_report *report, batten_span *span)
 {
     if (points.dimension != 2)
@@ -225,7 +251,7 @@ batten_status batten_clothoid_fit(batten_points points, double *lengths,
     if (status != BATTEN_OK)
         return status;
     double *feet = bat_array((size_t)points.count, sizeof *feet);
-    status = feet ? fit(&cloud, span, feet, &reached) : BATTEN_OUT_OF_MEMORY;
+    status = feet ? fit(&cloud, job, span, feet, &reached) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && lengths)
         memcpy(lengths, feet, (size_t)points.count * sizeof *feet);
     if (status == BATTEN_OK && report)

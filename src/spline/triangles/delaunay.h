@@ -2,6 +2,7 @@
 #ifndef BAT_DELAUNAY_H
 #define BAT_DELAUNAY_H
 #include "base/base.h"
+#include <batten/base.h>
 
 /* Half edges: 2 e and 2 e + 1 run opposite ways. Those that leave one point form a ring. */
 typedef struct {
@@ -23,7 +24,8 @@ static inline int bat_delaunay_left(const bat_delaunay *edges, int e)
 }
 
 /* Of points that all differ, with coordinates that are multiples of 2^-200 and below 2. */
-batten_status bat_delaunay_make(int count, const double *points, bat_delaunay *out);
+batten_status bat_delaunay_make(int count, const double *points, const batten_job *job,
+                                bat_delaunay *out);
 void bat_delaunay_free(bat_delaunay *edges);
 
 #endif

@@ -11,7 +11,8 @@
 
 batten_triangulate_options batten_triangulate_defaults(void)
 {
-    return (batten_triangulate_options){sizeof(batten_triangulate_options), 0, 1e-9};
+    return (batten_triangulate_options){.size = sizeof(batten_triangulate_options),
+                                        .sliver = 1e-9};
 }
 
 void batten_plane_triangles_release(batten_plane_triangles *triangles)
@@ -209,10 +210,11 @@ static batten_status no_area(int vertex_count, const int *first)
                     vertex_count, first[0] + 1, first[1] + 1);
 }
 
-static batten_status find_triangles(const double *scaled, batten_plane_triangles *out)
+static batten_status find_triangles(const double *scaled, const batten_job *job,
+                                    batten_plane_triangles *out)
 {
     bat_delaunay edges = {.points = NULL};
-    batten_status status = bat_delaunay_make(out->vertex_count, scaled, &edges);
+    batten_status status = bat_delaunay_make(out->vertex_count, scaled, job, &edges);
     if (status != BATTEN_OK)
         return status;
     int *face = bat_array((size_t)edges.used, sizeof *face);
@@ -362,7 +364,7 @@ batten_status batten_triangulate(batten_points points,
         status = merge_points(points.count, tolerance < 0x1p-50 ? 0 : tolerance, scaled, &made);
     }
     if (status == BATTEN_OK)
-        status = find_triangles(scaled, &made);
+        status = find_triangles(scaled, chosen.job, &made);
     if (status == BATTEN_OK)
         status = drop_slivers(scaled, chosen.sliver, &made);
     if (status == BATTEN_OK)

@@ -46,10 +46,10 @@ TEST(swapped_triangles_know_their_neighbours_and_are_swapped_no_more)
     CHECK_OK(batten_triangulate((batten_points){2, N * N, xy}, NULL, &t));
     check_neighbours(&t);
     const int count = t.count;
-    CHECK_OK(batten_triangles_swap(&t, f, &swaps));
+    CHECK_OK(batten_triangles_swap(&t, f, NULL, &swaps));
     CHECK(swaps > 0 && t.count == count);
     check_neighbours(&t);
-    CHECK_OK(batten_triangles_swap(&t, f, &again));
+    CHECK_OK(batten_triangles_swap(&t, f, NULL, &again));
     CHECK_INT(again, 0);
     batten_plane_triangles_release(&t);
 }
@@ -62,7 +62,7 @@ TEST(triangles_of_a_plane_stay_as_they_are)
     int corners[24], swaps = -1;
     CHECK_OK(batten_triangulate((batten_points){2, 5, xy}, NULL, &t));
     memcpy(corners, t.corners, (size_t)(3 * t.count) * sizeof *corners);
-    CHECK_OK(batten_triangles_swap(&t, f, &swaps));
+    CHECK_OK(batten_triangles_swap(&t, f, NULL, &swaps));
     CHECK_INT(swaps, 0);
     CHECK(memcmp(corners, t.corners, (size_t)(3 * t.count) * sizeof *corners) == 0);
     batten_plane_triangles_release(&t);

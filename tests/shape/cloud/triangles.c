@@ -2,6 +2,7 @@
 
 #include "support/faults.h"
 #include "support/test.h"
+#include "support/watcher.h"
 
 #include <stdlib.h>
 
@@ -151,11 +152,11 @@ TEST(the_network_bends_less_than_any_other)
     shaken(N, 0.3, &random, franke, xy, f);
     CHECK_OK(batten_triangulate((batten_points){2, N * N, xy}, NULL, &t));
     int steps = 0;
-    CHECK_EACH_ALLOCATION(batten_triangle_gradients(&t, f, NULL, g));
-    CHECK_EACH_ALLOCATION(batten_triangle_network(&t, f, &steps, g));
+    CHECK_EACH_ALLOCATION(batten_triangle_gradients(&t, f, NULL, NULL, g));
+    CHECK_EACH_ALLOCATION(batten_triangle_network(&t, f, NULL, &steps, g));
     CHECK(steps > 3 && steps < 60);
     double again[2 * N * N] = {0};
-    CHECK_OK(batten_triangle_network(&t, f, NULL, again));
+    CHECK_OK(batten_triangle_network(&t, f, NULL, NULL, again));
     for (int i = 0; i < 2 * N * N; i++)
         CHECK_NEAR(again[i], g[i], 1e-11);
     /* the derivative of the bending with respect to each unknown vanishes */
@@ -285,21 +286,33 @@ TEST(N2_scattered_values_of_any_size_are_met_or_refused)
     }
 }
 
-static bool always(void *user)
+enum { SIDE = 20 };
+
+typedef struct {
+    const batten_triangles_scattered_options *options;
+    double xy[2 * SIDE * SIDE], values[SIDE * SIDE];
+} scattered_task;
+
+static batten_status make_scattered(void *context, const batten_job *job)
 {
-    (void)user;
-    return true;
+    const scattered_task *t = context;
+    batten_triangles *out = NULL;
+    const batten_status status = batten_triangles_scattered(
+        (batten_points){2, SIDE * SIDE, t->xy}, t->values, t->options, job, NULL, &out);
+    CHECK_INT(out != NULL, status == BATTEN_OK);
+    batten_triangles_unref(out);
+    return status;
 }
 
 TEST(I8_scattered_triangles_are_cancelled_cleanly)
 {
-    const double xy[] = {0, 0, 2, 0, 2, 2}, f[] = {0, 0, 0};
-    batten_job job = BATTEN_JOB;
-    batten_triangles *out = NULL;
-    job.is_cancelled = always;
-    CHECK_STATUS(
-        batten_triangles_scattered((batten_points){2, 3, xy}, f, NULL, &job, NULL, &out),
-        BATTEN_CANCELLED);
+    test_random random = test_random_begin("cancelled");
+    batten_triangles_scattered_options options = batten_triangles_scattered_defaults();
+    scattered_task t = {.options = &options};
+    shaken(SIDE, 0.2, &random, franke, t.xy, t.values);
+    check_cancelling(make_scattered, &t, 15);
+    options.network = options.data_dependent = true;
+    check_cancelling(make_scattered, &t, 40);
 }
 
 /* ---- published data ---- */

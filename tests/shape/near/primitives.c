@@ -61,7 +61,7 @@ TEST(G1_one_point_many_times_is_no_line_or_circle)
         BATTEN_COINCIDENT);
     CHECK_STATUS(batten_ellipse_fit((batten_points){2, 5, q}, NULL, &ellipse),
                  BATTEN_COINCIDENT);
-    CHECK_STATUS(batten_clothoid_fit((batten_points){2, 5, q}, NULL, NULL, &span),
+    CHECK_STATUS(batten_clothoid_fit((batten_points){2, 5, q}, NULL, NULL, NULL, &span),
                  BATTEN_COINCIDENT);
 }
 
@@ -256,7 +256,7 @@ TEST(points_on_a_clothoid_give_it_back)
         on_clothoid(&span, n, 0, q);
         batten_span found;
         batten_primitive_report report;
-        CHECK_OK(batten_clothoid_fit((batten_points){2, n, q}, lengths, &report, &found));
+        CHECK_OK(batten_clothoid_fit((batten_points){2, n, q}, NULL, lengths, &report, &found));
         CHECK(report.error < 1e-11 * length);
         CHECK_NEAR(found.length, span.length, 1e-10 * length);
         CHECK_NEAR(found.start[0], span.start[0], 1e-10 * length);
@@ -274,7 +274,7 @@ TEST(a_noisy_clothoid_is_found_nearly)
     on_clothoid(&span, 200, 0.02, q);
     batten_span found;
     batten_primitive_report report;
-    CHECK_OK(batten_clothoid_fit((batten_points){2, 200, q}, NULL, &report, &found));
+    CHECK_OK(batten_clothoid_fit((batten_points){2, 200, q}, NULL, NULL, &report, &found));
     CHECK(report.rms < 0.0201);
     CHECK_NEAR(found.curvature[1], 0.03, 0.001);
     CHECK_NEAR(found.length, 10, 0.02);
@@ -289,7 +289,7 @@ TEST(lines_and_arcs_are_clothoids)
             q[2 * i] = c ? 3 * sin(i / 10.0) : i;
             q[2 * i + 1] = c ? 3 - 3 * cos(i / 10.0) : 2 * i;
         }
-        CHECK_OK(batten_clothoid_fit((batten_points){2, 10, q}, NULL, NULL, &found));
+        CHECK_OK(batten_clothoid_fit((batten_points){2, 10, q}, NULL, NULL, NULL, &found));
         CHECK_NEAR(found.curvature[0], c / 3.0, 1e-9);
         CHECK_NEAR(found.curvature[1], 0, 1e-9);
     }
@@ -305,14 +305,14 @@ TEST(points_far_from_any_clothoid_are_fitted_the_same_in_both_orders)
         memcpy(back + 2 * i, q + 2 * (6 - i), 2 * sizeof *q);
     batten_span found, reversed;
     batten_primitive_report one, other;
-    CHECK_OK(batten_clothoid_fit((batten_points){2, 7, q}, NULL, &one, &found));
-    CHECK_OK(batten_clothoid_fit((batten_points){2, 7, back}, NULL, &other, &reversed));
+    CHECK_OK(batten_clothoid_fit((batten_points){2, 7, q}, NULL, NULL, &one, &found));
+    CHECK_OK(batten_clothoid_fit((batten_points){2, 7, back}, NULL, NULL, &other, &reversed));
     CHECK_NEAR(one.rms, other.rms, 1e-8);
     CHECK_NEAR(found.length, reversed.length, 1e-5);
     CHECK_NEAR(found.curvature[0] + reversed.length * reversed.curvature[1] +
                    reversed.curvature[0],
                0, 1e-5);
-    CHECK_OK(batten_clothoid_fit((batten_points){2, 6, stairs}, NULL, &one, &found));
+    CHECK_OK(batten_clothoid_fit((batten_points){2, 6, stairs}, NULL, NULL, &one, &found));
     CHECK(one.error < 0.5 && found.length > 4);
 }
 
@@ -330,7 +330,7 @@ TEST(N1_what_is_not_finite_is_named_by_fits_of_primitives)
         BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_ellipse_fit((batten_points){2, 5, q}, NULL, &ellipse),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_clothoid_fit((batten_points){2, 5, q}, NULL, NULL, &span),
+    CHECK_STATUS(batten_clothoid_fit((batten_points){2, 5, q}, NULL, NULL, NULL, &span),
                  BATTEN_NOT_FINITE);
 }
 

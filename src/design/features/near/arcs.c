@@ -34,6 +34,7 @@ static batten_arcs_options options_of(const bat_run *run)
     options.most = bat_count(run, "most");
     options.spread = bat_yes(run, "spread");
     options.closed = bat_yes(run, "closed");
+    options.job = run->job;
     return options;
 }
 

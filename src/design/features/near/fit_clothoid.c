@@ -23,7 +23,7 @@ static batten_status make_fit_clothoid(bat_run *run, const bat_data *data, bat_m
 {
     batten_span span;
     batten_primitive_report report;
-    batten_status status = batten_clothoid_fit((batten_points){2, data->count, data->points},
+    batten_status status = batten_clothoid_fit((batten_points){2, data->count, data->points}, run->job,
                                                made->parameters, &report, &span);
     if (status == BATTEN_OK)
         status = draw_clothoid(run, data, &span, made);
