@@ -475,7 +475,8 @@ BATTEN_API batten_status batten_ellipse_fit(batten_points points,
  *
  * @param points [count][2], count >= 4, neighbours apart; between neighbours the curve turns by
  *               less than a right angle
- * @param job   progress, cancelling, a limit of steps (one for each point of a round); NULL for none
+ * @param job   progress, cancelling, a limit of steps (256 for each 256 points of a round or part
+ *              of them); NULL for none
  * @param[out] lengths [count], arc lengths of the feet from there; may be NULL
  * @param[out] report  what was reached; may be NULL
  * @param[out] span  BATTEN_SPAN_SPIRAL, from the foot of the first to that of the last
@@ -486,8 +487,8 @@ BATTEN_API batten_status batten_ellipse_fit(batten_points points,
  * Cost: linear in count for each round, of which there are 200 at most.
  * Source: the distances at right angles as in [ARW01].
  */
-BATTEN_API batten_status batten_clothoid_fit(batten_points points, const batten_job *job, double *lengths,
-                                             batten_primitive_report *report,
+BATTEN_API batten_status batten_clothoid_fit(batten_points points, const batten_job *job,
+                                             double *lengths, batten_primitive_report *report,
                                              batten_span *span);
 /** How far the points that went are from the polyline through those that stayed, each from the
  * chord that stands for it; model units. */
