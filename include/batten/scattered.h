@@ -294,7 +294,7 @@ BATTEN_API batten_status batten_triangle_network(const batten_plane_triangles *t
  * normals of neighbours, planes through the values, falls. The edges then follow ridges and
  * valleys. Angles depend on the scale of the values.
  *
- * @param[out] triangles  as batten_triangulate makes them; changed
+ * @param[out] triangles  as batten_triangulate makes them; changed, unless the call fails
  * @param values  [vertex_count]
  * @param job  progress, cancelling; NULL for no questions
  * @param[out] swaps  how many; may be NULL

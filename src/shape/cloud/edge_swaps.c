@@ -15,6 +15,7 @@ typedef struct {
     const double *values;
     int *queue; /* a ring of sides waiting to be looked at: 3 t + e */
     bool *waiting;
+    int *corners, *beside; /* room for the copies */
     int size, first, count;
 } swapper;
 
@@ -179,20 +180,41 @@ static batten_status swap_all(swapper *s, const batten_job *job, int *swaps)
     return BATTEN_OK;
 }
 
+/* Swapped in copies of the corners and neighbours, which are written only when all is done. */
+static batten_status swap_copies(swapper *s, const batten_job *job, int *swaps)
+{
+    const size_t bytes = (size_t)s->size * sizeof(int);
+    batten_plane_triangles copy = *s->triangles, *given = s->triangles;
+    memset(s->waiting, 0, (size_t)s->size * sizeof *s->waiting);
+    memcpy(s->corners, given->corners, bytes);
+    memcpy(s->beside, given->beside, bytes);
+    copy.corners = s->corners;
+    copy.beside = s->beside;
+    s->triangles = &copy;
+    const batten_status status = swap_all(s, job, swaps);
+    if (status == BATTEN_OK) {
+        memcpy(given->corners, copy.corners, bytes);
+        memcpy(given->beside, copy.beside, bytes);
+    }
+    return status;
+}
+
 batten_status batten_triangles_swap(batten_plane_triangles *triangles, const double *values,
                                     const batten_job *job, int *swaps)
 {
     assert(triangles && values);
-    const int size = 3 * triangles->count;
+    const size_t size = 3 * (size_t)triangles->count;
     int done = 0;
-    swapper s = {triangles, values, NULL, NULL, size, 0, 0};
-    s.queue = bat_array((size_t)size, sizeof *s.queue);
-    s.waiting = bat_array((size_t)size, sizeof *s.waiting);
-    batten_status status = s.queue && s.waiting ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK) {
-        memset(s.waiting, 0, (size_t)size * sizeof *s.waiting);
-        status = swap_all(&s, job, &done);
-    }
+    swapper s = {.triangles = triangles, .values = values, .size = 3 * triangles->count};
+    s.queue = bat_array(size, sizeof *s.queue);
+    s.waiting = bat_array(size, sizeof *s.waiting);
+    s.corners = bat_array(size, sizeof *s.corners);
+    s.beside = bat_array(size, sizeof *s.beside);
+    const batten_status status = s.queue && s.waiting && s.corners && s.beside
+                                     ? swap_copies(&s, job, &done)
+                                     : BATTEN_OUT_OF_MEMORY;
+    bat_release(s.beside);
+    bat_release(s.corners);
     bat_release(s.waiting);
     bat_release(s.queue);
     if (status == BATTEN_OK && swaps)

@@ -222,7 +222,7 @@ static batten_status sort(int count, const double *points, double *sorted, int *
     return BATTEN_OK;
 }
 
-/* So few merges between two questions: of the smallest parts, they take some 20 microseconds. */
+/* So few merges between two questions, for the largest parts take long. */
 enum { MERGES_A_STEP = 64 };
 
 /* The first half of [*count] parts becomes all of them. */

@@ -173,7 +173,7 @@ TEST(primitives_refuse_dimensions_methods_and_points_without_extent)
     CHECK_STATUS(batten_ellipse_fit((batten_points){2, 5, line_of_five}, NULL, &ellipse),
                  BATTEN_SINGULAR_SYSTEM);
     CHECK(ellipse.a == 7);
-    CHECK_STATUS(batten_clothoid_fit((batten_points){3, 3, far}, NULL, NULL, &span),
+    CHECK_STATUS(batten_clothoid_fit((batten_points){3, 3, far}, NULL, NULL, NULL, &span),
                  BATTEN_UNSUPPORTED);
     CHECK_TEXT(batten_message(), "the points have 3 coordinates, 2 are expected");
     CHECK(span.length == 7);
