@@ -186,22 +186,39 @@ static double worst_share(const double *a, const double *b, const double *c,
     return worst;
 }
 
-static void keep_sums(bat_wet *out, const double *coarse, const band halves[2])
+/* With the error of the rows and that of the band across them. */
+static void keep_sums(bat_wet *out, const double *coarse, const double *of_rows,
+                      const band halves[2])
 {
     for (int k = 0; k < BAT_SUMS; k++) {
         const double sum = halves[0].sums[k] + halves[1].sums[k];
         out->sums[k] += sum;
-        out->errors[k] += fabs(sum - coarse[k]);
+        out->errors[k] += fabs(sum - coarse[k]) + of_rows[k];
     }
 }
 
-/* Finer parts while they tell something new. */
-static batten_status find_parts(const region *r, const double allowed[BAT_SUMS], band *b)
+/* Sums of the rows with other parts, and how far they are from those of the band. */
+static batten_status compare_parts(const region *r, const band *b, int parts, band *other,
+                                   double of_rows[BAT_SUMS])
 {
-    for (band finer = *b; 2 * b->parts <= MOST_PARTS; *b = finer) {
-        finer.parts = 2 * b->parts;
-        const batten_status status = sum_band(r, &finer);
-        if (status != BATTEN_OK || worst_share(finer.sums, b->sums, NULL, allowed) <= 1)
+    *other = *b;
+    other->parts = parts;
+    const batten_status status = sum_band(r, other);
+    for (int k = 0; k < BAT_SUMS; k++)
+        of_rows[k] = fabs(other->sums[k] - b->sums[k]);
+    return status;
+}
+
+/* Finer parts while they tell something new; where there are none, what fewer would change. */
+static batten_status find_parts(const region *r, const double allowed[BAT_SUMS], band *b,
+                                double of_rows[BAT_SUMS])
+{
+    band other;
+    if (2 * b->parts > MOST_PARTS)
+        return compare_parts(r, b, b->parts / 2, &other, of_rows);
+    for (; 2 * b->parts <= MOST_PARTS; *b = other) {
+        const batten_status status = compare_parts(r, b, 2 * b->parts, &other, of_rows);
+        if (status != BATTEN_OK || worst_share(other.sums, b->sums, NULL, allowed) <= 1)
             return status;
     }
     return BATTEN_OK;
@@ -228,8 +245,9 @@ static batten_status integrate_band(const region *r, const double allowed[BAT_SU
     waiting[0] = whole;
     batten_status status = sum_band(r, &waiting[0]);
     while (count > 0 && status == BATTEN_OK) {
+        double of_rows[BAT_SUMS];
         band b = waiting[--count], halves[2];
-        status = find_parts(r, allowed, &b);
+        status = find_parts(r, allowed, &b, of_rows);
         if (status == BATTEN_OK)
             status = halve_band(r, &b, halves);
         if (status != BATTEN_OK)
@@ -237,7 +255,7 @@ static batten_status integrate_band(const region *r, const double allowed[BAT_SU
         const bool settled = worst_share(b.sums, halves[0].sums, halves[1].sums, allowed) <= 1;
         if (settled || halves[0].depth >= MOST_DEPTH || ++halvings > MOST_HALVINGS) {
             out->limited |= !settled;
-            keep_sums(out, b.sums, halves);
+            keep_sums(out, b.sums, of_rows, halves);
         } else {
             waiting[count++] = halves[1];
             waiting[count++] = halves[0];

@@ -183,6 +183,30 @@ TEST(stable_means_that_the_free_angles_are)
     batten_hull_free(hull);
 }
 
+/* Trimmed and heeled, the turns are coupled: up to the smaller eigenvalue of the second moments over the volume the mass
+ * may stand above the centre of buoyancy. */
+TEST(a_box_that_trims_and_heels_is_stable_up_to_the_smaller_eigenvalue_of_its_waterplane)
+{
+    static const double turns[][2] = {{0.1, 0.2}, {-0.15, 0.3}, {0.2, -0.1}};
+    const double volume = 7.2;
+    batten_hull *hull = box_hull();
+    for (int k = 0; k < 6; k++) {
+        const oblique_box box = box_at(turns[k / 2][0], turns[k / 2][1]);
+        const double along = box.second[0] / volume, mixed = box.second[1] / volume,
+                     across = box.second[2] / volume;
+        const double least = (along + across - hypot(along - across, 2 * mixed)) / 2;
+        const double above = least * (1 + (k % 2 ? 1e-6 : -1e-6));
+        const batten_vec3 plumb = moved(box.buoyancy, above, box.n);
+        const batten_loading loading = {volume, plumb, false, false};
+        batten_balance b;
+        CHECK_OK(batten_hull_balance(hull, &loading, &box.at, 1e-12, NULL, &b));
+        CHECK_INT(b.stable, k % 2 == 0);
+        CHECK_NEAR(b.flotation.trim, box.at.trim, 1e-9);
+        CHECK_NEAR(b.flotation.heel, box.at.heel, 1e-9);
+    }
+    batten_hull_free(hull);
+}
+
 TEST(a_box_with_hardly_any_load_and_one_with_nearly_all_find_their_draughts)
 {
     static const double volumes[] = {1e-6, 0.08, 15.9, 15.999};

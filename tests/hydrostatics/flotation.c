@@ -2,6 +2,8 @@
 #include "hydrostatics/hulls.h"
 #include "support/test.h"
 
+#include <batten/standard.h>
+
 static const double DEGREE = 3.14159265358979323846 / 180;
 
 TEST(a_box_floats_as_a_box_at_any_heel)
@@ -42,6 +44,39 @@ TEST(a_hull_of_wigley_has_its_closed_form)
     CHECK_NEAR(v.across, b * b * b * l * 4 / 105, 1e-12);
     CHECK_NEAR(v.along, b * l * l * l / 30, 1e-10);
     CHECK_NEAR(v.lids, 0, 1e-12);
+    batten_hull_free(hull);
+}
+
+static void check_error(double value, double exact, double said, double precision)
+{
+    CHECK(said > 0 && said <= 100 * precision);
+    CHECK(fabs(value - exact) <= said * exact + 1e-13);
+}
+
+/* A ball and its segments: the errors that are said are neither 0 nor less than those that were made. */
+TEST(what_is_said_of_errors_holds_and_falls_with_the_precision)
+{
+    const batten_frame frame = batten_frame_world();
+    const double pi = 180 * DEGREE;
+    batten_surface *ball = NULL;
+    batten_hull *hull = NULL;
+    batten_hull_options options = batten_hull_defaults();
+    options.whole = true;
+    CHECK_OK(batten_surface_sphere(&frame, 1, &ball));
+    CHECK_OK(batten_hull_create(1, (const batten_surface *const[]){ball}, &options, &hull));
+    batten_surface_unref(ball);
+    for (int k = -1; k <= 1; k++)
+        for (double precision = 1e-3; precision > 1e-9; precision /= 100) {
+            const double h = 0.4 * k; /* of the water above the middle */
+            batten_hydrostatics v;
+            CHECK_OK(batten_hull_hydrostatics(
+                hull, &(batten_flotation){h / (cos(0.1) * cos(0.3)), 0.1, 0.3}, precision, NULL,
+                &v));
+            check_error(v.volume, pi / 3 * (h + 1) * (h + 1) * (2 - h), v.volume_error,
+                        precision);
+            check_error(v.waterplane, pi * (1 - h * h), v.area_error, precision);
+            check_error(v.wetted, 2 * pi * (h + 1), v.wetted_error, precision);
+        }
     batten_hull_free(hull);
 }
 

@@ -145,6 +145,38 @@ TEST(sections_of_a_ball_along_its_parameter_lines_are_segments_of_circles)
     batten_hull_free(hull);
 }
 
+TEST(sections_of_a_ball_at_any_trim_and_heel_are_segments_of_circles)
+{
+    const batten_frame frame = batten_frame_world();
+    test_random random = test_random_begin(__func__);
+    batten_surface *ball = NULL;
+    CHECK_OK(batten_surface_sphere(&frame, 1, &ball));
+    batten_hull *hull = whole_hull(ball);
+    for (int i = 0; i < test_cases(60); i++) {
+        const double x = test_random_in(&random, -0.95, 0.95), r = sqrt(1 - x * x);
+        const double trim = test_random_in(&random, -0.6, 0.6);
+        const double heel = test_random_in(&random, -1.2, 1.2);
+        const double depth = test_random_in(&random, -0.9, 0.9);
+        /* of the water in the plane of the section, above the middle of the circle */
+        const double n = hypot(cos(trim) * sin(heel), cos(trim) * cos(heel));
+        const double h = (depth - sin(trim) * x) / n, low = fmax(-r, fmin(r, h));
+        const double wanted = r * r * (PI - acos(low / r)) + low * sqrt(r * r - low * low);
+        const batten_flotation at = {depth / (cos(trim) * cos(heel)), trim, heel};
+        CHECK_NEAR(area_within(hull, at, x, 1e-8), wanted, 1e-6);
+    }
+    batten_hull_free(hull);
+}
+
+TEST(sections_of_a_box_are_wet_by_hardly_any_water_and_nearly_all)
+{
+    batten_hull *hull = box_hull();
+    for (int i = 1; i < 40; i++) { /* rows crowd at the ends: so do the draughts */
+        const double s = sin(PI / 80 * i), draught = 2 * s * s;
+        CHECK_NEAR(area_at(hull, (batten_flotation){draught, 0, 0}, 1.3), 2 * draught, 1e-9);
+    }
+    batten_hull_free(hull);
+}
+
 /* Half of an ellipse lies below any line through its middle. */
 TEST(sections_of_an_ellipsoid_through_its_middle_are_halves_of_ellipses_at_any_heel)
 {

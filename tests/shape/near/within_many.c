@@ -2,7 +2,7 @@
 #include "support/test.h"
 #include <batten/approximate.h>
 
-enum { MANY = 12000, DIMENSION = 2 };
+enum { MANY = 6000, DIMENSION = 2 };
 
 /* A wave with some noise, sampled a hundred times a unit; closed: on a ring. */
 static double *wave(int count, bool closed, double noise)
