@@ -91,9 +91,10 @@ static const char *view_of(const batten_loft_straight *run)
 static batten_status refuse_run(const conflict *c, double bound, double least, int culprit)
 {
     const batten_offset_table *table = c->rails->of.table;
-    char would[80] = "", but[160] = "";
-    if (least > 0) /* four digits, rounded up: what is said does */
-        batten_text_print(would, sizeof would, "; within %.4g it can", 1.0005 * least);
+    char would[80] = "", but[160] = "", said[24];
+    bat_loft_say_bound(least, sizeof said, said);
+    if (least > 0)
+        batten_text_print(would, sizeof would, "; within %s it can", said);
     if (culprit >= 0)
         batten_text_print(but, sizeof but, "; only its point at %s forbids it: is that right?",
                           batten_offset_table_label(table, culprit).text);

@@ -1,5 +1,8 @@
 /* The least bound with which a hull can be lofted, where the one that was asked for is too small. */
+#include "loft/lines/line.h"
 #include "loft/report.h"
+
+#include <batten/text.h>
 
 #include <stdio.h>
 
@@ -12,6 +15,7 @@ typedef struct {
     const batten_loft_options *options;
     const batten_job *job;
     double enough;    /* 0: none yet */
+    double widest;    /* of the bounds that were judged; not of those with which lines cross */
     char points[600]; /* those that hold it there; while none does, the farthest off */
 } search;
 
@@ -56,8 +60,14 @@ static void name_farthest(const bat_hull_panels *panels, search *s)
     }
 }
 
-/* Does this bound do? NOT_COMPATIBLE: it does not. */
-static batten_status try_bound(search *s, double within)
+/* What ends a search; any other failure is of the bound alone, as when lines cross that have so much room. */
+static bool ends_search(batten_status status)
+{
+    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ||
+           status == BATTEN_INCOMPLETE;
+}
+
+static batten_status try_bound(search *s, double within, bool *does)
 {
     batten_loft_options wider = *s->options;
     bat_hull_panels panels;
@@ -65,36 +75,49 @@ static batten_status try_bound(search *s, double within)
     batten_status status = bat_hull_panels_make(s->table, &wider, s->job, &panels);
     if (status == BATTEN_OK)
         status = bat_hull_panels_fit(&panels);
+    *does = status == BATTEN_OK;
     if (status == BATTEN_OK) {
         s->enough = within;
         name_points(&panels, s);
-    } else if (status == BATTEN_NOT_COMPATIBLE && s->enough == 0 && !s->points[0]) {
-        name_farthest(&panels, s);
+    } else if (status == BATTEN_NOT_COMPATIBLE && s->enough == 0) {
+        s->widest = bat_max(s->widest, within);
+        if (!s->points[0])
+            name_farthest(&panels, s);
     }
     bat_hull_panels_free(&panels);
-    return status;
+    return ends_search(status) ? status : BATTEN_OK;
 }
 
 static batten_status find_least(search *s)
 {
     double low = s->options->within, high = low;
-    batten_status status = BATTEN_NOT_COMPATIBLE;
-    for (int k = 0; k < DOUBLINGS && status == BATTEN_NOT_COMPATIBLE; k++) {
+    batten_status status = BATTEN_OK;
+    bool does = false;
+    for (int k = 0; k < DOUBLINGS && !does && status == BATTEN_OK; k++) {
         low = high;
         high = 2 * low;
-        status = try_bound(s, high);
+        status = try_bound(s, high, &does);
     }
-    for (int k = 0; k < HALVINGS && status == BATTEN_OK; k++) {
+    const int halvings = does ? HALVINGS : 0;
+    for (int k = 0; k < halvings && status == BATTEN_OK; k++) {
         const double middle = sqrt(low * high);
-        status = try_bound(s, middle);
-        if (status == BATTEN_NOT_COMPATIBLE) {
-            low = middle;
-            status = BATTEN_OK;
-        } else {
-            high = middle;
-        }
+        status = try_bound(s, middle, &does);
+        *(does ? &high : &low) = middle;
     }
     return status;
+}
+
+static batten_status refuse_all(const search *s)
+{
+    const bool one = s->options->knuckle_count == 0;
+    char wider[40] = "";
+    if (s->widest > s->options->within)
+        batten_text_print(wider, sizeof wider, ", nor within %g", s->widest);
+    return bat_fail(BATTEN_NOT_COMPATIBLE,
+                    "no smooth %s found within %g of every point of the table%s: it may have "
+                    "a%s knuckle, or a point may be wrong%s%s",
+                    one ? "surface was" : "panels were", s->options->within, wider,
+                    one ? "" : "nother", s->points[0] ? "; the farthest off: " : "", s->points);
 }
 
 batten_status bat_loft_find_enough(const batten_offset_table *table,
@@ -104,19 +127,16 @@ batten_status bat_loft_find_enough(const batten_offset_table *table,
     search s = {.table = table, .options = options, .job = job};
     const batten_status status = find_least(&s);
     *enough = s.enough;
-    if (status != BATTEN_OK && status != BATTEN_NOT_COMPATIBLE)
+    if (status != BATTEN_OK)
         return status;
+    if (s.enough == 0)
+        return refuse_all(&s);
     const bool one = options->knuckle_count == 0;
-    const char *none = one ? "no smooth surface was" : "no smooth panels were";
-    if (s.enough > 0)
-        return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "%s found within %g of every point of the table; %s within %.4g%s%s",
-                        none, options->within, one ? "one was" : "some were", s.enough,
-                        s.points[0] ? ", held there by " : "", s.points);
-    return bat_fail(
-        BATTEN_NOT_COMPATIBLE,
-        "%s found within %g of every point of the table, nor within %g: it may have "
-        "a%s knuckle, or a point may be wrong%s%s",
-        none, options->within, options->within * (1 << DOUBLINGS), one ? "" : "nother",
-        s.points[0] ? "; the farthest off: " : "", s.points);
+    char least[24];
+    bat_loft_say_bound(s.enough, sizeof least, least);
+    return bat_fail(BATTEN_NOT_COMPATIBLE,
+                    "no smooth %s found within %g of every point of the table; %s within %s%s%s",
+                    one ? "surface was" : "panels were", options->within,
+                    one ? "one was" : "some were", least,
+                    s.points[0] ? ", held there by " : "", s.points);
 }

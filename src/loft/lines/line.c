@@ -6,6 +6,7 @@
 #include "fair/sign_pattern.h"
 #include "numeric/banded.h"
 
+#include <batten/text.h>
 #include <batten/fair.h>
 
 enum {
@@ -247,4 +248,9 @@ batten_status bat_loft_line_fair(const bat_loft_line *line, double *f, int *foun
     }
     bat_arena_free(&made.arena);
     return status;
+}
+
+void bat_loft_say_bound(double bound, size_t room, char *text)
+{
+    batten_text_print(text, room, "%.4g", 1.0005 * bound);
 }

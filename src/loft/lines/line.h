@@ -11,4 +11,7 @@
  */
 batten_status bat_loft_line_fair(const bat_loft_line *line, double *f, int *found);
 
+/* A least bound in four digits, rounded up: the bound that is said does, too. */
+void bat_loft_say_bound(double bound, size_t room, char *text);
+
 #endif
