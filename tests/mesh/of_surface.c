@@ -240,61 +240,6 @@ TEST(long_edges_are_divided)
     batten_mesh_unref(mesh);
 }
 
-/* A plane patch of which one coordinate is damaged: a needle around which the normal turns in
- * no length at all. */
-TEST(S5_one_damaged_coordinate_does_not_divide_for_ever)
-{
-    static const int places[] = {2, 14, 8, 1};
-    static const double values[] = {1e300, -1e300, 1e150, -1e200};
-    for (int n = 0; n < COUNT(places); n++) {
-        double points[16][3];
-        batten_surface *needle = NULL;
-        batten_mesh *mesh = NULL;
-        const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
-        const batten_axis axis = {.degree = 3, .point_count = 4, .knots = knots};
-        for (int i = 0; i < 4; i++)
-            for (int j = 0; j < 4; j++) {
-                const double z = 5 / 3.0 + 0.0625 * i;
-                double *point = points[4 * i + j];
-                point[0] = 2;
-                point[1] = i / 3.0 * (0.1875 + 0.8125 / 3 * j);
-                point[2] = z + j / 3.0 * (0.5 - z);
-            }
-        points[places[n]][0] = values[n];
-        CHECK_OK(batten_surface_create(3, &axis, &axis, points[0], NULL, &needle));
-        CHECK_OK(batten_mesh_from_surface(needle, NULL, NULL, NULL, &mesh));
-        CHECK(batten_mesh_view(mesh)->triangle_count < 200000);
-        batten_mesh_unref(mesh);
-        batten_surface_unref(needle);
-    }
-}
-
-/* Two planes that meet in a roof: degree 1 across the ridge. */
-TEST(a_ridge_is_kept_with_a_normal_for_each_side)
-{
-    const double points[3][2][3] = {
-        {{0, 0, 0}, {0, 4, 0}}, {{1, 0, 1}, {1, 4, 1}}, {{2, 0, 0}, {2, 4, 0}}};
-    const double across[] = {0, 0, 0.3, 1, 1}, along[] = {0, 0, 1, 1};
-    const batten_axis u = {.degree = 1, .point_count = 3, .knots = across};
-    const batten_axis v = {.degree = 1, .point_count = 2, .knots = along};
-    batten_surface *roof = NULL;
-    batten_mesh *mesh = NULL;
-    batten_mesh_report report;
-    CHECK_OK(batten_surface_create(3, &u, &v, points[0][0], NULL, &roof));
-    const batten_mesh_facts f = mesh_of(roof, NULL, &report, &mesh);
-    CHECK_NEAR(f.area, 8 * sqrt(2), 1e-13);
-    CHECK_INT(batten_mesh_view(mesh)->triangle_count, 4);
-    for (int t = 0; t < 4; t++) {
-        const batten_mesh_parts *m = batten_mesh_view(mesh);
-        double x = 0;
-        for (int k = 0; k < 3; k++)
-            x += m->points[3 * m->corners[3 * t + k]] / 3;
-        for (int k = 0; k < 3; k++)
-            CHECK_NEAR(m->normals[9 * t + 3 * k], x < 1 ? -sqrt(0.5) : sqrt(0.5), 1e-15);
-    }
-    batten_mesh_unref(mesh);
-}
-
 TEST(S5_what_cannot_be_meshed_is_refused_before_the_work)
 {
     const batten_frame world = batten_frame_world();
@@ -367,25 +312,4 @@ TEST(meshing_can_be_cancelled)
     const batten_status status = batten_mesh_from_surface(sphere, &options, &job, NULL, &mesh);
     CHECK(status == BATTEN_CANCELLED || status == BATTEN_OUT_OF_MEMORY);
     batten_surface_unref(sphere);
-}
-
-/* A strip between two curves that stand still over the middle of three spans. */
-TEST(G5_where_a_border_stands_still_no_triangle_is_flat)
-{
-    static const double x[7] = {0, 0.3, 1, 1, 1, 1.7, 2};
-    static const double across[4] = {0, 0, 1, 1}, along[10] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 3};
-    double points[2][7][3];
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 7; j++) {
-            points[i][j][0] = x[j];
-            points[i][j][1] = i;
-            points[i][j][2] = x[j] * x[j] / 4;
-        }
-    const batten_axis u = {.degree = 1, .point_count = 2, .knots = across};
-    const batten_axis v = {.degree = 2, .point_count = 7, .knots = along};
-    batten_surface *strip = NULL;
-    batten_mesh_report report;
-    CHECK_OK(batten_surface_create(3, &u, &v, points[0][0], NULL, &strip));
-    const batten_mesh_facts f = mesh_of(strip, NULL, &report, NULL);
-    CHECK_INT(f.euler, 1);
 }

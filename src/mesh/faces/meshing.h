@@ -78,6 +78,9 @@ typedef struct {
     int *owners; /* [triangle_count] faces of `parts` */
 } bat_meshing;
 
+/* Lists for the parts, and the vertices as the first points. To be ended, also on failure. */
+batten_status bat_meshing_begin(bat_meshing *m);
+void bat_meshing_end(bat_meshing *m);
 batten_status bat_meshing_point(bat_meshing *m, const double point[3], int *index);
 batten_status bat_meshing_triangle(bat_meshing *m, const int corners[3],
                                    const double normals[9], int face);

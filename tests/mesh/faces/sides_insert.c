@@ -1,5 +1,5 @@
 /* Points put between sides: taken where they may be, and Delaunay afterwards. */
-#include "mesh/side_scene.h"
+#include "mesh/faces/side_scene.h"
 
 #include <math.h>
 

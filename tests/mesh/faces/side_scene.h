@@ -1,6 +1,6 @@
 /* Triangles with kept sides on a grid: whole numbers, in which all decisions are exact. */
-#ifndef TESTS_MESH_SIDE_SCENE_H
-#define TESTS_MESH_SIDE_SCENE_H
+#ifndef TESTS_MESH_FACES_SIDE_SCENE_H
+#define TESTS_MESH_FACES_SIDE_SCENE_H
 #include "mesh/faces/sides.h"
 #include "support/test.h"
 

@@ -1,8 +1,6 @@
 /* Faces that are left out because of their borders in (u, v): which face, where, and how far. */
-#include "body/builder.h"
-#include "support/test.h"
+#include "mesh/faces/plane_scene.h"
 
-#include <batten/mesh.h>
 #include <batten/standard.h>
 
 static const double square[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -123,6 +121,55 @@ TEST(a_border_may_leave_its_surface_by_a_thousand_widths)
     for (int i = 0; i < batten_notes_count(notes); i++)
         CHECK(!strstr(batten_notes_at(notes, i)->text, "far outside"));
     batten_notes_free(notes);
+    batten_mesh_unref(mesh);
+    batten_body_unref(body);
+}
+
+TEST(a_face_that_crosses_itself_is_left_out_with_a_note)
+{
+    static const double crossed[4][2] = {{0, 0}, {2, 2}, {2, 0}, {0, 2}};
+    static const double wider[4][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    plane_face s;
+    batten_mesh_report report;
+    batten_notes *notes = NULL;
+    batten_mesh *mesh = NULL;
+    plane_begin(&s, 2, 2);
+    plane_polygon(&s, 4, crossed);
+    CHECK_OK(
+        bat_builder_face(&s.builder, &(batten_body_face){.name = "good", .surface = s.plane}));
+    plane_polygon(&s, 4, wider);
+    batten_body *body = plane_end(&s);
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_mesh_from_body(body, NULL, NULL, notes, &report, &mesh));
+    CHECK_INT(report.failed, 1);
+    CHECK_INT(batten_mesh_view(mesh)->triangle_count, 2);
+    CHECK_INT(batten_mesh_view(mesh)->faces[0], 1);
+    if (batten_notes_count(notes)) {
+        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "plane");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "crosses or touches itself");
+    }
+    batten_notes_free(notes);
+    batten_mesh_unref(mesh);
+    batten_body_unref(body);
+}
+
+/* However fine their samples, they stay on one another: that must not take time with the square
+ * of the samples, nor go on beyond what is allowed. */
+TEST(S3_a_border_that_lies_on_itself_is_given_up_in_time)
+{
+    plane_face s;
+    batten_mesh *mesh = NULL;
+    batten_mesh_report report;
+    batten_mesh_options options = batten_mesh_defaults();
+    options.most = 5000;
+    plane_begin(&s, 4, 4);
+    plane_circle(&s, 2, 2, 1.5, false);
+    plane_circle(&s, 2, 2, 1, true);
+    plane_circle(&s, 2, 2, 1, true);
+    batten_body *body = plane_end(&s);
+    CHECK_OK(batten_mesh_from_body(body, &options, NULL, NULL, &report, &mesh));
+    CHECK_INT(report.failed, 1);
+    CHECK_INT(batten_mesh_view(mesh)->triangle_count, 0);
     batten_mesh_unref(mesh);
     batten_body_unref(body);
 }

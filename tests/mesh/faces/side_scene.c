@@ -1,5 +1,5 @@
 /* Triangles with kept sides on a grid, and brute force. */
-#include "mesh/side_scene.h"
+#include "mesh/faces/side_scene.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* Sides that are kept, and what is inside them, against brute force. */
-#include "mesh/side_scene.h"
+#include "mesh/faces/side_scene.h"
 
 TEST(random_sides_are_kept_until_they_cross_or_touch_others)
 {
